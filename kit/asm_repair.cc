@@ -118,8 +118,8 @@ std::string WithLineEnds(std::string replacement, std::string_view replaced) {
   for (size_t i = 0; i < replaced.size(); ++i) {
     if (replaced[i] != '\n') continue;
     const size_t back = i > 0 && replaced[i - 1] == '\r' ? 2 : 1;
-    // Ends the line of `replacement` in a backslash if the replaced line ended in one, because each
-    // line of a macro but the last must end in a backslash.
+    // Ends the line of `replacement` in a backslash if the replaced line ended in a backslash,
+    // because each line of a macro but the last must end in a backslash.
     const bool goes_on = i >= back && replaced[i - back] == '\\';
     replacement += goes_on ? " \\\n" : "\n";
   }
@@ -191,8 +191,8 @@ std::vector<Edit> AssemblyMacroRepairOf(const std::string& line, const std::stri
   const std::string code = WithoutComments(header);
   std::vector<Edit> edits;
   for (AsmUse use : FindAsmUses(code)) {
-    // Goes back to the first line of the macro.  All lines of a macro but the last end in a
-    // backslash.
+    // Goes back to the first line of the macro: passes all lines before that end in a backslash,
+    // because all lines of a macro but the last do.
     size_t begin = code.rfind('\n', use.begin);
     while (begin != kNone && begin > 0 && code[begin - 1] == '\\')
       begin = code.rfind('\n', begin - 1);

@@ -286,8 +286,8 @@ bool IsOlderThanSources(const KitLog::Image& image) {
 // look like images of this build.
 void FolderBuild::RemoveOldImages(bool is_made) {
   KitLog log = ReadKitLog(make_.log);
-  // Compares times only if make has failed.  A make that succeeds has itself made the images again
-  // whose sources are newer.
+  // Compares times only if make has failed.  If make succeeds, all images are newer than their
+  // sources, because make has made the older images again.
   const auto is_old = [&](const KitLog::Image& image) {
     return IsOutOfDate(image, log.failures) || (!is_made && IsOlderThanSources(image));
   };
@@ -306,8 +306,8 @@ bool FolderBuild::SomeImageIsMissing() const {
   for (const StickFolder& stick : project_.sticks) {
     if (stick.objects.empty()) continue;
     has_list = true;
-    // Completes the stick only to learn what is missing.  So removes the images that this has put
-    // on the stick.
+    // Completes the stick only to find out whether images are missing, and so removes the images
+    // again that CompleteStick() has put on the stick.
     const Harvest harvest = CompleteStick(stick, project_, log, sdk_root_, {});
     for (const fs::path& file : harvest.placed) fs::remove(file);
     if (!harvest.problems.empty()) return true;
@@ -329,7 +329,8 @@ void FolderBuild::Deliver() {
   if (after.sticks.empty()) after.sticks.push_back({after.root / "MS", {}, {}});
   wants_all_ = std::all_of(after.sticks.begin(), after.sticks.end(),
                            [](const StickFolder& stick) { return stick.objects.empty(); });
-  // An OBJECT.CFG written now would not list the images that have failed.
+  // Makes no stick if images have failed and the user's sticks have no OBJECT.CFG: an OBJECT.CFG
+  // written now would lack these images.
   if (wants_all_ && HasFailed()) return;
   const KitLog log = ReadKitLog(make_.log);
   std::string placed;
@@ -371,7 +372,7 @@ void FolderBuild::Deliver() {
 
 // Returns whether the build of some object has failed or could not begin.  A Makefile can ignore
 // the failure of a command, so make may succeed although a file has failed.  If make succeeds, only
-// failures of files in the objects' folders count.
+// failures of files in the objects' folders count, because the program may not need other files.
 bool FolderBuild::HasFailed() const {
   const std::vector<KitLog::Failure> failures = ReadKitLog(make_.log).failures;
   return !hurdles_.empty() ||

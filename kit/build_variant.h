@@ -25,8 +25,8 @@ std::vector<std::string> VariantCompileFlags(BuildVariant variant);
 // Returns the linker flags of a variant.
 std::vector<std::string> VariantLinkFlags(BuildVariant variant);
 
-// Returns the reason why the compiler that the user has chosen cannot build `variant`; "" if it
-// can.
+// Returns the reason why the compiler that the user has chosen cannot build `variant`; "" if the
+// compiler can.
 std::string WhyNoVariant(BuildVariant variant);
 
 }  // namespace openr_host

@@ -43,9 +43,9 @@ const char* WordOf(Remark::Kind kind) {
   }
 }
 
-// Returns `rendered`, the text of a remark, with the beginning of its first line in colour.  This
-// beginning is the place and, except for errors, the word "warning" or "note".  The colour shows
-// the kind of the remark.
+// Returns `rendered`, the text of a remark (an error, a warning or a note), with the beginning of
+// its first line in colour.  This beginning is the place and, except for errors, the word "warning"
+// or "note".  The colour shows the kind of the remark.
 std::string WithColour(const std::string& rendered, Remark::Kind kind, bool has_colours) {
   const std::string word = kind == Remark::Kind::kError ? ":" : std::string(WordOf(kind)) + ":";
   const size_t at = rendered.find(word + " ");

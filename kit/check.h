@@ -22,14 +22,14 @@ struct Remark {
   int column = 0;  // number of the column; 0: it is not known, so no caret is shown
   std::string text;
   std::string source_line;
-  // Text that names the cause of the remark.  Remarks with the same cause are joined into one; a
-  // remark without a cause ("") is never joined.
+  // Text that names the cause of the remark.  Remarks with the same cause become one remark; a
+  // remark without a cause ("") stays alone.
   std::string cause;
   uint64_t count = 1;                // number of places that the remark is about
   std::vector<std::string> also_at;  // a few further places, such as "CONNECT.CFG:5"
 };
 
-// Collects remarks about one program.
+// Collects remarks (errors, warnings and notes) about one program.
 class Remarks {
  public:
   Remarks() = default;
@@ -41,9 +41,9 @@ class Remarks {
 
   void Add(Remark::Kind kind, const FilePosition& place, std::string text);
 
-  // Adds a remark that has the cause `cause`, a text that is only compared with other causes.  If
-  // the file already has a remark of this kind with the same cause, only adds the place to that
-  // remark.  So one mistake gives one remark.
+  // Adds a remark (an error, a warning or a note) that has the cause `cause`, a text that is only
+  // compared with other causes.  If the file already has a remark of this kind with the same cause,
+  // only adds the place to that remark.  So one mistake gives one remark.
   void AddConsequence(Remark::Kind kind, const FilePosition& place, std::string cause,
                       std::string text);
 
@@ -72,9 +72,10 @@ enum class CheckTarget { kHost, kRobot };
 Remarks CheckFolder(const std::string& folder, const std::vector<std::string>& locators,
                     CheckTarget target = CheckTarget::kHost);
 
-// Returns the remarks as text.  Each remark is "file:line: warning: text", then the line of the
-// file with a caret below it, then the other places with the same cause.  With `has_colours`, the
-// place has the colour of the remark's kind.
+// Returns the remarks as text.  An error is "file:line: text".  A warning or a note has the word
+// "warning:" or "note:" before its text.  Below it are the line of the file with a caret, then the
+// other places with the same cause.  With `has_colours`, file, line and this word have a colour,
+// which differs between errors, warnings and notes.
 std::string RenderRemarks(const Remarks& remarks, bool has_colours = false);
 
 // Returns the remarks as JSON:

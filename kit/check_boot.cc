@@ -62,7 +62,8 @@ std::vector<std::string> MissingBaseFiles(const fs::path& root) {
 }
 
 // Returns whether the text of DESIGN.CFG names `design`.  An ERS-7M2 calls itself ERS-7
-// (field-notes.md 5.3), so the name ERS-7M2 is not the name of any design, though it contains one.
+// (field-notes.md 5.3), so DESIGN.CFG names no design by "ERS-7M2".  A place where the text has
+// "ERS-7M2" therefore does not count as the name ERS-7, which it contains.
 bool NamesDesign(const std::string& text, const std::string& design) {
   for (size_t at = text.find(design); at != std::string::npos; at = text.find(design, at + 1)) {
     if (text.compare(at + design.size(), 2, "M2") != 0) return true;

@@ -28,10 +28,10 @@ bool HasBaseImage(const std::string& root);
 // names the folders of the SDK in which there are base images.
 std::string BaseImageContents();
 
-// Adds a remark for each part of the robot's system that is missing on the stick in the folder
-// `root`, which holds OPEN-R/.  These parts are the base image with its system objects, DESIGN.CFG
-// for `design` ("ERS-210"; "": any design), images for the robot's processor, and the network if an
-// object needs it.
+// Adds a remark (an error, a warning or a note) for each part of the robot's system that is missing
+// on the stick in the folder `root`, which holds OPEN-R/.  These parts are the base image with its
+// system objects, DESIGN.CFG for `design` ("ERS-210"; "": any design), images for the robot's
+// processor, and the network if an object needs it.
 StickSummary CheckBoot(const std::string& root, const std::string& design, Remarks* remarks);
 
 }  // namespace openr_host

@@ -24,8 +24,8 @@ std::string_view WordBefore(std::string_view code, size_t at) {
   return code.substr(begin, last + 1 - begin);
 }
 
-// Returns whether a word can stand before an expression, so that the word after it is used and not
-// declared.
+// Returns whether `word`, such as "return", can stand before an expression.  If so, it is not a
+// type, and the word after it is used and not declared.
 bool IsBeforeExpression(std::string_view word) {
   constexpr std::string_view kWords[] = {"return", "case", "else", "do", "throw"};
   return std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords);
@@ -72,7 +72,8 @@ bool HasOwn(const std::string& code, const std::string& name) {
     const size_t last = PreviousOf(code, at);
     if (last == kNone || last == 0) continue;
     if (code[last] == '*' || code[last] == '&') return true;
-    // In a list of declared names, or behind the arguments of a template.
+    // Finds a name in a list of declared names (", name;"), or behind the arguments of a template
+    // ("vector<int> name;").
     const size_t next = NextOf(code, at + name.size());
     if ((code[last] == ',' || code[last] == '>') && next != kNone &&
         std::string_view(";,[=").find(code[next]) != std::string_view::npos)
@@ -140,10 +141,11 @@ class CallCheck {
                              std::move(text));
   }
 
-  // Finds OSYSPRINT("text") for OSYSPRINT(("text")).  The compiler complains about the code that
-  // the macro became, and this does not lead a beginner to the second pair of brackets.  OSYSDEBUG
-  // and OSYSLOG may be switched off: then one text in brackets does no harm, so only those with a
-  // comma are mistakes.
+  // Finds calls such as OSYSPRINT("text"), which lack the second pair of brackets of
+  // OSYSPRINT(("text")).  The compiler complains about the code to which the macro expands, and
+  // such a message does not lead a beginner to the missing brackets.  OSYSDEBUG and OSYSLOG may be
+  // switched off: then a single text in brackets does no harm, so only calls with a comma count as
+  // mistakes.
   void CheckBrackets() {
     static const std::regex kMacro("\\b(OSYSPRINT|OSYSDEBUG|OSYSLOG[1-4])[ \t]*\\(");
     for (std::sregex_iterator it(code_.begin(), code_.end(), kMacro), end; it != end; ++it) {
@@ -166,7 +168,8 @@ class CallCheck {
 
   void CheckClock(const Clock& clock) {
     if (*clock.word != '\0' && !HasWord(code_, clock.word)) return;
-    // A clock that stands still is good enough as the seed of random numbers.
+    // Does not warn if the program sets a seed of random numbers, because even a clock that stands
+    // still can give the seed.
     if (HasWord(code_, "srand") || HasWord(code_, "srandom")) return;
     const std::regex call(std::string("\\b") + clock.name + "[ \t]*\\(" + clock.arguments);
     for (std::sregex_iterator it(code_.begin(), code_.end(), call), end; it != end; ++it) {
@@ -179,8 +182,9 @@ class CallCheck {
     }
   }
 
-  // Warns of this function although no header here has it, because no document of ours gives its
-  // arguments: the compiler would only say that it is not declared.
+  // Warns of calls of a function that our headers do not declare, because no document gives its
+  // arguments.  Without this warning, the compiler would only say that the function is not
+  // declared.
   void CheckFreeMemory() {
     constexpr std::string_view kName = "AnalyzerGetSizeOfFreeMemory";
     for (size_t at = code_.find(kName); at != kNone; at = code_.find(kName, at + 1)) {
@@ -227,10 +231,11 @@ void CheckServiceIndices(const StubConfig& config, const std::vector<SourceOfObj
 
 void CheckExtraEntries(const StubConfig& config, const std::vector<SourceOfObject>& sources,
                        const std::string& code, Remarks* remarks) {
-  // Send() and OServiceEntry() take the object's own id and the selector, in this order.
+  // Matches the arguments "myOID_, entryX", because Send() and OServiceEntry() take the object's
+  // own id and then the selector.
   static const std::regex kSelector("\\bmyOID_[ \t\r\n]*,[ \t\r\n]*(entry(\\w+))[ \t\r\n]*[,)]");
   // Looks for definitions in the rest of the code, because the comma before a selector looks like
-  // one in a list that defines constants.
+  // the comma in a list that defines constants.
   const std::string rest = std::regex_replace(code, kSelector, "");
   for (const SourceOfObject& source : sources) {
     const std::string own = WithoutConditionalCode(WithoutComments(source.text));

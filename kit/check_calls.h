@@ -12,7 +12,7 @@
 
 namespace openr_host {
 
-// A source of an object.
+// The path and the text of a source of an object.
 struct SourceOfObject {
   std::filesystem::path file;
   std::string text;
@@ -24,8 +24,8 @@ struct SourceOfObject {
 void CheckServiceIndices(const StubConfig& config, const std::vector<SourceOfObject>& sources,
                          const std::string& code, Remarks* remarks);
 
-// Warns of an index entryX that `sources` give as a selector.  The selector of an Extra line of
-// stub.cfg is Extra_Entry[entryX].
+// Warns of an index entryX that `sources` use as a selector.  This is a mistake, because the
+// selector of an Extra line of stub.cfg is Extra_Entry[entryX].
 void CheckExtraEntries(const StubConfig& config, const std::vector<SourceOfObject>& sources,
                        const std::string& code, Remarks* remarks);
 

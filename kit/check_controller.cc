@@ -181,8 +181,8 @@ class ControllerCheck {
     for (const StringLiteral& literal : StringLiteralsIn(file.source)) {
       const size_t after = NextOf(file.source, literal.at + literal.text.size() + 2);
       const size_t before = PreviousOf(file.source, literal.at);
-      // Skips strings that may be only a part of a name: strings next to another string, with a
-      // format or an escape, or with a separator at the end.
+      // Skips strings that may be only a part of a device's name: strings next to another string,
+      // strings with a format such as %d or an escape, and strings that end in '/', '-' or ':'.
       const bool is_joined = (after != kNone && file.source[after] == '"') ||
                              (before != kNone && file.source[before] == '"');
       const bool is_made_up = literal.text.find_first_of("%\\") != std::string::npos;

@@ -186,10 +186,10 @@ class DataCheck {
     }
   }
 
-  // Returns a text for users that names a file in which received data are used as a `type`, or as
-  // one of its bases, and a virtual function that this file calls.  Returns "" if there is none.
-  // Ignores files in the folder of `sender`, since an object that is loaded twice from one image
-  // can call the functions (field-notes.md, 2.7).
+  // Looks for a file in which received data are used as a `type`, or as a base class of `type`, and
+  // which calls a virtual function of these data.  Returns a text for users that names the file and
+  // the function; "" if there is no such file.  Ignores files in the folder of `sender`, since an
+  // object that is loaded twice from one image can call the functions (field-notes.md, 2.7).
   std::string VirtualCallOf(const std::string& type, const fs::path& sender) const {
     std::vector<std::string> types, functions;
     AddWithBases(type, &types);

@@ -41,7 +41,8 @@ std::string ObjectNameIn(std::string_view bytes) {
 // A line of OBJECT.CFG without a usable image: the file is missing, or is a binary for the robot.
 struct MissingImage {
   ObjectRecord record;
-  std::string problem;  // why the file, an image for the robot, cannot run; "": no file
+  // Reason why the image on the stick, which is for the robot, cannot run here; "": no file.
+  std::string problem;
 };
 
 class ImageCheck {
@@ -158,15 +159,16 @@ void ImageCheck::CheckImage(const ObjectRecord& record, const fs::path& file,
   for (const ObjectFolder* object : objects_) {
     if (HasOcfName(*object, name)) namesakes.push_back(object);
   }
-  // Drops, if several objects of the program have this name, those with a service that the image
-  // lacks, because objects for different robots often share a name.  Keeps a single object without
-  // a look at its services, because its stub.cfg may have changed since the image was built.
+  // Several objects of the program may have the name of the image's object, because objects for
+  // different robots often share a name.  Then drops the objects with a service that the image
+  // lacks.  Keeps a single object without a look at its services, because its stub.cfg may have
+  // changed since the image was built.
   if (namesakes.size() > 1)
     std::erase_if(namesakes,
                   [&](const ObjectFolder* object) { return !HasServicesIn(*object, record); });
   for (const ObjectFolder* object : namesakes) Place(*object, record.section);
   if (namesakes.size() != 1) return;
-  // Adds an image only once, even if several sections of OBJECT.CFG list it.
+  // Adds an image only once, even if several sections of OBJECT.CFG, for different robots, list it.
   const bool is_known = std::any_of(
       images_.built.begin(), images_.built.end(),
       [&](const auto& built) { return built.folder == namesakes.front() && built.image == file; });

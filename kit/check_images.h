@@ -35,9 +35,9 @@ struct StickImages {
   bool knows_all = true;              // false: some image is missing, so its services are unknown
 };
 
-// Adds a remark for each faulty image.  An image is faulty if it is missing and no build will make
-// it, if `target` cannot load it, or if its object has the same name as another object.  Returns
-// the services of all images.
+// Adds a remark (an error or a note) for each faulty image.  An image is faulty if it is missing
+// and no build will make it, if `target` cannot load it, or if its object has the same name as
+// another object.  Returns the services of all images.
 StickImages CheckImages(const StickFolder& stick, const Project& project, const ObjectParts& parts,
                         CheckTarget target, Remarks* remarks);
 

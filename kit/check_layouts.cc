@@ -190,8 +190,8 @@ class LayoutCheck {
                     is_pointer ? "" : ", and longword has 4 bytes on both"));
   }
 
-  // Returns the built object that declares the service `name`; null if no built object or more than
-  // one of them declares the service.
+  // Returns the built object that declares the service `name`; null if no built object declares the
+  // service, or if several do.
   const BuiltObject* OwnerOf(const ServiceName& name) const {
     const auto [begin, end] = owners_.equal_range(Compose(name));
     return begin != end && std::next(begin) == end ? begin->second : nullptr;

@@ -97,8 +97,8 @@ class ObjectCheck {
   }
 
   // Returns the text of files that may define sbjX, obsX or entryX beside stub.cfg: each def.h and
-  // entry.h that somebody wrote by hand, and the services of other files in the form of stub.cfg,
-  // of which a Makefile may make the stub instead.
+  // entry.h that somebody wrote by hand, and the services in other files of the form of stub.cfg,
+  // because a Makefile may make the stub from such a file.
   std::string OtherDefinitions() const {
     static const std::regex kService(
         "Service[ \t]*:[ \t]*\"[ \t]*\\w+\\.(\\w+)\\.[^\"]*\\.([SO])\"");

@@ -21,8 +21,8 @@ struct PlacedObject {
   std::string section;
 };
 
-// Adds a remark for each object that has, in its .ocf file, the same name as another object, if one
-// robot loads both objects.
+// Adds a warning for each object that has, in its .ocf file, the same name as another object, if
+// one robot loads both objects.
 void CheckObjectNames(const std::vector<PlacedObject>& placed, const ObjectParts& parts,
                       Remarks* remarks);
 

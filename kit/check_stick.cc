@@ -83,9 +83,9 @@ class StickCheck {
   ConnectConfig wires_;
 };
 
-// Checks that an object on the stick has the service `name`, which CONNECT.CFG names at `place`.
-// `section` is the section of CONNECT.CFG that contains this line.  Each section is for one design
-// of robot; "" means that the line is for all robots.
+// Checks that an object on the stick has the service `name`, which a line of CONNECT.CFG names at
+// `place`.  `section` is the section that contains this line.  Each section is for one design of
+// robot; "" means that the line is for all robots.
 void StickCheck::CheckService(const ServiceName& name, const std::string& section,
                               const FilePosition& place) {
   const std::string full = Compose(name);

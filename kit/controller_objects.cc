@@ -42,7 +42,8 @@ std::optional<Arguments> CompileController(const std::vector<fs::path>& sources,
   const fs::path include = fs::path(SdkRoot()) / "controller" / "include";
   Arguments objects;
   bool good = true;
-  // Compiles each source in its folder, so that messages and a debugger name the user's file.
+  // Compiles the user's own files, and not copies of them, so that messages and a debugger name the
+  // user's files.
   for (const fs::path& source : sources) {
     const std::string object = scratch / fmt::format("{}.o", objects.size());
     const Arguments compile =

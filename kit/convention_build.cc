@@ -60,9 +60,9 @@ std::string Joined(const Paths& paths) {
   return text;
 }
 
-// Returns the .ocf file of an object.  If the object has several, returns the one with the name
-// that is most like the object's class or folder.  If no .ocf file fits, returns "" and sets
-// `problem` to the error message.
+// Returns the .ocf file of an object.  If the object has several .ocf files, returns the file whose
+// name is most like the name of the object's class or folder.  If no .ocf file fits, returns "" and
+// sets `problem` to the error message.
 fs::path ChooseOcf(const ObjectFolder& object, std::string* problem) {
   if (object.ocfs.size() == 1) return object.ocfs[0];
   if (object.ocfs.empty()) {
@@ -123,9 +123,9 @@ fs::path NamedStubFolder(const ObjectFolder& object) {
   return {};
 }
 
-// Returns the folder into which stubgen2 writes the stub of `object`.  This folder is the one from
-// which the object's sources include the stub.  If the sources name no such folder, the result is
-// the folder of stub.cfg, because sources of other objects may include the stub from that folder
+// Returns the folder into which stubgen2 writes the stub of `object`: the folder from which the
+// object's sources include the stub.  If the sources name no such folder, returns the folder of
+// stub.cfg, because sources of other objects may include the stub from that folder
 // ("../Walker/def.h").  If the folder of stub.cfg has a def.h written by hand, returns `build`, so
 // that this def.h is not overwritten.
 fs::path StubFolder(const ObjectFolder& object, const fs::path& build) {

@@ -27,7 +27,8 @@ std::vector<std::filesystem::path> SourcesIncluded(
     const std::vector<std::filesystem::path>& shared);
 
 // Returns how many sources BuildByConvention() compiles for `objects` when nothing is up to date.
-// Does not count the shared sources that are added only if names are undefined at linking.
+// Does not count the shared sources (in no object's folder) that are added only if names are
+// undefined at linking.
 uint64_t CountByConvention(const Project& project, const std::vector<ObjectFolder>& objects);
 
 // Builds `objects` of `project` in folders below `work`.  Compiles them with the kit's flags, and

@@ -13,7 +13,7 @@ namespace openr_host {
 namespace {
 
 // Returns the lines of `text` without comment lines.  A line that ends with a backslash is joined
-// with the next one.
+// with the next line.
 std::vector<std::string> LogicalLines(const std::string& text) {
   static const std::regex kContinued("\\\\\r?\n");
   std::istringstream stream(std::regex_replace(text, kContinued, " "));
@@ -34,13 +34,14 @@ std::vector<std::string> SplitBlanks(const std::string& text) {
 // Returns the file name at the end of a path in a Makefile: "Rules.make" for "$(TOP)/Rules.make".
 std::string PathEnd(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
-// Returns whether `line` begins with `pattern`, and the match.
+// Returns whether `line` begins with text that `pattern` matches, and sets `*match` to this match.
 bool BeginsWith(const std::string& line, const std::regex& pattern, std::smatch* match) {
   return std::regex_search(line, *match, pattern, std::regex_constants::match_continuous);
 }
 
-// Returns the words of `targets`, and the values of the first variable among them as far as the
-// Makefiles assign it directly: also ".depend" for "$(DEPEND)" after "DEPEND = .depend".
+// Returns the words of `targets`.  If a variable is among them, also returns the words of all
+// values that the Makefiles give to the first variable: for "$(DEPEND)" after "DEPEND = .depend",
+// also returns ".depend".  Does not look up variables in these values.
 std::vector<std::string> ExpandedTargets(const std::string& targets,
                                          const std::vector<std::string>& lines) {
   static const std::regex kReference("\\$[({](\\w+)[)}]");
@@ -92,7 +93,7 @@ bool HasRuleFor(const std::string& name, const std::vector<std::string>& lines) 
 bool IsAlwaysRun(const std::string& line) {
   if (line.find("$(MAKE)") != std::string::npos || line.find("${MAKE}") != std::string::npos)
     return true;
-  // A recipe follows a tab, or the semicolon of a rule.
+  // A line of a recipe begins with a tab, or it follows the semicolon of a rule.
   const size_t begin = line.starts_with('\t')    ? 0
                        : TargetsIn(line).empty() ? std::string::npos
                                                  : line.find(';');
@@ -106,7 +107,8 @@ bool IsAlwaysRun(const std::string& line) {
 bool DryRunRunsCommands(const std::string& makefiles) {
   static const std::regex kInclude(" *[-s]?include\\s");
   const std::vector<std::string> lines = LogicalLines(makefiles);
-  std::set<std::string> read = {"Makefile", "makefile", "GNUmakefile"};  // names without folders
+  // Names of the files that make reads.
+  std::set<std::string> read = {"Makefile", "makefile", "GNUmakefile"};
   for (const std::string& line : lines) {
     if (IsAlwaysRun(line)) return true;
     std::smatch match;

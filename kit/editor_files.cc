@@ -43,7 +43,7 @@ std::string StickOf(const EditorFolder& folder) {
 const char* DurationOf(const EditorFolder& folder) { return folder.is_controller ? "30s" : "10s"; }
 
 // Returns the name of the task whose images the debugger runs.  A controller is always built with
-// debug information, so its one build task is also the task for the debugger.
+// debug information, so the task that builds it is also the task for the debugger.
 const char* TaskBeforeDebugger(const EditorFolder& folder) {
   return folder.is_controller ? kBuildTask : kDebugBuildTask;
 }

@@ -27,13 +27,14 @@ struct EditorFolder {
 // Returns the paths of this installation.
 EditorPlaces FindEditorPlaces();
 
-// Describes the folder of an existing program or controller.  If it has several sticks, names the
-// one nearest to `folder`.  Throws std::runtime_error if `folder` has nothing that openr build
-// or openr controller build could build.
+// Describes the folder of an existing program or controller.  If the folder has several sticks,
+// EditorFolder::stick is the stick nearest to `folder`.  Throws std::runtime_error if `folder` has
+// nothing that openr build or openr controller build could build.
 EditorFolder DescribeEditorFolder(const std::string& folder);
 
-// Returns .vscode/tasks.json, launch.json, settings.json and extensions.json.  Their paths begin
-// with ${workspaceFolder}, the folder that is open in the editor.
+// Returns the files tasks.json, launch.json, settings.json and extensions.json of the folder
+// .vscode.  The paths that these files contain begin with ${workspaceFolder}, which is the folder
+// that is open in the editor.
 std::vector<NewFile> EditorFiles(const EditorPlaces& places, const EditorFolder& folder);
 
 }  // namespace openr_host

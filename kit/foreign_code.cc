@@ -15,8 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kArchiveMark = "!<arch>\n";
-// Size of the header of a member of an archive: 16 bytes of name, 32 of four numbers, 10 of size, 2
-// of end mark.
+// Size in bytes of the header of a member of an archive: 16 for the name, 32 for four numbers, 10
+// for the size, 2 for the end mark.
 constexpr size_t kMemberHeaderSize = 60;
 
 // Returns the ELF machine number of this host.

@@ -66,7 +66,8 @@ std::vector<BuiltImage> ReadBuiltImages(const KitLog& log, const Project& projec
   for (const KitLog::Image& entry : log.images) {
     BuiltImage image{entry, ReadImageFile(entry.file).bytes, {}};
     const fs::path folder = fs::path(entry.ocf).parent_path();
-    // The dot keeps Normalised() from cutting the end of a folder's name as an extension.
+    // Adds a dot to the folder's name, because Normalised() removes everything from the last dot on
+    // as an extension.
     image.names = {entry.object, fs::path(entry.file).filename(), fs::path(entry.ocf).filename(),
                    folder.filename().string() + "."};
     for (const ObjectFolder& object : project.objects) {
@@ -140,7 +141,8 @@ class StickCompletion {
   // Returns the path of the image that `record`, a line of OBJECT.CFG, names; "" if this image is
   // not on the stick.  The image may be in another folder than OBJS.
   fs::path PlaceOf(const ObjectRecord& record) const {
-    // Leaves out the first four characters of the path, "/MS/".
+    // Leaves out the first four characters of the path, "/MS/", because /MS stands for the root of
+    // the stick.
     return record.path.size() < 4 ? fs::path() : FindBelow(stick_.root, record.path.substr(4));
   }
 
@@ -258,11 +260,11 @@ class StickCompletion {
     }
   }
 
-  // Adds to `listed_` the images in OBJS that this build has not linked: those that rules of
-  // Makefiles have copied to the stick, and those of the user's stick for which the SDK tree has an
-  // image.  Adds a note about each image that stays out of OBJECT.CFG.
+  // Adds to `listed_` the images in OBJS that this build has not linked: images that rules of
+  // Makefiles have copied to the stick, and images of the user's stick for which the SDK tree has
+  // an image, too.  Adds a note about each image that stays out of OBJECT.CFG.
   void ListForeign() {
-    std::map<std::string, fs::path> files;  // by the upper case name of the file
+    std::map<std::string, fs::path> files;  // key: name of the file in upper case
     for (const fs::path& folder :
          {FindBelow(users_stick_, "OPEN-R/MW/OBJS"), stick_.ObjectsFolder()}) {
       for (const fs::path& file : FilesIn(folder)) {

@@ -10,7 +10,8 @@ namespace {
 // Least length of a name that counts as a part of another name, because a shorter name may occur in
 // another name by chance.
 constexpr size_t kPrefixMin = 3;
-constexpr size_t kSharedMin = 4;  // names with so many equal letters in a row may be of one image
+// Names with so many equal letters in a row may be names of one image.
+constexpr size_t kSharedMin = 4;
 
 // Returns the letters and digits of the name in lower case, without the extension.
 std::string Normalised(const std::string& name) {
@@ -126,7 +127,8 @@ std::vector<int> MatchImages(const std::vector<std::string>& wanted,
 
 std::string ShortImageName(const std::string& name) {
   std::string result;
-  // The dot keeps Normalised() from cutting the end of the name as an extension.
+  // Adds a dot to the name, because Normalised() removes everything from the last dot on as an
+  // extension.
   for (const char c : Normalised(name + ".")) {
     if (result.size() < 8) result += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   }

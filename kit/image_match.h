@@ -8,15 +8,15 @@
 namespace openr_host {
 
 struct ImageCandidate {
-  // The names by which OBJECT.CFG may mean the image, in any order: those of its object, file,
-  // folder and class.
+  // The names by which OBJECT.CFG may mean the image, in any order: the names of its object, its
+  // file, its folder and its class.
   std::vector<std::string> names;
 };
 
 // Returns for each name of `wanted` ("BLNKLED.BIN") the index of its candidate, or -1.  The rules
-// are tried in this order, each for the names that have no candidate yet.  A rule pairs a name and
-// a candidate only if no other candidate fits the name and no other name fits the candidate.  All
-// rules ignore upper and lower case:
+// below are tried one after the other, each for the names that have no candidate yet.  A rule pairs
+// a name and a candidate only if no other candidate fits the name and no other name fits the
+// candidate.  All rules ignore upper and lower case:
 //   - the names are equal;
 //   - one name is the beginning of the other;
 //   - the letters of the wanted name occur in the candidate's name in this order, and both names

@@ -38,8 +38,8 @@ struct ImageInfo {
 static __attribute__((section("openr_ocf"), used)) const char openr_ocf_text[] =
     )";
 
-// The description of the image: the source that follows the text of the .ocf file.  The numbers
-// kImageVersion and kHeadersVersion are put into the brackets.
+// The part of the generated source that follows the text of the .ocf file.  It defines the
+// description of the image.  The numbers kImageVersion and kHeadersVersion replace the two {}.
 constexpr char kDescription[] = R"(;
 
 extern __attribute__((visibility("default"))) const struct ImageInfo openr_image_info;

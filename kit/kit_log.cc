@@ -32,7 +32,8 @@ void Append(const std::vector<std::string>& words) {
   const int descriptor = open(file, O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor < 0) return;
   const std::string line = Line(words);
-  // Writes the whole line at once, so that lines of several processes do not mix.
+  // Writes the whole line by a single call, because other processes append to the file at the same
+  // time, and parts of lines could mix.
   [[maybe_unused]] const ssize_t written = write(descriptor, line.data(), line.size());
   close(descriptor);
 }

@@ -80,7 +80,7 @@ class CompileCounter {
 
 void AppendKitLog(const std::string& file, const KitLog& log);
 
-// Replaces the content of the file by `log`.
+// Replaces the content of the log file `file` by `log`.
 void WriteKitLog(const std::string& file, const KitLog& log);
 
 // Removes from the log all failures and repairs, and each image whose file no longer exists.

@@ -7,7 +7,7 @@ namespace openr_host {
 namespace {
 
 // Returns the value X of the flag at `*i`, which is written "-oX" or "-o X".  In the second case
-// moves `*i` to X.
+// sets `*i` to the index of X.
 std::string ValueOf(const std::vector<std::string>& arguments, size_t* i) {
   const std::string& word = arguments[*i];
   if (word.size() > 2) return word.substr(2);

@@ -40,14 +40,15 @@ Environment MakeEnvironment(const MakeOptions& options) {
       {"CC", bin + "/mipsel-linux-gcc"},
       {"CXX", bin + "/mipsel-linux-g++"},
       {"AR", bin + "/mipsel-linux-ar"}};
-  // Removes variables of the user's shell that make or a Makefile would use, and those of a make
-  // that may have started this program.
+  // Removes variables of the user's shell that make or a Makefile would use, and variables that a
+  // make has set if it has started this program.
   for (const char* name : {"CFLAGS", "CXXFLAGS", "CPPFLAGS", "LDFLAGS", "MAKEFLAGS", "MFLAGS",
                            "MAKELEVEL", "LD", "AS", "RANLIB", "STRIP"}) {
     environment.emplace_back(name, "");
   }
-  // Rules of the kit name their targets by absolute paths.  With a base folder, ccache would write
-  // relative ones into the lists of headers, so make would not notice a changed header.
+  // Gives ccache no base folder.  With a base folder, ccache would write relative paths into the
+  // lists of headers.  These lists are rules for make, and their targets must have the absolute
+  // paths that the rules of the kit use; otherwise make would not notice a changed header.
   environment.emplace_back("CCACHE_BASEDIR", "");
   return environment;
 }
@@ -116,8 +117,8 @@ bool IsAlready(const MakefileVariable& variable, const std::string& value) {
                                             [&](const std::string& v) { return v == value; });
 }
 
-// Returns whether the database of make (make -p) has a rule whose target is `install` itself.  make
-// runs no recipe of the Makefile for this question.
+// Returns whether the database of make (make -p) has a rule whose target is `install` itself.  For
+// this question make runs a target that does nothing, and no recipe of the Makefile.
 bool HasExplicitInstallRule(const fs::path& folder, const std::vector<std::string>& variables,
                             const MakeOptions& options) {
   std::vector<std::string> arguments{"-p", "--eval=openr-host-nothing:;@:", "openr-host-nothing"};
@@ -183,7 +184,7 @@ std::string ComplaintOfMake(const std::string& line) {
 std::string CauseOf(const std::string& output) {
   static const std::regex kFailedRule("\\[(?:(\\S+:\\d+): )?(.*)\\] (Error \\d+|[A-Z].*)");
   std::istringstream lines(output);
-  std::string before;  // last line before the current one that a command printed
+  std::string before;  // last line that a command printed before the current line
   std::string tool, rule;
   for (std::string line; std::getline(lines, line);) {
     const std::string complaint = ComplaintOfMake(line);
@@ -290,7 +291,8 @@ MakeOutcome RunMakeIn(const fs::path& folder, const std::vector<std::string>& ar
       std::fputs(together.output.c_str(), stderr);
       return {true, together.output};
     }
-    // Forgets the failures of the first run, because the second run logs the failures that remain.
+    // Forgets the failures of the first run of make, because the second run, with one job, logs the
+    // failures that remain.
     after.failures = before.failures;
     WriteKitLog(options.log, after);
   }

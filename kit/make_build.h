@@ -38,14 +38,15 @@ struct MakePlan {
   // Folders into which rules of the Makefiles write.  Some Makefiles do not create them, so
   // RunMake() creates them first.
   std::vector<std::filesystem::path> needed_folders;
-  // True: make -n would run commands of these Makefiles (dry_run.h).
+  // True: even make -n, which should only print commands, would run commands of these Makefiles
+  // (dry_run.h).
   bool runs_in_dry_run = false;
 };
 
 struct MakeOutcome {
   bool is_good = true;
-  // The output of make and its commands.  If several jobs failed and make ran again with one job,
-  // only the output of the second run.
+  // The output of make and its commands.  If make failed with several jobs and ran again with one
+  // job, only the output of the second run is here.
   std::string output;
 };
 

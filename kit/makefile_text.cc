@@ -76,8 +76,8 @@ std::string AdaptMakefile(const std::string& text, const std::string& sdk_root) 
   static const std::regex kUsual(
       "(^|[^\\w./)}-]|-[ILB])((?:/[\\w.+-]+)+/OPEN_R_SDK)(?=[^\\w.+-]|$)");
   for (const std::string& root : AllMatches(result, kUsual, 2)) AddOnce(root, &roots);
-  // Sorts longer roots first.  One root may be the beginning of another, so the longer one must be
-  // replaced before the shorter one.
+  // Sorts longer roots first.  A root may be the beginning of another root, so the longer root must
+  // be replaced before the shorter root.
   std::sort(roots.begin(), roots.end(),
             [](const std::string& a, const std::string& b) { return a.size() > b.size(); });
   for (const std::string& root : roots) {

@@ -117,8 +117,8 @@ std::string WriteNewObject(const std::vector<NewFile>& files, const std::string&
   for (size_t i = 0; i < files.size(); ++i) {
     const std::string problem = WriteText(fs::path(folder) / files[i].path, files[i].text);
     if (problem.empty()) continue;
-    // Removes the files of this call, so that the next call, after the user has made room on a full
-    // disk, finds none.
+    // Removes the files that this call has written.  Otherwise the next call, which comes when the
+    // user has made room on a full disk, would refuse to overwrite them.
     for (size_t j = 0; j < i; ++j) fs::remove(fs::path(folder) / files[j].path, error);
     return problem;
   }

@@ -27,8 +27,9 @@ inline constexpr char kIgnoreFile[] = ".gitignore";
 // and ours), a CMakeLists.txt, a .gitignore, and a test with openr::testing.
 std::vector<NewFile> MakeNewObject(const std::string& name);
 
-// Writes the files to `folder`.  If one of the files exists already, writes no file; if one cannot
-// be written, removes those that it has written.  Returns "" or the error message.
+// Writes the files to `folder`.  If one of the files exists already, writes no file.  If a file
+// cannot be written, removes the files that it has written before.  Returns "" or the error
+// message.
 std::string WriteNewObject(const std::vector<NewFile>& files, const std::string& folder);
 
 }  // namespace openr_host

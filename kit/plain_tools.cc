@@ -32,7 +32,7 @@ int Check(const char* tool, const std::string& problem) {
 
 // Returns `bytes` compressed, in the file format of gzip.
 std::string Gzipped(std::string bytes) {
-  // Added to the size of the window, makes zlib write the file format of gzip.
+  // Number to add to the size of zlib's window, so that zlib writes the file format of gzip.
   constexpr int kGzipFormat = 16;
   z_stream stream{};
   if (deflateInit2(&stream, 6, Z_DEFLATED, kGzipFormat + MAX_WBITS, MAX_MEM_LEVEL - 1,

@@ -108,7 +108,8 @@ Project ScanProject(const std::vector<fs::path>& folders) {
   Project project;
   project.root = folders[0];
   std::map<fs::path, std::vector<fs::path>> files_of;
-  std::set<fs::path> seen;  // files found already, because one folder may be inside another
+  // Files found already; they would come twice if a folder is inside another folder.
+  std::set<fs::path> seen;
   for (const fs::path& folder : folders) {
     // Searches folders outside of the project for sticks only if the project has no stick of its
     // own, because a build must not write to the stick of another program.

@@ -57,7 +57,8 @@ std::string Expanded(const std::string& text, const Variables& variables) {
     }
     if (done == 0) break;
     result = next + result.substr(done);
-    if (result.size() > 100 * text.size() + 1000) return text;  // a variable contains itself
+    // Returns the text unchanged, because a variable contains itself.
+    if (result.size() > 100 * text.size() + 1000) return text;
   }
   return result;
 }
@@ -112,8 +113,8 @@ class PlaceSearch {
     if (text.find("..") == std::string::npos) return;
     for (const std::string& path : UpwardPaths(text)) {
       fs::path target = (file.parent_path() / path).lexically_normal();
-      // Drops the slash at the end, so that each folder has one spelling: lexically_normal() makes
-      // "./" of "a/..".
+      // Drops a slash at the end of the path, such as in "./", which lexically_normal() makes of
+      // "a/..".  So each folder has only one spelling.
       if (!target.has_filename()) target = target.parent_path();
       AddTarget(target, path.ends_with(".."));
     }

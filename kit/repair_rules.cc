@@ -100,7 +100,7 @@ Edits LabelAtEnd(const Spot& place) {
 // is a literal.  The printed text then names the file and not the function, which is good enough,
 // because only people read the text.
 Edits FunctionName(const Spot& place) {
-  size_t begin = NextOf(place.code, place.at);  // the message names the text before it
+  size_t begin = NextOf(place.code, place.at);  // the message names the place before __FUNCTION__
   if (place.Says("before string constant")) {
     begin = PreviousOf(place.code, place.at);
     while (begin != kNone && begin > 0 && IsWordCharacter(place.code[begin - 1])) --begin;

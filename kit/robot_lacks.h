@@ -11,8 +11,8 @@ struct LackedCall {
   const char* why;  // text that follows "NAME(): "
 };
 
-// Returns the remark about a call of the function `name`, if the robot lacks this function; null if
-// the robot has the function, or if the name is not known.
+// Returns the error or warning about a call of the function `name`, if the robot lacks this
+// function; null if the robot has the function, or if the name is not known.
 const LackedCall* FindLackedCall(std::string_view name);
 
 // Returns whether the first argument of the function `name` is the name of a file or folder.

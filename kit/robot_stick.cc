@@ -275,7 +275,8 @@ void MakeHostStick(const std::string& stick, const std::string& output) {
   for (const auto& entry : fs::recursive_directory_iterator(draft.stick()))
     if (entry.path().extension() == ".DBG") debug_files.push_back(entry);
   for (const fs::path& file : debug_files) fs::remove(file);
-  // Creates the folder in which programs write files.
+  // Creates the folder in which programs write files, because OPEN-R does not create missing
+  // folders.
   fs::create_directories(SpeltBelow(draft.stick(), "OPEN-R/MW/DATA/P"));
   draft.Finish();
   fmt::print("{} run --stick {}\n", ShellWord(ProgramCall()), ShellWord(output));

@@ -79,8 +79,8 @@ std::string Edited(std::string text, std::vector<Edit> edits) {
   return text;
 }
 
-// Counts edits that only touch as well, because the order of two insertions at one position would
-// matter.
+// Returns whether an edit of `edits` overlaps an edit of `others`.  Edits that only touch count as
+// well, because two insertions at the same position depend on their order.
 bool Overlaps(const std::vector<Edit>& edits, const std::vector<Edit>& others) {
   return std::any_of(edits.begin(), edits.end(), [&](const Edit& edit) {
     return std::any_of(others.begin(), others.end(), [&](const Edit& other) {

@@ -16,7 +16,7 @@ std::string WithoutComments(std::string_view text);
 // the robot.
 std::string WithoutConditionalCode(std::string code);
 
-// A string literal.
+// A string literal of a source.
 struct StringLiteral {
   size_t at = 0;     // position of the opening quote
   std::string text;  // text between the quotes, as written

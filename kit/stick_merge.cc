@@ -144,7 +144,7 @@ std::vector<Diagnostic> CheckObjectConfig(const fs::path& stick) {
   bool has_power_monitor = false;
   for (const FilePosition& line : SplitLines("OPEN-R/MW/CONF/OBJECT.CFG", text, &diagnostics)) {
     if (!IsRecord(line.text)) continue;
-    // Removes the blank that WithoutBlanks() leaves at the end.
+    // Removes the blank that WithoutBlanks() leaves at the end of the line.
     const std::string path =
         WithoutBlanks(line.text).substr(0, WithoutBlanks(line.text).size() - 1);
     // Looks for PowerMonitor, the object that handles the pause button on the robot's own sticks.

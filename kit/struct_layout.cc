@@ -145,7 +145,8 @@ void Collect(Dwarf* dwarf, const std::string& name, std::vector<StructLayout>* l
   }
 }
 
-// Returns the layouts in the bytes of an ELF file, which need not have debug information.
+// Returns all layouts of the type `name` in `bytes`, an ELF file; none if the file has no debug
+// information.
 std::vector<StructLayout> LayoutsIn(std::string bytes, const std::string& name) {
   std::vector<StructLayout> layouts;
   elf_version(EV_CURRENT);

@@ -41,7 +41,7 @@ std::string FlagOf(const std::string& answer) {
   return word == "yes" || word == "y" ? "1" : word == "no" || word == "n" ? "0" : answer;
 }
 
-// Returns the value of the setting as a person reads it.
+// Returns the value of the setting as a person reads it: "yes" or "no" where the file has 1 or 0.
 std::string ShownValue(const WlanConfig& config, const WlanQuestion& question) {
   const std::string value = WlanValue(config, question.key);
   return !question.is_yes_no ? value : value == "1" ? "yes" : "no";
@@ -51,7 +51,7 @@ bool Sets(const WlanResult& settings, const char* key) {
   return std::find(settings.keys.begin(), settings.keys.end(), key) != settings.keys.end();
 }
 
-// Collects warnings about settings of which each is valid but which do not fit together.
+// Collects warnings about settings that do not fit together although each of them is valid.
 class Sense {
  public:
   explicit Sense(std::string file) { place_.file = std::move(file); }
@@ -70,7 +70,8 @@ void CheckAddresses(const WlanConfig& config, Sense* sense) {
                             config.ether_netmask));
     return;
   }
-  // A network of one or two addresses has no address for itself and none for all in it.
+  // A network of one or two addresses (mask /32 or /31) has neither a network address nor a
+  // broadcast address, so the robot may have any address in it.
   const bool has_hosts = mask < 0xfffffffe;
   if (has_hosts && ((ip & ~mask) == 0 || (ip | mask) == 0xffffffff)) {
     sense->Warn(

@@ -207,7 +207,7 @@ void WorkCopy::CopyFile(const fs::path& original) {
   // that makes the stub.
   if (IsGeneratedStub(original)) {
     SetOldTime(copy);
-    // Leaves a def.h that was written by hand as it is.
+    // Does not replace a def.h that was written by hand, because stubgen2 has not made it.
     if (copy.filename() != "def.h" || IsGeneratedDefinitions(text)) left_stubs_.push_back(copy);
   }
 }
@@ -253,7 +253,8 @@ WorkCopy::Stamp WorkCopy::StampOf(const fs::path& file) {
 }
 
 fs::path DefaultWorkFolder(const fs::path& folder, BuildVariant variant) {
-  // The hash of the path keeps apart folders that have the same name.
+  // Puts a hash of the path into the name of the work folder, because several folders of the user
+  // may have the same name.
   Hasher hasher;
   hasher.AddText(folder.string());
   const std::string name = VariantName(variant);

@@ -32,7 +32,7 @@ class WorkCopy {
   // copy.  Throws std::runtime_error when something cannot be read or written.
   std::filesystem::path Add(const std::filesystem::path& original);
 
-  // Returns the path that the copy of `original` has or would have, even if that file was not
+  // Returns the path that the copy of `original` has or would have, even if `original` was not
   // copied.
   std::filesystem::path PlaceOf(const std::filesystem::path& original) const;
 
