@@ -35,7 +35,8 @@ struct Chart {
   std::string subtitle;
   std::string x_label, y_label;  // texts at the two axes of each plot, with units
   int columns = 3;               // number of panels in a row; >= 1
-  // Smallest span of a vertical axis, so that small noise does not fill the plot.
+  // Smallest span of a vertical axis, in the unit of the axis, so that small noise does not fill
+  // the plot.
   double y_span_min = 4;
   double plot_width = 320, plot_height = 128;  // size of a panel's plot, in points
   std::vector<Panel> panels;                   // the panels of the picture, row by row

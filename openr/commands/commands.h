@@ -10,7 +10,8 @@ class App;
 
 namespace openr_host {
 
-// Runs the program: reads the command line and runs the command in it.  Returns the exit code.
+// Runs the program openr: reads the command line and runs the command in it.  Returns the exit
+// code.
 int RunProgram(int argc, char** argv);
 
 // Adds the command `wanted`, the first word of the command line, to `app`, with its help.  Adds all

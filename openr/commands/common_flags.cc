@@ -13,7 +13,7 @@ namespace openr_host {
 namespace {
 
 // Returns a check of the flag `flag`: its value must be a readable file of the user, or the name of
-// a file that came with the program (DataFile()).
+// a file that came with openr (DataFile()).
 CLI::Validator IsDataFile(const char* flag, const InputKind& kind) {
   return CLI::Validator(
       [flag, kind](const std::string& name) -> std::string {

@@ -64,7 +64,8 @@ void AddPaths(const CommandInfo& command, std::vector<std::string>* patterns) {
   }
 }
 
-// Returns the flag of the script's _openr_files for values of this kind; "" if they are no files.
+// Returns the argument with which the script calls its function _openr_files for values of this
+// kind; "" if such values name no files.
 const char* KindOf(Value value) {
   if (value == Value::kFolder) return "-d";
   return value == Value::kFile || value == Value::kWorld ? "-f" : "";

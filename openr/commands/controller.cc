@@ -33,7 +33,8 @@ struct ControllerFlags {
   std::string source;   // folder or file with the source of the controller
   std::string address;  // address of the robot that the controller commands
   int64_t timeout_us = 3'000'000;
-  std::string token_file;  // file with the token of the robot's server; "": it needs none
+  // File with the token, the secret that the robot's server asks for; "": none.
+  std::string token_file;
 };
 
 // Builds the controller for the robot.  The build for the host adds only CONTROLL.BIN to a stick of

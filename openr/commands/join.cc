@@ -63,8 +63,9 @@ volatile sig_atomic_t g_ended_by = 0;
 volatile sig_atomic_t g_child = 0;  // process id of the worker that --restart runs; 0: none
 
 // Handles SIGINT, SIGTERM and SIGHUP.  After the first signal, the worker finishes the handler that
-// runs, tells the run that it leaves, and ends.  With --restart the worker is a child process: the
-// first signal sends it SIGTERM, and the second one kills it.
+// runs, tells the run that it leaves, and ends.  With --restart the worker is a child process: at
+// the first signal this function sends SIGTERM to the child, and at the second signal it kills the
+// child.
 void OnEndSignal(int signal) {
   const int child = g_child;
   if (child > 0) kill(child, g_ended_by == 0 ? SIGTERM : SIGKILL);
@@ -137,8 +138,8 @@ Outcome Work(const WorkerOptions& options, bool is_known) {
     if (ending->object == nullptr) return;
     const CurrentScope scope(ending->object->system, ending->object);
     worker->ReportCrash(ending->finding.text());
-    // Called after ReportCrash(), so that a crash in this call does not keep the report from the
-    // run.
+    // Calls TellHandled() after ReportCrash(), so that the run gets the report even if this call
+    // crashes.
     TellHandled(*ending);
   });
   const std::string problem = worker->Run();

@@ -41,8 +41,8 @@ struct LogFlags {
   // groups of values in `file`.
   std::string file, other;
   std::string motion;  // motion file of the log; "": the user has named none
-  // Names of the groups of values on the two sides of a comparison; "": the content of the log
-  // decides.
+  // Names of the groups of values (commanded, measured or simulated) on the two sides of a
+  // comparison; "": the content of the log decides.
   std::string group, other_group;
   std::string output;  // file for the chart; "": no chart
   bool json = false;
@@ -143,8 +143,9 @@ const std::optional<LogValues>* ValuesOf(const LogRecord& record, LogGroup group
   return group == LogGroup::kMeasured ? &record.measured : &record.simulated;
 }
 
-// Prints the columns of one group of values: the joints, and for measured and simulated values also
-// the paws.  If the record does not have this group, prints empty fields.
+// Prints the columns of one group of values (commanded, measured or simulated): the joints, and for
+// measured and simulated values also the paws.  If the record does not have this group, prints
+// empty fields.
 void PrintFields(const LogRecord& record, LogGroup group) {
   const std::optional<LogValues>* const values = ValuesOf(record, group);
   const size_t joints = record.commanded_cdeg.size();
@@ -194,9 +195,9 @@ void LogPlot(const LogFlags& flags) {
   WriteChartFile(ChartOf(timed.log, timed.times_ms, timed.name), flags.output);
 }
 
-// Returns the group of values for one side of a comparison.  This is the group that the flag names.
-// Without the flag, it is the values of the real robot if the log has them, else the simulated
-// values.
+// Returns the group of values (commanded, measured or simulated) for one side of a comparison.
+// This is the group that the flag names. Without the flag, it is the values of the real robot if
+// the log has them, else the simulated values.
 LogGroup GroupOf(const std::string& flag, const LogFile& log) {
   for (const LogGroup group : kGroups) {
     if (flag == NameOf(group)) return group;
@@ -280,7 +281,8 @@ Comparison CompareFiles(const LogFlags& flags) {
   WarnIfMotionsDiffer(first, second);
   const LogGroup group = GroupOf(flags.group, first.log);
   const LogGroup other_group = GroupOf(flags.other_group, second.log);
-  // Adds the folders to the labels of the curves if both files have the same name.
+  // Adds the folders to the labels of the curves if both files have the same name, because the
+  // labels would otherwise be equal.
   const bool same = first.name == second.name;
   const std::string name = same ? WithFolder(flags.file) : first.name;
   const std::string other_name = same ? WithFolder(flags.other) : second.name;

@@ -71,9 +71,10 @@ std::string WhyNoNewObject(const std::string& name) {
   return problem.empty() ? WhyNoClass(name, SdkRoot()) : problem;
 }
 
-// Removes .gitignore from `files` if `folder` has this file, which then stays as it is, because a
-// new object may be made in a repository that has only a .gitignore yet.  Returns the lines that
-// the file in the folder lacks; "" if it has them all, or if the folder has no such file.
+// Removes .gitignore from `files` if `folder` already has this file, so that the user's file stays
+// as it is.  The case is usual: a user makes a new object in a repository that has only a
+// .gitignore yet.  Returns the lines that the file in the folder lacks; "" if it has them all, or
+// if the folder has no such file.
 std::string TakeIgnoreLines(const std::string& folder, std::vector<NewFile>* files) {
   const std::optional<std::string> present = ReadText(std::filesystem::path(folder) / kIgnoreFile);
   if (!present) return "";

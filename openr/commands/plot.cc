@@ -34,7 +34,8 @@
 namespace openr_host {
 namespace {
 
-// Longest processor time of a handler; openr replay has the same limit.
+// Longest processor time of a handler, in microseconds.  A handler that takes longer ends the
+// replay.  The default of openr replay is the same.
 constexpr int64_t kHandlerLimitUs = 10'000'000;
 
 struct PlotFlags {

@@ -28,8 +28,9 @@ remote::Address AddressOf(const RcFlags& flags) {
 }
 
 int Perform(const RcFlags& flags, const RcAction& action) {
-  // If --with names a second robot, performs the action at each of the two robots separately.  But
-  // with --log performs one action for both robots, because the log has the records of both.
+  // If --with names a second robot, performs the action at each of the two robots separately.  With
+  // --log, performs one action for both robots together instead, because the log has the records of
+  // both robots.
   if (!flags.with.empty() && flags.log.empty()) {
     AddressOf(flags);
     return PerformAtBoth(flags, action);

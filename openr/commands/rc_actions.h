@@ -17,11 +17,12 @@ namespace remote = openr::remote;
 struct RcFlags {
   std::string address;
   std::string with;  // address of a second robot; "": there is only one robot
-  // True: the robot that follows the other one goes straight to each position, and ignores its own
-  // limits of speed and acceleration.
+  // True: the robot that follows the other robot goes straight to each position, and ignores its
+  // own limits of speed and acceleration.
   bool track = false;
   int64_t timeout_us = 3'000'000;
-  std::string token_file;  // file with the token of the robots' servers; "": they need none
+  // File with the token, the secret that the robots' servers ask for; "": none.
+  std::string token_file;
   bool json = false;
   std::string device;  // the device that the user has named, by its name, title, locator or number
   double value = 0;
@@ -32,13 +33,14 @@ struct RcFlags {
   std::string file;
   int loops = 1;
   int key_frames = 0;
-  std::string layer = "m";  // layer of the camera's picture: "h", "m", "l" or "c"
+  // Layer of the picture: "h", "m", "l" (high, medium or low resolution) or "c" (detected colours).
+  std::string layer = "m";
   // Whether to write the bytes of the layer exactly as the robot sends them.
   bool raw = false;
   std::string log;         // file on this host to which the log of a motion is written; "": no log
-  bool simulated = false;  // whether the log's values are those of a simulated robot
-  // File on this host to which a download is written; "": it gets the name of the file on the
-  // stick.
+  bool simulated = false;  // true: the log's values are values of a simulated robot
+  // File on this host to which a download is written; "": the new file has the name of the file on
+  // the stick.
   std::string output;
   std::vector<std::string> goals;  // joints and their wanted positions, such as "neck_pan=30"
   std::string stream;              // name of the stream to print: "sensors" or "keyframes"
@@ -47,7 +49,7 @@ struct RcFlags {
 };
 
 // Returns the options of the connections to robots.  Throws std::runtime_error if the file of
-// --token-file has no token.
+// --token-file has no token (the secret that a robot's server asks for).
 remote::Options OptionsOf(const RcFlags& flags);
 
 // A function that carries out a command of openr rc: it sends requests to `robot` and prints the

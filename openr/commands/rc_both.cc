@@ -63,7 +63,8 @@ std::string Milliseconds(const std::optional<double>& value) {
   return value ? fmt::format("{:.0f} ms", *value) : "unknown";
 }
 
-// Prints one line about two robots of which one follows the other.
+// Prints one line about a robot that follows another robot: the lag, and the joint with the largest
+// difference between the two robots.
 void PrintFollowing(const RcFlags& flags, const std::vector<RcDescription>& joints,
                     const PairStatus& status) {
   const auto &mine = status.joints[kFirst], &other = status.joints[kSecond];
@@ -102,8 +103,8 @@ void PrintFollowing(const RcFlags& flags, const std::vector<RcDescription>& join
 
 int PerformAtBoth(const RcFlags& flags, const RcAction& action) {
   Partner robots[2] = {{flags.address, nullptr, "", {}}, {flags.with, nullptr, "", {}}};
-  // Connects to both robots before the action begins, so that nothing is done at one robot if the
-  // other cannot be reached.
+  // Connects to both robots before the action begins, so that no robot does anything if one of the
+  // two cannot be reached.
   for (Partner& robot : robots) {
     robot.connection =
         std::make_unique<remote::Connection>(remote::ParseAddress(robot.address), OptionsOf(flags));

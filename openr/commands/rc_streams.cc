@@ -15,7 +15,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int64_t kVectorUs = 32'000;  // duration of a sensor vector, which has 4 frames of 8 ms
-// Largest period in frames: the largest multiple of 4 that fits into 16 bits.
+// Largest period of a stream in frames: the largest multiple of 4 (frames in a sensor vector) that
+// fits into 16 bits.
 constexpr int kPeriodMax = 65532;
 
 // Returns the number of frames in the time `every_us`, rounded up to whole sensor vectors.
@@ -25,7 +26,9 @@ int PeriodOf(int64_t every_us) {
       std::min<int64_t>(std::max<int64_t>(vectors, 1) * RC_FRAMES_PER_VECTOR, kPeriodMax));
 }
 
-// Formats the reports of JointMover (SetValues), with the names of the joints.
+// Formats the packets of the stream SetValues, in which the robot reports the commanded and the
+// measured position of each joint.  The packets have the positions in the order of the joints, and
+// this class adds the names.
 class SetValueFormat {
  public:
   explicit SetValueFormat(remote::Connection* robot) : joints_(robot->Devices(rcdeviceJOINT)) {}

@@ -44,7 +44,8 @@ struct ReplayFlags {
   // Options of --log-data; `data_log.file` is "" if the user wants no log of data.
   DataLogOptions data_log;
   std::string timeline_file;
-  // Longest processor time of a handler; openr run has the same default.
+  // Longest processor time of a handler, in microseconds.  A handler that takes longer ends the
+  // replay.  The default is the same as for openr run.
   int64_t handler_limit_us = 10'000'000;
 };
 

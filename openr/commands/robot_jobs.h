@@ -29,8 +29,8 @@ class RobotJobs {
   // has accepted the flags.
   explicit RobotJobs(const RunFlags& flags);
 
-  // Runs the robots, prints a summary on standard error, and returns the report.  Ctrl-C pauses the
-  // robots that run; no other robot is started then.
+  // Runs the robots, prints a summary on standard error, and returns the report.  At Ctrl-C,
+  // presses the pause button of the robots that run, and starts no other robot.
   nlohmann::ordered_json Run();
 
  private:
@@ -48,7 +48,8 @@ class RobotJobs {
   const RunStick stick_;
   Console console_;
   InterruptCounter interrupts_;
-  int robot_ = -1;  // number of the robot that this copy of the process runs; -1: this is no copy
+  // Number of the robot that this copy of the process runs; -1: the original process.
+  int robot_ = -1;
   // Text that the objects of this robot have printed after their last whole line.
   std::string line_;
   Simulation simulation_;

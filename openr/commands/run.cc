@@ -107,7 +107,7 @@ void ReportTheEnding(Ending* ending, Simulation* simulation, DistributedRun* dis
   WriteReport(report, flags);
   ending->answered = true;
   distribution->EndProcesses();
-  // Called last, so that a crash in this call does not keep the report from being written.
+  // Calls TellHandled() last, so that the report is written even if this call crashes.
   TellHandled(*ending);
 }
 
@@ -164,8 +164,8 @@ class CommandedRun {
   std::string LiveName() const;
   std::string WhyNotRewound() const;
   void BeginRewind(LiveServer* live, Runner* runner, Watchdog* watchdog);
-  // Returns the file descriptor on which a line shows the progress of the run.  Returns -1, so that
-  // no line is shown, if it is not known when the run ends, or if a program reads the output.
+  // Returns the file descriptor of the terminal line that shows the progress of the run.  Returns
+  // -1, which means no line, if the end of the run is not known, or if a program reads the output.
   int ProgressStream() const { return plan_.for_us && !flags_.json ? STDERR_FILENO : -1; }
   void BeginDataLog();
   bool RunToTheEnd();
@@ -222,7 +222,7 @@ CommandedRun::CommandedRun(const RunFlags& flags)
 }
 
 // Returns the options with which the simulation is made: the options from the flags, with the
-// console, the recorder and the connections of `distribution_` added.
+// console, the recorder and the connections to other processes (`distribution_`) added.
 SimulationOptions CommandedRun::Options() {
   SimulationOptions options = flags_.simulation;
   options.stick = stick_.folder();
@@ -251,8 +251,7 @@ int CommandedRun::Run() {
   bool good = boots_;
   if (!boots_) NoteThatItDoesNotBoot(is_refused);
   // Sets `boots_` to true after a Ctrl-C while the run waited for its workers.  Nobody knows
-  // whether the robot would have booted, so the program must not print that the robot does not
-  // boot.
+  // whether the robot would have booted, so openr must not print that the robot does not boot.
   if (!boots_ && interrupts_.count() > 0) boots_ = true;
   if (good) {
     good = RunToTheEnd();

@@ -42,7 +42,7 @@ void WritePages(const CommandInfo& program, const std::string& output) {
       fmt::format("wrote {} to {}\n", Counted(program.commands.size() + 1, "page"), output));
 }
 
-// Returns the names in the models and worlds that came with the program.
+// Returns the names of joints, sensors and the like in the models and worlds that came with openr.
 DataNames FindDataNames() {
   std::set<std::string> joints, sensors;  // sorted, each name once
   for (const std::string& name : ModelNames()) {
@@ -63,7 +63,8 @@ void AddCompletionCommand(CLI::App* app, int* exit_code) {
       app->add_subcommand("completion", "Prints the script by which a shell completes commands");
   auto shell = std::make_shared<std::string>();
   command->add_option("SHELL", *shell, "Which shell")->required()->check(CLI::IsMember({"bash"}));
-  // Holds `shell` as well, because the option writes into it.
+  // Captures `shell`, too, because the option SHELL stores its value in `shell`, which must exist
+  // as long as the command.
   command->callback([app, shell, exit_code] {
     PrintAnswer(BashCompletion(DescribeCommands(*app), FindDataNames()));
     *exit_code = kExitGood;

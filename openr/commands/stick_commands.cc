@@ -32,7 +32,7 @@ namespace {
 
 struct WlanFlags {
   WlanConfig config;
-  bool is_given = false;  // true: the user has given at least one setting by a flag
+  bool is_given = false;  // true: the user has given one setting or more by a flag
   bool has_key = false;   // true: one of the flags was --wep-key
 };
 
@@ -71,8 +71,8 @@ void AddWlanFlags(CLI::App* command, WlanFlags* flags) {
       ->check(CLI::IsMember({"infrastructure", "adhoc", "automatic"}));
 }
 
-// Asks for all settings on the terminal.  If standard input is a pipe, reads the answers from it,
-// one in each line.
+// Asks for all settings on the terminal.  If standard input is a pipe, reads one answer from each
+// line of the pipe.
 void AskAll(WlanConfig* config) {
   fmt::print(stderr, "An empty answer takes the value in brackets.\n");
   const auto ask = [](const std::string& question,
@@ -146,8 +146,8 @@ struct CheckCommand {
 // Returns a size in KB of 1024 bytes, rounded up.
 uint64_t InKilobytes(uint64_t bytes) { return (bytes + 1023) / 1024; }
 
-// The sizes are information only.  No source says how much a Programming Memory Stick holds
-// (docs/robot-build.md), so they are compared with nothing.
+// Shows the sizes and compares them with no limit, because no source says how much a Programming
+// Memory Stick holds (docs/robot-build.md).
 std::string SummaryOf(const StickSummary& stick) {
   return fmt::format("{}, {} KB, of which {} of objects {} {} KB; base image: {}\n",
                      Counted(static_cast<uint64_t>(stick.num_files), "file"),

@@ -261,7 +261,8 @@ std::string OnScreen(const std::string& text, size_t rows, size_t columns) {
     lines.resize(rows - 1);
     lines.push_back(fmt::format("... {}", Counted(left_out, "more line")).substr(0, columns));
   }
-  // The page, with codes that clear the end of each line and the rest of the screen.
+  // The text of the page, with control codes of the terminal that clear the end of each line and
+  // the rest of the screen.
   std::string screen;
   for (const std::string& line : lines) screen += (screen.empty() ? "" : "\r\n") + line + "\x1b[K";
   return screen + "\x1b[J";

@@ -10,8 +10,8 @@
 
 namespace openr_host {
 
-// Fetches pictures in a thread with a connection of its own.  A picture has 153 packets, and
-// commands must not wait for them.
+// Fetches pictures in a thread with a connection of its own, because a picture has 153 packets, and
+// commands on the same connection would wait for them.
 class CameraFetcher {
  public:
   CameraFetcher(const openr::remote::Address& address, openr::remote::Options options);

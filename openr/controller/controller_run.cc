@@ -64,12 +64,13 @@ class Session {
   StepClock clock_;
   std::string why_ = "its loop has ended";
   int status_ = kExitGood;
-  // Frame numbers at the start of the first and of the last iteration.
+  // Frame numbers of the robot at the start of the first and of the last iteration of the
+  // controller's loop.
   uint32_t first_frame_ = 0, last_frame_ = 0;
 };
 
 // Waits until the robot stands.  On the robot, the main() of a controller also begins only then.
-// Returns false when Ctrl-C ends the program before.
+// Returns false when Ctrl-C ends openr before.
 bool Session::WaitForStanding() {
   const auto is_ended = [this] { return g_stops != 0 || port_.Stands(); };
   port_.ReceiveUntil(Clock::now() + std::chrono::milliseconds(100), is_ended);
@@ -78,8 +79,8 @@ bool Session::WaitForStanding() {
   return g_stops == 0;
 }
 
-// Waits until the present iteration of the controller's loop ends.  Returns false when the program
-// ends.
+// Waits until the present iteration of the controller's loop ends.  Returns false when openr is to
+// end.
 bool Session::WaitForNextStep() {
   try {
     port_.Check();
@@ -104,8 +105,8 @@ bool Session::WaitForNextStep() {
   }
 }
 
-// Makes an iteration of the loop while main() of the controller waits in robot_step().  When the
-// program is to end, ends the process here, because nothing can make main() return while it waits.
+// Makes an iteration of the loop while main() of the controller waits in robot_step().  When openr
+// is to end, ends the process here, because nothing can make main() return while it waits.
 void Session::StepInMain() {
   port_.core()->LedReady();
   if (!WaitForNextStep()) std::exit(End());

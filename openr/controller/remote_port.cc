@@ -27,11 +27,12 @@ constexpr std::chrono::milliseconds kSlice{50};
 // even if more events wait.  Without this limit many events could keep RemotePort from reading the
 // answers.
 constexpr int kEventsAtOnce = 64;
-// Number of different frame numbers: after the largest one follows 0 (docs/remote-control.md).
+// Number of different frame numbers: after the largest number, counting begins again at 0
+// (docs/remote-control.md).
 constexpr uint32_t kFramesMax = 0x0ffffff1;
 
-// Returns whether the frame number `frame` is later than `other`.  Frame numbers begin again at 0
-// after the largest one.
+// Returns whether the frame number `frame` is later than `other`.  Takes into account that counting
+// begins again at 0 after the largest number.
 bool IsAfter(uint32_t frame, uint32_t other) {
   const uint32_t difference = (frame + kFramesMax - other % kFramesMax) % kFramesMax;
   return difference > 0 && difference < kFramesMax / 2;
@@ -277,7 +278,7 @@ void RemotePort::SendMover(const MoverCommand& command) {
   TellMotion(-1, true);
 }
 
-// ---- Functions for files of the controller and of the stick
+// ---- Functions that read files: motions of the controller's folder or of the robot's stick
 
 bool RemotePort::ReadFile(const std::string& path, std::vector<Uint8>* bytes, std::string* error) {
   const std::string name = path.substr(path.rfind('/') + 1);
@@ -317,7 +318,7 @@ std::string RemotePort::FetchMotion(const std::string& name) {
   return bytes;
 }
 
-// ---- Functions for the camera, and for messages to the user
+// ---- Functions that fetch pictures of the camera, and functions that print messages for the user
 
 void RemotePort::EnableCamera(bool on) {
   if (on && camera_ == nullptr) {
@@ -348,7 +349,7 @@ void RemotePort::Print(const char* text) {
   std::fflush(stdout);
 }
 
-// ---- Functions for a controller that is an endless loop
+// ---- Functions that let the main() of a controller be an endless loop
 
 // Blocks in robot_step() until ControllerCore continues the loop of the controller; then returns
 // true.  On this computer the controller may block, so it needs no second stack, which it has on

@@ -27,7 +27,7 @@ class RemotePort : public ControllerPort {
  public:
   // Connects to the robot and subscribes to its sensor values.  `folder` is the controller's
   // folder.  `on_step` makes an iteration of the loop while the controller waits in robot_step().
-  // If the program has to end, `on_step` does not return.  Throws remote::Error; throws
+  // If openr has to end, `on_step` does not return.  Throws remote::Error; throws
   // std::runtime_error if the design of the robot is unknown.
   RemotePort(const openr::remote::Address& address, openr::remote::Options options,
              std::string folder, std::function<void()> on_step);

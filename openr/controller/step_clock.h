@@ -22,9 +22,9 @@ class StepClock {
   // time at which the first iteration has begun.
   Time Next(Time now, Duration step);
 
-  // Begins the next iteration at the time `now`.  Returns a warning if this is more than kLate
+  // Begins the next iteration at the time `now`.  Returns a warning if `now` is more than kLate
   // after the time that Next() has returned; else "".  Warns at most once a second.  A late
-  // iteration does not make the next ones shorter: they are planned from `now` on.
+  // iteration does not make the next iterations shorter, because they are planned from `now` on.
   std::string Begin(Time now);
 
   int64_t iterations() const { return iterations_; }  // number of iterations that have ended

@@ -22,10 +22,10 @@ namespace {
 
 // Longest virtual time between the ends of two chunks of messages.
 constexpr int64_t kChunkUs = 1'000'000;
-// A chunk with so many bytes ends before kChunkUs have passed.
+// Number of bytes at which a chunk of messages ends, even if kChunkUs have not passed yet.
 constexpr size_t kChunkBytes = 1 << 20;
 constexpr int64_t kPoseDistanceUs = 32'000;  // least virtual time between two messages with poses
-// The largest number of characters of a finding's or an input's text.
+// The largest number of characters that the file gets of the text of a finding or an input.
 constexpr size_t kTextMax = 2000;
 
 // The place of a quantity in the file: a robot, a topic, and a member of the topic's messages.

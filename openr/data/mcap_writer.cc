@@ -109,7 +109,9 @@ void McapWriter::EndChunk() {
                                                      .U64(chunk_times_.last)
                                                      .U64(chunk_.size())
                                                      .U32(Crc(0, chunk_))
-                                                     .Text("")  // the chunk is not compressed
+                                                     // No name of a compression: the chunk is not
+                                                     // compressed.
+                                                     .Text("")
                                                      .U64(chunk_.size())
                                                      .Bytes(chunk_));
   place.length = bytes.size();
@@ -178,7 +180,8 @@ void McapWriter::Finish() {
   add_group(McapOp::kChannel, channels_);
   add_group(McapOp::kStatistics, Statistics());
   add_group(McapOp::kChunkIndex, chunk_indexes);
-  // Computes the checksum over the summary and the first two fields of the footer.
+  // Writes the footer with its checksum, which the MCAP specification defines over the summary and
+  // the first two fields of the footer.
   McapFields footer;
   footer.U8(static_cast<uint8_t>(McapOp::kFooter)).U64(8 + 8 + 4);
   footer.U64(summary_start).U64(summary_start + summary.size());

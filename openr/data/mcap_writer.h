@@ -69,7 +69,8 @@ class McapWriter {
   struct ChunkPlace {
     Times times;
     uint64_t offset = 0, length = 0;
-    // Channel, and offset of the index of its messages.
+    // For each channel with messages in this chunk: the number of the channel, and the offset in
+    // the file of the index of its messages.
     std::vector<std::pair<uint16_t, uint64_t>> indexes;
     uint64_t indexes_length = 0;
     uint64_t size = 0;  // number of bytes of the records in the chunk

@@ -49,8 +49,8 @@ QuantityUnit UnitOfSensor(SensorKind kind) {
   return {text, 1e-6, 0.02};
 }
 
-// Returns the short name of the sensor whose values the quantity `name` has; "" if it has no values
-// of a sensor.
+// Returns the short name of the sensor whose values the quantity `name` has; "" if the quantity is
+// not the value of a sensor.
 std::string SensorOfQuantity(const std::string& name) {
   const size_t begin = name.starts_with("robots[") ? name.find("].") + 2 : 0;
   const std::string group = "sensor.";

@@ -51,7 +51,8 @@ std::string PanelOf(const std::string& name) {
 bool IsLike(const std::string& name, const std::string& wanted) {
   std::string pattern;
   for (const char c : wanted) {
-    if (c == '[' || c == '?') pattern += '\\';  // as in robots[1].x_m: only '*' has a meaning
+    // '[' as in robots[1].x_m stands for itself: only '*' has a meaning.
+    if (c == '[' || c == '?') pattern += '\\';
     pattern += c;
   }
   return fnmatch(pattern.c_str(), name.c_str(), 0) == 0 ||
@@ -163,7 +164,8 @@ class ChartMaker {
     }
   }
 
-  // Makes the plots larger if the chart has at most four panels.
+  // Makes the plots larger if the chart has at most four panels, because so few panels have room in
+  // one column.
   void LayOut() {
     if (panels_.size() > 4) return;
     chart_.columns = 1;
@@ -180,7 +182,8 @@ class ChartMaker {
           CurveOf(*series, request_, static_cast<size_t>(4 * chart_.plot_width)));
       for (double& value : panel.curves.back().y) value *= unit.factor;
       const AngleGroup* const group = AngleGroupOf(series->name);
-      // Adds no legend entry for a quantity whose whole name is the title of its panel.
+      // Adds no legend entry for a quantity whose whole name is the title of its panel, because the
+      // title says which curve it is.
       if (group == nullptr || chosen.title == series->name) continue;
       panel.curves.back().look = group->look;
       panel.curves.back().label = group->label;

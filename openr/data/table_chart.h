@@ -1,4 +1,5 @@
-// Makes charts of tables: a panel for each quantity, or for each joint with its three angles.
+// Makes charts of tables: a panel for each quantity, or a panel for each joint with its commanded
+// angle, its measured angle and the angle of the body.
 #pragma once
 
 #include <string>

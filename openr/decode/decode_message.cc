@@ -62,8 +62,8 @@ std::string DecodeElements(const std::string& content, Tell tell) {
   return text;
 }
 
-// Reads the last frame of an element with `info` into `value`.  Returns false if the element has no
-// frame, or if the content was cut before the frame.
+// Reads the last frame (8 ms) of an element of a vector into `value`.  `info` describes the
+// element.  Returns false if the element has no frame, or if the content was cut before the frame.
 template <typename Info, typename Value>
 bool ReadLastFrame(const std::string& content, const Info& info, size_t frames_max, Value* value) {
   if (info.numFrames == 0) return false;

@@ -205,8 +205,8 @@ class Reader {
   }
 
   void ReadFields(const std::string& text) {
-    // Register that the number before belongs to; a number without a name belongs to the next
-    // register.
+    // Register to which the previous number of the line belongs.  If the next number has no name,
+    // it belongs to the register after this one.
     std::optional<int> last;
     for (const NamedNumber& number : Split(text)) {
       std::optional<int> reg;

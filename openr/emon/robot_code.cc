@@ -69,7 +69,8 @@ std::optional<Headers> HeadersIn(const std::string& bytes) {
   return result;
 }
 
-// Returns the address for which the code was linked, minus its address in the headers.
+// Returns the address for which the code was linked, minus the address that the headers give the
+// code.
 uint32_t MovedBy(const Headers& headers) {
   return headers.first_load == 0 && headers.gp.value_or(0) >= kLinkedAt ? kLinkedAt : 0;
 }
@@ -130,7 +131,8 @@ bool RobotCode::Contains(uint32_t address) const {
 }
 
 bool RobotCode::IsAfterCall(uint32_t address) const {
-  // Bytes of a call and of the instruction after it (delay slot), which runs before the call.
+  // Distance in bytes from a call to its return address: the call itself, and the instruction after
+  // it (delay slot), which the processor executes before the call takes effect.
   constexpr uint32_t kDelay = 8;
   if (!Contains(address) || !Contains(address - kDelay)) return false;
   const auto word =

@@ -22,8 +22,8 @@ class RobotCode {
   RobotCode(const std::string& name, std::string bytes);
 
   // Tells this object where the robot had loaded the image.  `gp` is the value of the register gp
-  // while code of the image ran; the file says which value gp would have at the addresses of the
-  // file.
+  // while code of the image ran.  The file has the value of gp for the addresses in the file
+  // (file_gp_), so the difference is the distance by which the robot has moved the code.
   void SetGp(uint32_t gp) { loaded_by_ = gp - file_gp_; }
 
   // Returns whether the robot's address `address` is in the code.  REQUIRES: SetGp() was called.

@@ -59,8 +59,8 @@ CodeLookup LookUpCode(const char* file, uintptr_t offset) {
       dwfl_report_elf(session.get(), file, file, -1, kBase, /*add_p_vaddr=*/false);
   dwfl_report_end(session.get(), nullptr, nullptr);
   if (module == nullptr) return {};
-  // The distance of libdwfl's addresses from those of the file: kBase for a shared object, 0 for a
-  // program that was linked for fixed addresses.
+  // The difference between an address of libdwfl and the same address in the file: kBase for a
+  // shared object, 0 for a program that was linked for fixed addresses.
   GElf_Addr added = 0;
   if (dwfl_module_getelf(module, &added) == nullptr) return {};
   const GElf_Addr address = added + offset;

@@ -180,8 +180,8 @@ class RecordFile {
   }
 
  private:
-  // Removes what was written of this record, because readers would take a part for the whole.
-  // Records of other processes stay.
+  // Removes the part of this record that was written, because readers would take the part for the
+  // whole record. Records of other processes stay.
   void RemovePart() const {
     if (begin_ > 0) {
       static_cast<void>(ftruncate(descriptor_, begin_) == 0);
@@ -217,7 +217,8 @@ unsigned MemoryExceptionCode(const void* context) {
 // Returns the code of the exception that the robot's processor raises for the signal
 // (field-notes.md 4.1); 0 for an error that it does not notice.
 unsigned RobotExceptionCode(int signal, const siginfo_t& info, const void* context) {
-  if (*AnnouncedFault() != 0) {  // such as "a division by zero at Dog.cc:5 (exception 9)"
+  // The runtime has announced a fault, such as "a division by zero at Dog.cc:5 (exception 9)".
+  if (*AnnouncedFault() != 0) {
     static constexpr char kException[] = "(exception ";
     const char* const begin = std::strstr(AnnouncedFault(), kException);
     if (begin == nullptr) return 0;
@@ -301,7 +302,7 @@ void OnCrashSignal(int signal, siginfo_t* info, void* context) {
   RobotException exception{.code = RobotExceptionCode(signal, *info, context),
                            .is_in_own_code = t_current.image_code};
   if (is_access) exception.bad_address = reinterpret_cast<uint64_t>(info->si_addr);
-  BeginEnding(&ending);  // makes t_current empty
+  BeginEnding(&ending);  // clears t_current, which was read above for this reason
   WriteRecordInSignal(&ending, &exception, context, robot);
   ending.finding.Add("; on the robot this stops all objects");
   FinishEnding();
@@ -326,7 +327,8 @@ void OnSanitizerReport(const char* report) {
   const char* const begin = std::strstr(report, kBegin);
   if (begin == nullptr) return;
   std::string_view rest = begin + sizeof kBegin - 1;
-  static constexpr std::string_view kAttempting = "attempting ";  // "attempting double-free on ..."
+  // Begins the kind of some errors: "attempting double-free on ...".
+  static constexpr std::string_view kAttempting = "attempting ";
   if (rest.starts_with(kAttempting)) rest.remove_prefix(kAttempting.size());
   StopAsTheRobotDoes("AddressSanitizer: " + std::string(rest.substr(0, rest.find_first_of(" \n"))));
 }
@@ -338,7 +340,7 @@ void OnSanitizerReport(const char* report) {
 #if !OPENR_ASAN
 // AddressSanitizer calls this function before it prints a report.  From now on file functions use
 // the files of the host and not those of the object, because AddressSanitizer reads debug
-// information for its report.  This is not undone, because the object does not run again.
+// information for its report.  File functions stay so, because the object does not run again.
 extern "C" [[gnu::visibility("default")]] void __asan_on_error() {
   openr_host::t_current.image_code = false;
 }

@@ -25,7 +25,7 @@ struct Walk {
   uintptr_t* addresses;
   size_t max;
   size_t count = 0;
-  bool is_outside = false;  // true: the frames of the signal handler are passed
+  bool is_outside = false;  // true: the walk has passed the frames of the signal handler
 };
 
 _Unwind_Reason_Code Take(_Unwind_Context* context, void* data) {

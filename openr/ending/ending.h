@@ -48,10 +48,10 @@ class EndingAction {
 // functions before it calls them, so that a second call does not run them again.
 void RunEndingActions(Ending* ending);
 
-// While an EndingAnswer exists, a run that ends early says on the last line of standard error what
-// ended it.  For a command that has to answer in JSON, the object {"error", "ended_by", "findings"}
-// is written too, unless an EndingAction has already written an answer.  Only one EndingAnswer may
-// exist at a time.
+// While an EndingAnswer exists, a run that ends early says on the last line of standard error why
+// it has ended.  For a command that has to answer in JSON, the object {"error", "ended_by",
+// "findings"} is written too, unless an EndingAction has already written an answer.  Only one
+// EndingAnswer may exist at a time.
 class EndingAnswer {
  public:
   // The JSON answer is written to `descriptor` (-1: none) and to `file` ("": none).

@@ -1,5 +1,5 @@
 // The part of a crash record that has the form of the robot's emergency monitor, so that programs
-// that read a robot's EMON.LOG can read that of a run as well.
+// that read the EMON.LOG of a robot can read the EMON.LOG of a run as well.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ struct RobotException {
   unsigned code = 0;         // exception code (field-notes.md 4.1); 0 if the robot would go on
   uint64_t bad_address = 0;  // address that could not be accessed; 0 for other exceptions
   uint64_t epc = 0;          // address of the instruction in the file of its image
-  // True if the signal has interrupted the object's own code.  The runtime may otherwise be
-  // changing its table of objects.
+  // True: the signal has interrupted the object's own code.  False: it has interrupted the runtime,
+  // which may have been changing its table of objects, so the table cannot be read.
   bool is_in_own_code = false;
 };
 

@@ -22,10 +22,15 @@ struct Deviation {
     kStart,  // at the nth choice of the object that starts next, `object` is chosen
     // At the nth tie at time_us, when several objects have a message due, `object` goes first.
     kTie,
-    kDelay,  // the nth message from `sender` to entry `selector` of `object` arrives `us` later
-    kCost,   // the nth call of entry `selector` of `object` takes `us` longer (shorter if negative)
-    kFrame,  // the frame counter of the robot number `nth` begins with the frame number `us`
-    // The nth fault of the run is FaultLine() number `us`, at time_us in robot number `selector`.
+    // The nth message from `sender` to entry `selector` of `object` comes `us` microseconds later.
+    kDelay,
+    // The nth call of entry `selector` of `object` takes `us` microseconds longer (shorter if
+    // negative).
+    kCost,
+    kFrame,  // the frame counter of robot number `nth` begins with the number in the field `us`
+    // The nth fault of the run comes at time_us to the robot whose number is in the field
+    // `selector`.  The field `us` has the number of the fault, which FaultLine() converts to an
+    // input.
     kFault,
   };
   Kind kind = Kind::kTie;

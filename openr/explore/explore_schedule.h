@@ -73,7 +73,7 @@ class ExploreSchedule : public Schedule {
   // These functions make one choice.  `spot` says where in the run the choice is.  The field of
   // `spot` for the result is not set yet: `object` for PickOf(), `us` for the other functions.
   // PickOf() returns the index of the chosen candidate, PickFrame() the number of the first frame,
-  // the other functions a time that is added.  The result 0 always means: as in a run without
+  // the other functions a time that is added.  The result 0 always is the choice of a run without
   // exploration.
   virtual size_t PickOf(const Deviation& spot, const std::vector<ObjectId>& candidates) = 0;
   virtual int64_t PickDelayUs(const Deviation& spot, bool from_network) = 0;
@@ -109,7 +109,8 @@ class ExploreSchedule : public Schedule {
   // For each receiver, the time at which the last message to it arrives.  Messages from the network
   // do not count.
   std::vector<int64_t> last_due_us_;
-  // For each object: 1 if the object is the IPStack, else 0; -1: not known yet.
+  // For each object: 1 if the object is the IPStack, whose messages are delayed as data from the
+  // network, else 0; -1: not known yet.
   std::vector<int8_t> is_network_;
   std::vector<Deviation> deviations_;
   DeviationLog* log_ = nullptr;

@@ -31,7 +31,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr char kReady[] = "ready";
-constexpr int64_t kOddSliceUs = 50'021;  // time slice of a second run, no multiple of a frame
+// Time slice of the second run; no multiple of a frame, so slices end inside frames.
+constexpr int64_t kOddSliceUs = 50'021;
 
 void SilenceOutput() {
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);

@@ -71,10 +71,11 @@ Json ForkServer::Broken(const Json& plan, const char* property, const std::strin
           {"deviations", std::move(deviations)}};
 }
 
-// Returns the answer for a copy of the process that ended early, for example by a crash.  `said` is
-// the text that the copy has written.  Normally `said` is the answer, which the copy writes while
-// it ends.  If `said` is only an error (EndingAnswer), the answer is made from this error.  If
-// `said` is "", the answer is made from `status`, the exit status of the copy.
+// Returns the answer (the JSON that describes the result of a run) for a copy of the process that
+// ended early, for example by a crash.  `said` is the text that the copy has written.  Normally
+// `said` is the answer, which the copy writes while it ends.  If `said` is only an error
+// (EndingAnswer), the answer is made from this error.  If `said` is "", the answer is made from
+// `status`, the exit status of the copy.
 Json ForkServer::AnswerOfEndedCopy(const Json& plan, const std::string& said, int status) {
   const Json json = TryParseJson<Json>(said);
   if (json.is_object() && json.contains("broken")) return json;

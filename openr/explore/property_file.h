@@ -47,9 +47,9 @@ std::vector<PropertyRule> ParseProperties(const std::string& file, std::string_v
 bool Compares(const std::variant<double, std::string>& actual, const std::string& op,
               const std::string& expected);
 
-// Both functions return the properties that a text describes: `text`, or the content of the file
-// `path`.  Both throw std::runtime_error with the texts of all errors.  `file` is the name of
-// `text` in these errors.
+// MakeProperties() returns the properties that `text` describes, and LoadPropertyFile() returns the
+// properties that the file `path` describes.  Both throw std::runtime_error with the texts of all
+// errors.  `file` is the name of `text` in these errors.
 std::vector<std::unique_ptr<Property>> MakeProperties(const std::string& file,
                                                       std::string_view text);
 std::vector<std::unique_ptr<Property>> LoadPropertyFile(const std::string& path);

@@ -38,7 +38,7 @@ std::vector<std::string> LongNamesOf(const RunView& view);
 class SimulationView {
  public:
   explicit SimulationView(Simulation* simulation);
-  // Not copied, because a copy would refer to the members of the original.
+  // Forbids copies, because a copy would refer to the members of the original.
   SimulationView(const SimulationView&) = delete;
   SimulationView& operator=(const SimulationView&) = delete;
 

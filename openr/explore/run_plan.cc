@@ -50,8 +50,8 @@ class PlanRun {
     schedule_->set_log(log);
   }
 
-  // Returns the answer for a run in which an object has ended the process: it has crashed, or its
-  // handler has not returned.
+  // Returns the answer (the JSON that describes the result of a run) for a run in which an object
+  // has ended the process: the object has crashed, or its handler has not returned.
   Json AnswerForEnding(const Ending& ending) {
     std::string_view text = ending.record.text();
     while (text.ends_with('\n')) text.remove_suffix(1);
@@ -78,7 +78,8 @@ class PlanRun {
   }
 
  private:
-  // A delivered message.  The last such messages become a part of the answer.
+  // A delivered message.  The last such messages become a part of the answer, which describes the
+  // result of the run.
   struct SeenRecord {
     TraceRecord record;
     std::string content;  // content of the message, from ContentOf(), cut to kDecodedBytesMax bytes

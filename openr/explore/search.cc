@@ -17,13 +17,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A choice in the last run: its candidates, and which of them have been explored.
+// A choice in the last run: the candidates (objects that could get the next message), and which of
+// them have been explored.
 struct Frame {
   std::vector<ObjectId> candidates;
   SleepSet sleep;  // deliveries that sleep at this choice, so the search need not try them
   SleepSet done;   // candidates that were explored; value: the objects that each of them concerns
   size_t current = 0;
-  Touched touched;  // objects that the current candidate's delivery concerns
+  Touched touched;  // objects that the delivery of the current candidate's message concerns
 };
 
 class Search {

@@ -12,7 +12,8 @@ namespace openr_host {
 class System;
 
 struct GraphService {
-  // Full name of the service, with four parts, such as "RCServer.Move.MoveCommand.S".
+  // Full name of the service, such as "RCServer.Move.MoveCommand.S": the object, the name of the
+  // service, the type of the data, and S (subject) or O (observer).
   std::string name;
   bool is_subject = true;
 };

@@ -31,8 +31,8 @@ class Breakpoints {
   // condition holds now would stop the replay again at the next message, so Hit() ignores this
   // breakpoint until its condition has been false once.
   void Arm();
-  // Tests all breakpoints after the replay has delivered a message.  Returns the number, counted
-  // from 1, of the first breakpoint that stops the replay here; 0 if the replay goes on.
+  // Tests all breakpoints.  Called when the replay has delivered a message.  Returns the number,
+  // counted from 1, of the first breakpoint that stops the replay here; 0 if the replay goes on.
   size_t Hit();
 
   // Returns all breakpoints as text, one per line.  Called when the user goes back, because another

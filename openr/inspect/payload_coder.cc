@@ -18,16 +18,17 @@ constexpr size_t kWord = 4;
 constexpr size_t kWords = kPayloadBlock / kWord;
 constexpr size_t kMaskBytes = kWords / 8;
 
-// Compares two blocks of bytes.  Returns a bit for each word of the blocks, which is 1 if the word
-// differs.  The lowest bit is for the first word.
+// Compares two blocks of kPayloadBlock bytes.  Returns a bit for each word (4 bytes) of the blocks,
+// which is 1 if the word differs.  The lowest bit is for the first word.
 uint32_t ChangedWords(const char* now, const char* last) {
 #if defined(__SSE2__)
   const auto equal = [now, last](size_t at) {
     return _mm_cmpeq_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(now + at)),
                            _mm_loadu_si128(reinterpret_cast<const __m128i*>(last + at)));
   };
-  // Packs the results of the comparisons, which have 32 bits for each word.  Each step halves the
-  // number of bits: to 16, to 8, and at last to one for each word.
+  // Packs the results of the comparisons.  A result has 32 bits for each word, all of them equal.
+  // Each step halves this number, to 16 bits and to 8 bits, and the last step takes one bit for
+  // each word.
   const __m128i first = _mm_packs_epi32(equal(0), equal(16));
   const __m128i second = _mm_packs_epi32(equal(32), equal(48));
   return static_cast<uint32_t>(_mm_movemask_epi8(_mm_packs_epi16(first, second))) ^ 0xffffu;
@@ -71,7 +72,8 @@ void LastPayload::Write(std::string_view now, ByteWriter* out) {
   const size_t whole = size_ / kPayloadBlock * kPayloadBlock;
   for (size_t i = 0; i < whole; i += kPayloadBlock) compare(now.data() + i, bytes_.data() + i);
   if (whole < size_) {
-    // A copy of the last bytes, because bytes behind `now` may not be read.
+    // A copy of the last bytes of `now`, filled up with zeros to a whole block, because the
+    // comparison reads whole blocks and bytes behind `now` may not be read.
     char rest[kPayloadBlock] = {};
     std::memcpy(rest, now.data() + whole, size_ - whole);
     compare(rest, bytes_.data() + whole);

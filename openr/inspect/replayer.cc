@@ -236,8 +236,9 @@ void Replayer::CompareFields(const TraceEntry& recorded, const TraceRecord& now,
     Differ(recorded,
            fmt::format("is caused by message {} now, by {} when recorded", now.cause, then.cause));
   } else if (now.size != then.size) {
-    // A message of the object `only_` must have the recorded size, too, because the recorded bytes
-    // replace its bytes.
+    // Compares the sizes even if the object `only_`, whose messages may differ from the recording,
+    // has sent the message.  The other objects are to get the recorded bytes in place of its bytes,
+    // and that needs the same size.
     Differ(recorded, fmt::format("has {} bytes now, {} when recorded", now.size, then.size));
   }
 }
@@ -248,8 +249,8 @@ bool Replayer::IsAnswer(const TraceRecord& record) const {
   return sender != nullptr && sender->name == only_;
 }
 
-// Compares a message of the object `only_` with the recording.  Then gives the message the recorded
-// bytes, so that the other objects get what they got in the recorded run.
+// Compares a message that the object `only_` has sent with the recording.  Then gives the message
+// the recorded bytes, so that the other objects get what they got in the recorded run.
 void Replayer::CompareAnswerOf(const Message& message, const TraceRecord& record) {
   ++answer_count_;
   const std::string now = PayloadBytes(message);
@@ -299,8 +300,9 @@ void Replayer::Compare(const TraceRecord& record, const Message& message) {
   const TraceEntry* const next = reader_.Peek();
   const bool is_end = next != nullptr && next->kind == Kind::kEnd;
   if (next == nullptr || (is_end && record.time_us >= next->time_us)) {
-    // The recorded run may have stopped between two messages of the same time, so a message of this
-    // time that the recording does not have is no difference.  The recording ends here.
+    // Ends the replay here, and does not count the message as a difference: the recorded run may
+    // have stopped between two messages of the same time, so the recording may lack a message of
+    // this time.
     at_end_ = true;
     return;
   }
@@ -430,9 +432,9 @@ bool Replayer::Step() {
   system().RunOne(std::max(next_us, system().now_us()));
   if (!difference_.empty()) return false;
   if (count_ != before || at_end_) return true;
-  // Checks whether the replay has missed a message: RunOne() has delivered no message up to the
-  // time of the next entry.  If this entry is input, the next Step() applies it.  If the entry is a
-  // message, the replay differs from the recording.
+  // Looks at the next entry of the recording, because RunOne() has delivered no message up to the
+  // time of this entry.  If the entry is input, the next Step() applies it.  If the entry is a
+  // message, the replay differs from the recording, because the message has not come.
   const TraceEntry* const next = reader_.Peek();
   if (next == nullptr || next->kind != Kind::kMessage) return true;
   const TraceEntry missing = *next;

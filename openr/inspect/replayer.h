@@ -36,9 +36,9 @@ struct ReplayOptions {
       begin = {};
 };
 
-// If images on a Memory Stick of the recording were built with openr build --sanitize, starts the
-// program again as StartWithSanitizerOf() does.  Commands call this before they construct a
-// Replayer and before they open other files.
+// If images on a Memory Stick of the recording were built with openr build --sanitize, starts openr
+// again as StartWithSanitizerOf() does.  Commands call this before they construct a Replayer and
+// before they open other files.
 void StartWithSanitizerOfRecording(const ReplayOptions& options);
 
 class Replayer : public KnownRun {
@@ -59,7 +59,7 @@ class Replayer : public KnownRun {
   // input, delivers nothing, and the next call applies the input.  Returns false at the end of the
   // recording and after a difference.
   bool Step();
-  // ---- Functions of KnownRun
+  // ---- Functions of the base class KnownRun
   void RunOne(int64_t time_us) override;
   int64_t length_us() const override { return length_us_; }
   std::string WhyOver() const override;

@@ -9,7 +9,8 @@
 
 namespace openr_host {
 
-// A process that ends writes here what the waiting process of an earlier snapshot has to do next.
+// Data by which a process that ends tells the waiting process of an earlier snapshot what to do
+// next.
 struct SharedSession {
   bool went_back;    // true: a copy has ended because the session goes back
   uint64_t target;   // number of messages after which going back ends

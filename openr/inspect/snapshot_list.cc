@@ -7,8 +7,8 @@
 namespace openr_host {
 namespace {
 
-// The least age of a snapshot, as a multiple of the distance between its two neighbours, at which
-// the snapshot is no longer needed.
+// A snapshot is no longer needed when its age, the number of messages since its later neighbour in
+// the list, is at least this many times the number of messages between its two neighbours.
 constexpr uint64_t kAgePerDistance = 4;
 
 }  // namespace

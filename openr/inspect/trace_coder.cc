@@ -128,8 +128,8 @@ void TraceCoder::ReadMessage(bool is_old, ByteReader* in, TraceEntry* entry) {
   if (!is_old) ReadLink(in, &record);
   record.number = number_ + static_cast<uint64_t>(in->Zigzag());
   record.cause = record.number - static_cast<uint64_t>(in->Zigzag());
-  // Adds the times as unsigned numbers.  A damaged file may have any numbers, and a sum of signed
-  // numbers could overflow.
+  // Adds the times as unsigned numbers, because a damaged file may have any numbers, and a sum of
+  // signed numbers could overflow.
   record.time_us =
       static_cast<int64_t>(static_cast<uint64_t>(time_us_) + static_cast<uint64_t>(in->Zigzag()));
   if (is_old) {
@@ -160,7 +160,7 @@ void TraceCoder::Write(const TraceEntry& entry, ByteWriter* out) {
       out->Text(entry.name);
       return;
     case TraceEntry::Kind::kMessage:
-      return;  // WriteMessage() has written the message already
+      return;  // nothing is left to do: WriteMessage() has written the message already
     case TraceEntry::Kind::kNetwork:
       out->Varint(static_cast<uint64_t>(entry.robot));
       out->Varint(entry.events.size());

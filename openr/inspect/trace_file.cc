@@ -250,7 +250,8 @@ TraceReader::TraceReader(const std::string& file) : file_(file), bytes_(file) {
 }
 
 void TraceReader::ReadHeader() {
-  constexpr uint64_t kLengthsMax = 4 + ByteWriter::kVarintBytesMax;  // of the version and the text
+  // Most bytes of the version and of the text's length.
+  constexpr uint64_t kLengthsMax = 4 + ByteWriter::kVarintBytesMax;
   ByteReader lengths(bytes_.Read(kMagic.size(), kLengthsMax));
   const uint32_t version = lengths.U32();
   if (version < kOldestTraceVersion || version > kTraceVersion) {
@@ -305,7 +306,8 @@ bool TraceReader::NextBlock() {
   ByteReader head(head_bytes);
   const size_t size = head.U32();
   const uint64_t checksum = head.U64();
-  // Compares the size before the block is read, because that of a damaged block may be anything.
+  // Compares the size before the block is read, because the size of a damaged block may be any
+  // number.
   if (size > bytes_.size() - at_ - kBlockHead) return cut_off();
   const std::string_view block = bytes_.Read(at_ + kBlockHead, size);
   if (block.size() < size) return cut_off();

@@ -65,7 +65,8 @@ struct TraceEntry {
     // selector, name.
     kEntry = 2,
     kOldMessage = 3,  // kind of an old version, see kOldestTraceVersion
-    // Network events that Poll() returned during the message before; fields: robot, events.
+    // Network events that Poll() returned while the message before this entry was handled; fields:
+    // robot, events.
     kNetwork = 4,
     kOldPause = 5,     // kind of an old version, see kOldestTraceVersion
     kOldShutdown = 6,  // kind of an old version, see kOldestTraceVersion
@@ -109,7 +110,7 @@ class TraceCoder {
   uint32_t LinkOf(const TraceRecord& record);
 
   // Writes an entry kMessage.  REQUIRES: `number_of_link` is LinkOf(record), and a message of each
-  // link with a smaller number was written.
+  // link with a smaller number has been written before.
   void WriteMessage(const TraceRecord& record, std::string_view payload, uint32_t number_of_link,
                     ByteWriter* out);
 
@@ -118,7 +119,8 @@ class TraceCoder {
     int32_t sender = 0;
     int32_t target = 0;
     uint32_t selector = 0;
-    // The element of last_ with the link's last payload; set only when writing.
+    // The last payload with this size that the link's sender has sent (an element of last_); set
+    // only when writing.
     LastPayload* last = nullptr;
   };
   struct LinkKey {
@@ -148,8 +150,8 @@ class TraceCoder {
   std::map<std::pair<int32_t, size_t>, LastPayload> last_;  // key: sender and size
   uint64_t kept_ = 0;  // number of bytes of all payloads in last_ that were read
   std::vector<Link> links_;
-  // The numbers of the links; used only for writing.  Nothing depends on the order of the links in
-  // this map, so it is not sorted.
+  // The numbers of the links (paths from one sender to one entry of one receiver); used only for
+  // writing.  Nothing depends on the order of the links in this map, so it is not sorted.
   std::unordered_map<LinkKey, uint32_t, LinkHash> link_numbers_;
   uint32_t defined_links_ = 0;  // number of links whose first message was written
 };

@@ -343,7 +343,7 @@ Json AnswerInPast(const Asked& asked, const std::string& name) {
   if (!RunClock::ParseStep(request["step"].get<std::string>(), &step)) return AnswerClock(asked);
   const int count = request.value("count", 1);
   if (count < 1 || count > RunClock::kStepsMax) return AnswerClock(asked);
-  // Converts steps over sensor values to frames: sensor values come every four frames.
+  // Converts steps over sensor values to steps over frames: sensor values come every four frames.
   const int64_t frames = step == RunClock::Step::kVector ? 4 * count : count;
   const std::string problem =
       step == RunClock::Step::kMessage

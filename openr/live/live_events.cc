@@ -131,8 +131,8 @@ std::string LiveEvents::LineOfPast(std::string_view name, EventCursor* cursor) {
   // Resets the cursor, so that the client gets all findings again when the present is shown again.
   if (name == "findings") cursor->findings = UINT64_MAX;
   const Rewind& rewind = *context_.rewind;
-  // Sets the highest bit, so that this version is not equal to a version of the present, whose
-  // virtual time is below 2^63 us.
+  // Sets the highest bit, so that the version of the earlier moment is not equal to a version of
+  // the present, whose virtual time is below 2^63 us.
   const uint64_t moment =
       static_cast<uint64_t>(rewind.shown_us()) + rewind.shown_messages() + (uint64_t{1} << 63);
   uint64_t& shown = cursor->versions[std::string(name)];

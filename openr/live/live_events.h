@@ -12,7 +12,7 @@
 
 namespace openr_host {
 
-// The events that a client has got already.
+// The events (lines about the state of the run) that a client has got already.
 struct EventCursor {
   uint64_t console_lines = 0;
   // True: the client has got the lines that were printed before it began to watch.
@@ -30,13 +30,15 @@ class LiveEvents {
     // Least time between two events of this kind; a client may ask for a longer time.
     int64_t interval_ns;
   };
-  // Returns all kinds of events, in the order in which they are sent.
+  // Returns all kinds of events, such as "clock", in the order in which the events are sent.
   static const std::vector<Kind>& Kinds();
 
   explicit LiveEvents(const LiveContext& context) : context_(context) {}
 
-  // Returns the event `name` of the moment that is shown, as one line without its line end.
-  // Returns "" if `cursor` says that the client has got this event already.
+  // Returns the event of the kind `name`, such as "clock", as one line without its line end.  The
+  // event describes the present state of the run or, while clients look at an earlier moment of the
+  // run, the state at that moment.  Returns "" if `cursor` says that the client has got this event
+  // already.
   std::string Line(std::string_view name, EventCursor* cursor);
 
   // Begins or stops keeping the messages of connections.  `is_watched` says that a client watches

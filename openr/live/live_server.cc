@@ -129,7 +129,7 @@ bool LiveServer::AnswerLines(Client* client) {
 }
 
 // Returns the answer to a request.  If the answer depends on the client, makes it here; otherwise
-// calls answer_.
+// calls answer_, which answers from the state of the run.
 nlohmann::ordered_json LiveServer::AnswerTo(Client* client, const nlohmann::json& request) {
   if (request.at("do") == "watch") return BeginWatch(client, request);
   if (request.at("do") == "couple" && couplings_ != nullptr)
@@ -175,8 +175,9 @@ bool LiveServer::is_watched() const {
                      [](const Client& client) { return !client.watches.empty(); });
 }
 
-// Adds to the bytes for `client` all events whose time has come.  Adds none while the client has
-// not taken earlier bytes, so that a slow client gets fewer events instead of old ones.
+// Adds to the bytes for `client` all events (lines about the state of the run) whose time has come.
+// Adds none while the client has not taken earlier bytes, so that a slow client gets fewer events
+// instead of old ones.
 void LiveServer::SendEvents(Client* client, int64_t now_ns) {
   if (!client->to_send.empty()) return;
   for (Watch& watch : client->watches) {
@@ -220,8 +221,8 @@ void LiveServer::ServeAll() {
   Accept();
   const size_t count = clients_.size();
   std::erase_if(clients_, [this, now_ns](Client& client) {
-    // Sends the answers even if the client has closed its side, because a client may send its last
-    // request and close its side at once.
+    // Sends the answers even if the client has closed its side, because a client may close its side
+    // as soon as it has sent its last request.
     const bool goes_on = Receive(&client);
     SendEvents(&client, now_ns);
     const bool is_sent = Send(&client);

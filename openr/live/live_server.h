@@ -63,7 +63,7 @@ class LiveServer {
   bool is_watched() const;
 
  private:
-  // An event that a client watches, and the times between such events.
+  // A kind of event that a client watches, and the time between two events of this kind.
   struct Watch {
     size_t kind;          // index of LiveEvents::Kinds()
     int64_t interval_ns;  // least time between two events of this kind

@@ -65,9 +65,10 @@ class MessageHistory {
   using Ends = std::tuple<ObjectId, uint32_t, ObjectId, uint32_t>;
 
   struct ConnectionMessages {
-    std::string subject;  // names of the two services of the connection
+    std::string subject;  // names of the services at the two ends of the connection
     std::string observer;
-    // Number of times that objects with these two ids had been loaded when the services were named.
+    // How often the objects at both ends had been replaced when `subject` and `observer` were set.
+    // If this number changes, the kept messages are dropped and both names are looked up again.
     int loads = -1;
     uint64_t count = 0;
     std::deque<Entry> last;

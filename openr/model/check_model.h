@@ -20,7 +20,9 @@ struct ModelCheck {
   // Attitude of the base frame and its height over the floor, 2 s after standing up.
   double roll_deg = 0, pitch_deg = 0, height_mm = 0;
   int paws = 0;  // number of paws that touch the floor
-  // Pitch and height of a stiff robot with the same set points, computed from kinematics alone.
+  // Pitch and height of a robot whose joints are exactly at the set points, computed from the
+  // lengths of its parts alone.  The difference from pitch_deg and height_mm shows how far the
+  // joints give way.
   double stiff_pitch_deg = 0, stiff_height_mm = 0;
   // Distance that the robot moves, and largest change of roll, pitch or yaw, from 2 s to 62 s after
   // standing up.

@@ -49,7 +49,8 @@ class Curve {
   std::vector<double> slopes_;
 };
 
-// The straight line that gives the positions in motion B best as a function of those in motion A.
+// The straight line that best describes the positions in motion B as a function of the positions in
+// motion A.
 struct Fit {
   double gain = 0;
   // Fraction of the variance of motion B that the line does not explain, 0 to 1.

@@ -19,8 +19,9 @@ struct JointTraces {
   std::vector<std::vector<double>> deg;  // positions in degrees: [joint][time]
 };
 
-// Returns the positions of the group `group` with the times of their records.  Leaves out records
-// that do not have this group.  `times_ms` has the time of each record of `log` (log_times.h).
+// Returns the positions of the group `group` (commanded, measured or simulated) with the times of
+// their records.  Leaves out records that do not have this group.  `times_ms` has the time of each
+// record of `log` (log_times.h).
 JointTraces TracesOf(const LogFile& log, const std::vector<double>& times_ms, LogGroup group);
 
 // The difference of one joint between two motions, A and B.
@@ -43,7 +44,8 @@ struct JointDifference {
 };
 
 constexpr double kMovesDeg = 1;
-// The largest shift that is tried; for a short motion, 1/4 of its length.
+// The largest shift of time that is tried, in ms; for a short motion, 1/4 of its length is the
+// limit.
 constexpr double kLagMaxMs = 320;
 constexpr int kSamplesMin = 8;
 

@@ -1,4 +1,5 @@
-// Merges the logs of two robots into the log of a synchronised play-back.
+// Merges the logs of two robots that have played the same motion into one log (synchronised
+// play-back, Hohl 2004, section 3.3.6).
 #pragma once
 
 #include "openr/motion/log_file.h"

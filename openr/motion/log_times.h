@@ -12,8 +12,8 @@ namespace openr_host {
 // the motion.  They throw std::runtime_error with the reason when the times cannot be known.
 
 // Returns the time of each record of `log`, in ms.  Assumes that key frames are 16 ms apart, as in
-// a motion without interpolated frames.  A key frame with a smaller number than the one before
-// belongs to the next repetition of the motion.  Refuses a log in which a key frame repeats,
+// a motion without interpolated frames.  A key frame with a smaller number than the key frame
+// before belongs to the next repetition of the motion.  Refuses a log in which a key frame repeats,
 // because its motion has interpolated frames.
 std::vector<double> TimesOf(const LogFile& log);
 

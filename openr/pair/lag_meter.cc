@@ -94,8 +94,8 @@ std::optional<int64_t> LagMeter::LagMs() const {
     misfits.push_back(Misfit(joint, lag_ms, from_ms));
   const double best = *std::min_element(misfits.begin(), misfits.end());
   if (best > kMisfitMax) return std::nullopt;
-  // Takes the first good minimum of the misfit.  A periodic movement fits again one period later,
-  // so a later minimum would be a wrong lag.
+  // Takes the first good minimum of the misfit, because a periodic movement fits again one period
+  // later, and a later minimum would be a wrong lag.
   size_t at = 0;
   while (misfits[at] > best + kNearBest) ++at;
   while (at + 1 < misfits.size() && misfits[at + 1] < misfits[at]) ++at;

@@ -1,5 +1,5 @@
-// LagMeter: measures by how much the joints of one robot lag behind those of the robot that it
-// follows.
+// LagMeter: measures the time by which the joints of a robot lag behind the joints of the robot
+// that it follows.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 namespace openr_host {
 
 // Measures the lag by correlation of measured positions: shifts the positions of the follower in
-// time until they fit those of the leader best.  The round trip of a packet cannot be used instead:
-// it is only a part of the lag, because the joints need time, too.
+// time until they fit the positions of the leader best.  The round trip of a packet cannot be used
+// instead: it is only a part of the lag, because the joints need time, too.
 class LagMeter {
  public:
   // Duration of the movement that is compared between the two robots.

@@ -47,9 +47,9 @@ struct PairWish {
 struct PairStatus {
   Follow follow = Follow::kNone;
   std::optional<double> round_trip_ms[2];  // times from a request to its answer; index: PairSide
-  // The time by which the joints of the robot that follows lag behind those of the other robot, as
-  // LagMeter has measured it; nullopt if the lag cannot be measured, for instance because nothing
-  // moves.
+  // The time by which the joints of the robot that follows lag behind the joints of the other
+  // robot, as LagMeter has measured it; nullopt if the lag cannot be measured, for instance because
+  // nothing moves.
   std::optional<int64_t> lag_ms;
   std::string state[2];            // state of each robot's JointMover; "": not known
   std::vector<int32_t> joints[2];  // measured positions of each robot's joints, in 0.01 degree
@@ -99,8 +99,8 @@ class RemotePair {
   const std::vector<RcDescription>& joints() const { return joints_; }
   const RcInfo& info(PairSide side) const { return sides_[side].info; }
 
-  // Sets the limits of speed and acceleration of the first robot to those of the second robot.
-  // Returns these limits.
+  // Gives the joints of the first robot the limits of speed and acceleration that the joints of the
+  // second robot have.  Returns these limits.
   std::vector<RcJointState> CopyLimits();
   // Switches lights and ears of both robots off.
   void ResetLights();

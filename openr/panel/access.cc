@@ -75,7 +75,8 @@ std::string Access::WhyNoFile(const WebRequest& request) const {
 std::string Access::WhyNoSocket(const WebRequest& request) const {
   if (const std::string why = WhyNoFile(request); !why.empty()) return why;
   const std::string_view origin = request.origin;
-  // Refuses a page that does not come from this server, at the same address.
+  // Refuses a page that does not come from this server.  The header Origin names the server of the
+  // page, and the header Host names this server.
   if (!origin.empty() && origin != "http://" + request.host)
     return "a page of another site may not use the panel";
   if (IsSameSecret(request.protocol, protocol())) return "";

@@ -1,4 +1,4 @@
-// Addresses of the remote controls that pages use: those of robots of a run, and those of all other
+// Addresses of the remote controls that pages use, both for robots of a run and for all other
 // robots.
 #pragma once
 

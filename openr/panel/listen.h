@@ -15,7 +15,7 @@ struct ListenOptions {
   // IPv4 address of this computer, or kAnyAddress; "": the panel listens at 127.0.0.1, and the
   // remote control is not forwarded.
   std::string address;
-  std::string token_file;  // file with the token that clients need
+  std::string token_file;  // file with the token, the secret that clients must send
   // First port that is tried for the remote control of the first robot.  It is not the robot's own
   // port, which the run opens on 127.0.0.1 at the same time.
   uint16_t rc_port = 54100;
@@ -33,7 +33,7 @@ std::string WhyNoListenAddress(const std::string& address);
 void CheckListen(const ListenOptions& options);
 
 // Returns the token in the file `file`, as remote::ReadTokenFile() does.  If there is no such file,
-// makes one that only this user may read, with a new token.
+// makes the file with a new token, so that only this user may read it.
 std::string ReadOrMakeToken(const std::string& file);
 
 // Returns a socket that listens at the IPv4 address `address`, on the first free port from `*port`

@@ -13,7 +13,7 @@ namespace openr_host {
 // thread.
 class Outbox {
  public:
-  // Makes an outbox.  The function `wake` makes the event loop look into it.
+  // Makes an outbox.  The function `wake` makes the event loop look into the outbox.
   explicit Outbox(std::function<void()> wake) : wake_(std::move(wake)) {}
 
   void Add(std::string text) {

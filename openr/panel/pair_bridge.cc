@@ -119,7 +119,8 @@ OrderedJson StatusJson(const PairBridge::Work& work, const PairStatus& status) {
 // time and cannot be rewound.
 class Coupling {
  public:
-  // Begins the coupling.  Throws std::runtime_error if the run refuses it.
+  // Begins the coupling of the two robots of `work`.  Throws std::runtime_error if the run refuses
+  // the coupling.
   explicit Coupling(const PairBridge::Work& work) : live_(work.run, kRunTimeoutMs), work_(work) {
     const OrderedJson answer = Ask(work.second.Text());
     if (answer.contains("error")) throw std::runtime_error(answer["error"].get<std::string>());

@@ -63,7 +63,7 @@ std::optional<LiveRun> FindRun(const std::string& wanted) {
   return FindLiveRun(wanted);
 }
 
-// Returns NAME.PROCESS of the run that pages show first; "" if they let the user choose.
+// Returns NAME.PROCESS of the run that pages show first; "" if pages let the user choose a run.
 std::string FirstRun(const PanelOptions& options) {
   // Does not look up the name NAME.PROCESS, which a run gives to its server, because a short run
   // may have ended already, and that is no error.
@@ -238,8 +238,8 @@ void Panel::ForwardRemoteControl(int robot) {
     try {
       run = FindRun(own_run);
     } catch (const std::runtime_error&) {
-      // Uses the address that was found last.  After "Go on from here" the run is not found by its
-      // old name, because it is another process, but its ports are the same.
+      // Uses the address that was found last.  After "Go on from here" the run is another process,
+      // so it cannot be found by its old name; but it has the same ports.
       const std::lock_guard lock(last->mutex);
       if (last->address) return *last->address;
       throw;
@@ -370,9 +370,9 @@ bool HasRunEnded(int run_pipe) {
   return poll(&wanted, 1, 0) > 0;
 }
 
-// Prints what the server has opened.  The server of a run prints it on standard error, like all
-// messages of a run to the user.  Uses one write(), so that text of the run does not come in
-// between.
+// Prints what the server has opened.  A server that a run has started prints this text on standard
+// error, like all messages of a run to the user.  Uses one write(), so that text of the run does
+// not come in between.
 void Print(const std::string& announcement, bool is_of_run) {
   if (!is_of_run) {
     PrintAnswer(announcement);

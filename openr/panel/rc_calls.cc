@@ -255,7 +255,8 @@ Json RcCalls::PlayAndDelete(const Request& request) {
   }
   robot_->GetSensors();
   const uint32_t begin = robot_->frame();
-  // Waits until JointMover has read the file, which happens a moment after the answer to MTN_PLAY.
+  // Waits until JointMover has read the file, which takes at most four sensor vectors after the
+  // answer to MTN_PLAY.  Asks at most kAsksMax times, because a paused run makes no vectors.
   constexpr int kAsksMax = 100;
   for (int i = 0; i < kAsksMax; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));

@@ -1,4 +1,5 @@
-// RcCalls, which carries out the calls of a page to a robot's remote control ("do":"rc").
+// RcCalls, which carries out the calls by which a page uses a robot's remote control (its requests
+// with "do":"rc").
 #pragma once
 
 #include <functional>
@@ -25,8 +26,8 @@ class RcCalls {
   // A function that finds the address of the robot.  Throws std::runtime_error if the robot has no
   // address.
   using FindAddress = std::function<remote::Address()>;
-  // A function that is called during an upload with two numbers: the bytes that the robot has
-  // taken, and all bytes.
+  // A function that is called during an upload with two numbers: how many bytes the robot has taken
+  // so far, and the size of the file in bytes.
   using Progress = remote::Progress;
 
   explicit RcCalls(FindAddress find_address);

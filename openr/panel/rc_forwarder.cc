@@ -84,7 +84,8 @@ struct OwnAnswer {
   bool ends_connection;
 };
 
-// The connection of one client, with the robot at its other end.
+// The connection of one client, whose packets go to the robot and whose answers come from the
+// robot.
 class Forwarding {
  public:
   Forwarding(int client, const RcForwarder::Rules& rules) : client_(client), rules_(rules) {}
@@ -268,7 +269,8 @@ void Forwarding::Forward() {
 void Serve(int client, const RcForwarder::Rules& rules) {
   const int on = 1;
   setsockopt(client, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
-  // Makes the kernel find clients whose computers are gone.
+  // Makes the kernel test connections on which nothing is sent (keep-alive), so that clients whose
+  // computers are gone are found.
   setsockopt(client, SOL_SOCKET, SO_KEEPALIVE, &on, sizeof on);
   Forwarding forwarding(client, rules);
   const bool knows_token = forwarding.TakeToken();
@@ -302,7 +304,8 @@ void RcForwarder::Take(int connection) {
       close(connection);
     }).detach();
   } catch (const std::system_error&) {
-    // This computer cannot make a thread for the client, so the client is not served.
+    // Gives up the client, because this computer cannot make a thread for it.  So the client does
+    // not count any more.
     --g_without_token;
     close(connection);
   }

@@ -92,7 +92,7 @@ bool RunLink::OnWritable() {
 
 void RunLink::OnClosed() {
   watched_ = nullptr;
-  const auto end = owner_.end;  // a copy, because the owner may delete this link in the call
+  const auto end = owner_.end;  // a copy, because the call of `end` may delete this link
   end(has_answered_ ? name_ + " has ended"
                     : name_ + " has ended, or serves as many clients as it can (32)");
 }

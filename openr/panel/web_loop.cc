@@ -16,7 +16,7 @@ namespace {
 
 // Size in bytes of the socket's buffer for a page; the kernel doubles it.  The size is small
 // because newer values cannot replace the values in this buffer, and a slow page should get fewer
-// poses, not late ones.
+// poses instead of late poses.
 constexpr int kSendBufferSize = 128 << 10;
 constexpr size_t kReceivePartMax = size_t{64} << 10;
 constexpr size_t kHeadersMax = size_t{8} << 10;
@@ -71,7 +71,7 @@ class LwsConnection : public WebConnection {
   std::string close_why_;
 };
 
-// The data that belong to one WebSocket.
+// The data that libwebsockets keeps for one WebSocket.
 struct Session {
   explicit Session(lws* wsi) : connection(wsi) {}
   LwsConnection connection;
@@ -277,7 +277,8 @@ class LwsLoop : public WebLoop {
     }
   }
 
-  // Lets `handler` write to the descriptor of `wsi`.  Returns false if it must be closed.
+  // Lets `handler` write to the descriptor of `wsi`.  Returns false if the descriptor must be
+  // closed.
   bool Write(lws* wsi, WebDescriptor* handler) {
     writing_ = wsi;
     const bool is_good = handler != nullptr && handler->OnWritable();
@@ -307,7 +308,7 @@ class LwsLoop : public WebLoop {
   }
 
   // The timer must be the first member, because its callback converts the address of the timer to
-  // that of the struct.
+  // the address of the struct.
   struct StopTimer {
     lws_sorted_usec_list_t timer;
     LwsLoop* loop;

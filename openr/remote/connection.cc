@@ -82,7 +82,7 @@ void Connection::ShowToken() {
   if (answer.status != rcOK) throw Error(answer.status, answer.frame, answer.error);
 }
 
-// ---- Functions for errors
+// ---- Functions that throw errors
 
 void Connection::Throw(ErrorCode code, const std::string& text, const std::string& advice) const {
   throw Error(code, fmt::format("{}: {}", address_.Text(), text), advice);
@@ -126,7 +126,7 @@ void Connection::ThrowMalformed() const {
         "is the client of the robot's version?");
 }
 
-// ---- Functions for packets
+// ---- Functions that send and receive packets
 
 void Connection::SendBytes(const Bytes& bytes) {
   switch (stream_->Send(bytes.data(), bytes.size(), Clock::now() + options_.timeout)) {
@@ -204,7 +204,7 @@ void Connection::KeepEvent(const RcAnswerHeader& header) {
   SendBytes(MakePacket(rcEVENT, header.header.tag, {}));
 }
 
-// ---- Functions for requests and their answers
+// ---- Functions that send requests and wait for their answers
 
 RequestId Connection::Send(int command, const Bytes& payload, int version) {
   do {
@@ -309,7 +309,7 @@ std::vector<Answer> Connection::Batch(const std::vector<Call>& calls) {
   return WaitForBatch(SendBatch(calls), calls.size());
 }
 
-// ---- Functions for events
+// ---- Functions that receive events
 
 RequestId Connection::Subscribe(RcStream stream, int period) {
   const RequestId id = Send(

@@ -50,7 +50,7 @@ using Bytes = std::vector<uint8_t>;
 struct Options {
   // Time limit for connecting, and for each answer.
   std::chrono::milliseconds timeout{3000};
-  // The token for a server that asks for one (openr run --listen); "": no token is sent.
+  // The token, a secret that some servers ask for (openr run --listen); "": no token is sent.
   std::string token = {};
 };
 
@@ -105,7 +105,8 @@ class Connection {
   // Returns the frame number in the newest answer for which a function of this class has waited.
   uint32_t frame() const { return frame_; }
 
-  // ---- Functions for devices.  An index is the number of a device in the robot's model, from 0.
+  // ---- Functions that describe the robot and its devices.  An index is the number of a device in
+  // the robot's model, from 0.
 
   Info GetInfo();
 
@@ -118,7 +119,7 @@ class Connection {
   // device, throws Error (kNoDevice) with a list of all devices.
   int Find(RcDeviceKind kind, const std::string& name);
 
-  // ---- Functions for joints, lights and ears
+  // ---- Functions that read and command joints, lights and ears
 
   JointState GetJoint(int joint);
 
@@ -145,17 +146,18 @@ class Connection {
   // Sets the gains, each 0 to RC_MAX_GAIN; returns the new gains.
   Gains SetGains(int joint, int p, int i, int d);
 
-  // ---- Functions for sensors and power
+  // ---- Functions that read sensors, power and the camera
 
   Sensors GetSensors();
   Power GetPower();
 
   // Asks for a picture and waits for the picture, at most for the time limit of the options.
-  // `layer` is 0 for H, 1 for M, 2 for L, 3 for C.
+  // `layer` is 0, 1 or 2 for a picture of high (H), medium (M) or low (L) resolution, and 3 for the
+  // detected colours (C).
   Picture TakePicture(int layer);
 
-  // ---- Functions for motions and files of the stick.  `name` is a file name of 8+3 characters,
-  // such as "WALK.MTN".
+  // ---- Functions that play motions, and that list, transfer and delete files of the stick. `name`
+  // is a file name of 8+3 characters, such as "WALK.MTN".
 
   // Starts a motion; returns before the motion begins.  `loops` is 1 to 65535.
   // `key_frames_per_vector` is 2, 4, 6, 8 or 0 (the robot chooses).
@@ -177,7 +179,7 @@ class Connection {
   void Reboot();
   void Shutdown();
 
-  // ---- Functions for events, which the robot sends without further requests
+  // ---- Functions that receive events, which the robot sends without further requests
 
   // Subscribes to a stream; replaces an earlier subscription to it.  `period` is the smallest
   // number of frames between two events: a multiple of 4 and not 0 for sensors, 0 or more for set
@@ -195,7 +197,7 @@ class Connection {
   std::optional<Event> NextEvent(std::chrono::steady_clock::time_point deadline);
   static constexpr size_t kEventsMax = 1000;
 
-  // ---- Functions for single requests of any kind, and for several requests without waiting
+  // ---- Functions that send requests of any kind, and can send several without waiting
 
   // Sends a request, waits for its answer and returns the answer.  `version` is the version of the
   // protocol; 0: the first version that has the command.

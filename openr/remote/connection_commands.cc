@@ -15,7 +15,7 @@ constexpr double kValueMax = 1e6;
 
 }  // namespace
 
-// ---- Functions for devices
+// ---- Functions that describe the robot and its devices
 
 Info Connection::GetInfo() {
   const Answer answer = WaitForAny(Send(rcINFO, {}, RC_VERSION_FILES));
@@ -58,7 +58,7 @@ int Connection::Find(RcDeviceKind kind, const std::string& name) {
               fmt::format("there are{}", list));
 }
 
-// ---- Functions for joints, lights and ears
+// ---- Functions that read and command joints, lights and ears
 
 JointState Connection::GetJoint(int joint) {
   return Read<JointState>(Request(rcGET, {static_cast<uint8_t>(joint)}));
@@ -116,13 +116,13 @@ Gains Connection::SetGains(int joint, int p, int i, int d) {
   return Read<Gains>(Request(rcGAINS, {bytes, bytes + sizeof bytes}));
 }
 
-// ---- Functions for sensors and power
+// ---- Functions that read sensors and power
 
 Sensors Connection::GetSensors() { return Read<Sensors>(Request(rcSENSORS)); }
 
 Power Connection::GetPower() { return Read<Power>(Request(rcPOWER)); }
 
-// ---- Functions for motions
+// ---- Functions that play motions
 
 PlayAnswer Connection::PlayMotion(const std::string& name, int loops, int key_frames_per_vector) {
   RcPlayRequest request;

@@ -1,4 +1,4 @@
-// Error, the one exception of the client library.
+// Error, the only exception that the client library throws.
 #pragma once
 
 #include <cstdint>

@@ -14,8 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The unit in which sensors of one SensorKind are printed.  A printed value is the sensor's value
-// divided by `per_unit`.
+// The unit in which the values of all sensors of a SensorKind are printed.  A printed value is the
+// sensor's value divided by `per_unit`.
 struct UnitOfKind {
   int kind;
   const char* unit;

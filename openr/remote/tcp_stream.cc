@@ -66,8 +66,8 @@ TcpStream::~TcpStream() { close(socket_); }
 
 bool TcpStream::WaitFor(short events, Clock::time_point deadline) const {
   for (;;) {
-    // Rounds the time up.  If 0.5 ms became 0 ms, poll() would be called again and again until the
-    // deadline.
+    // Rounds the time up to whole milliseconds.  If 0.5 ms became 0 ms, poll() would not wait, and
+    // would be called again and again until the deadline.
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
     const auto left_ms = std::clamp<int64_t>(left.count(), 0, 1'000'000'000);
     pollfd wanted{socket_, events, 0};

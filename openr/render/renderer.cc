@@ -38,7 +38,7 @@ class OffScreen {
   OffScreen(const OffScreen&) = delete;
   OffScreen& operator=(const OffScreen&) = delete;
 
-  // Four bytes per pixel (RGBA), the bottom row first.
+  // Returns the drawn pixels: four bytes each (RGBA), row by row, the bottom row first.
   const std::vector<uint8_t>& pixels() const { return pixels_; }
 
  private:

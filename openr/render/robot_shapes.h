@@ -37,8 +37,8 @@ std::vector<RobotShape> ShapesOfRobot(const RobotModel& model);
 Eigen::Isometry3d PlaceInPart(const RobotShape& shape, double angle_rad);
 
 // Returns the shapes of the things in `world`, with their poses in the world.  Paint, which is a
-// coloured area of the floor, becomes a thin plate.  Each plate lies a little higher than those of
-// the paint before it in the world file, so that it covers them.
+// coloured area of the floor, becomes a thin plate.  Each plate lies a little higher than the
+// plates of the paint before it in the world file, so that it covers them.
 std::vector<render::Shape> ShapesOfWorld(const World& world);
 
 // Returns the colour of the floor; nullopt if the world file gives no colour.

@@ -47,7 +47,9 @@ Eigen::Matrix4f LightMatrix(const Eigen::Vector3d& target_W, const Eigen::Vector
   Eigen::Matrix4d box = Eigen::Matrix4d::Identity();
   box(0, 0) = box(1, 1) = 1 / half_m;
   // Depth in OpenGL is -1 at the near end of the drawn space and 1 at the far end.  Here the near
-  // end is at the light, and the far end as far behind the target as the light is in front of it.
+  // end is at the light, and the far end is as far behind the target as the light is in front of
+  // it.  So a depth of 2 is twice `distance`; the sign is negative because the view looks along the
+  // negative z axis.
   box(2, 2) = -1 / distance;
   box(2, 3) = -1;
   return (box * LookAt(target_W + distance * to_light, target_W, up)).cast<float>();

@@ -122,7 +122,8 @@ void BranchNetwork::Drop(NetHandle handle, bool reset) {
   if (!repeats_) PassingNetwork::Drop(handle, reset);
 }
 
-// Updates sockets_ by the event that Poll() returns to the robot now.
+// Updates sockets_, from which GoOn() opens the robot's sockets again, by the event that Poll()
+// returns to the robot now.
 void BranchNetwork::Follow(const NetworkEvent& event) {
   switch (event.kind) {
     case NetworkEvent::Kind::kAccepted:

@@ -155,7 +155,7 @@ class Rewind {
   InputLog log_;
   // Network of each robot; the index is the number of the robot.
   std::vector<BranchNetwork*> networks_;
-  // Files that objects have changed, with their first content.
+  // Files that objects have changed in this run, with the content from before the first change.
   SavedStick original_files_;
   std::deque<Checkpoint> checkpoints_;  // all checkpoints, in order of time
   // The checkpoint whose view clients see; null: they see the present.

@@ -113,7 +113,8 @@ bool Rewind::RunView(int socket, const SavedStick& stick, ProcessFiles* files,
 }
 
 // Gives the view files of its own, and the inputs that it must repeat.  `request` has these inputs,
-// and the files that objects have changed in the original run, with their first content.
+// and the files that objects have changed in the original run, with the content from before the
+// first change.
 void Rewind::Prepare(const SavedStick& stick, ProcessFiles* files, const PlainJson& request) {
   folder_ = std::make_unique<TempFolder>();
   const std::string copy = folder_->path() + "/stick", temporary = folder_->path() + "/files";
@@ -153,8 +154,8 @@ void Rewind::AddDueInputs() {
   }
 }
 
-// Repeats the run up to a virtual time or up to a number of messages.  Up to a time, also repeats
-// the messages that are due exactly at this time.
+// Repeats the run up to a virtual time or up to a number of messages.  If the end is a virtual
+// time, also repeats the messages that are due exactly at this time.
 void Rewind::RunTo(const PlainJson& target) {
   const bool has_time = target.contains("time_us");
   const int64_t end_us = has_time ? target["time_us"].get<int64_t>() : INT64_MAX;

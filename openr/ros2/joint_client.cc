@@ -10,7 +10,8 @@
 namespace openr_host {
 namespace {
 
-// Address of this client; no other client has port 1.
+// Address of this client, as the robot sees it.  The port is 1, because no client on the network
+// has this port.
 constexpr NetAddress kRemote = {0x7f000001, 1};
 
 constexpr double kCentidegPerRad = 100 * Degrees(1);
@@ -31,7 +32,7 @@ NetworkEvent EventOf(NetworkEvent::Kind kind, NetHandle handle) {
 void JointClient::Want(const std::map<int, JointTarget>& targets) {
   for (const auto& [joint, target] : targets) {
     JointTarget& wanted = wanted_[joint];
-    // Keeps the old limit of the speed if the new target gives no limit.
+    // Keeps the limit of speed that the waiting target has if the new target gives no limit.
     const double speed_rad_s = wanted.speed_rad_s;
     wanted = target;
     if (target.speed_rad_s <= 0) wanted.speed_rad_s = speed_rad_s;

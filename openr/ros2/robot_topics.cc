@@ -129,8 +129,8 @@ RobotTopics::RobotTopics(Bus* bus, const std::string& space, VirtualRobot* robot
   }
 }
 
-// Returns the present value of the sensor with the index `sensor`, in SI units; that of a
-// temperature sensor in degrees Celsius.
+// Returns the present value of the sensor with the index `sensor`, in SI units, but a temperature
+// in degrees Celsius.
 double RobotTopics::Value(int sensor) const {
   const double value = robot_->sensor(sensor).value;
   const SensorKind kind = robot_->model().sensors[static_cast<size_t>(sensor)].kind;

@@ -90,7 +90,7 @@ std::vector<std::string> HandlersAmong(const std::vector<std::string>& functions
   static const std::regex kMethod(
       "(\\w+)::\\w+\\((?:O(System|Notify|Ready|Control|Connect)Event const&|void\\*)\\)");
   std::vector<std::string> methods;
-  // The classes of objects.  A class is one of these if it has a function DoInit().
+  // The classes of objects.  A class that has a function DoInit() counts as the class of an object.
   std::vector<std::string> classes;
   for (const std::string& function : functions) {
     const std::string name = Demangled(function);

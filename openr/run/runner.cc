@@ -195,7 +195,8 @@ double Runner::wall_time_s() const {
 // run in worker processes.  The run goes no faster than the clock of this computer.  While it waits
 // for the clock, it applies the results of these handlers when they come.
 void Runner::RunFreely(int64_t stop_us, Pacer* pacer) {
-  // Longest wait in `pump`; it is also the largest delay of an event that comes meanwhile.
+  // Longest wait in `pump`, in microseconds.  Whatever else comes meanwhile, such as Ctrl-C, is
+  // delayed by at most this time.
   constexpr double kSliceUs = 1000;
   System& system = simulation_->system();
   while (!system.powered_off()) {
@@ -269,8 +270,8 @@ bool Runner::Run() {
 void Runner::Finish() {
   System& system = simulation_->system();
   // Reports objects that wait for something that cannot come, for example for an observer that
-  // never asks for more data (runtime/core/stalls.h).  When all robots are off, no object waits any
-  // more.
+  // never asks for more data (runtime/core/stalls.h).  Does not do so when all robots are off,
+  // because no object waits any more then, nor when the run goes on in a branch.
   const bool goes_on = plan_.rewind != nullptr && plan_.rewind->has_branched();
   if (!system.powered_off() && !goes_on) {
     const bool is_silent = plan_.until_idle && system.now_us() - last_activity_us_ >= kIdleUs;

@@ -52,7 +52,7 @@ struct RunPlan {
 };
 
 // Virtual time without activity after which a run with --until-idle ends.  Activity is a message
-// from an object of the stick, other than one that asks for sensor values (IsActivity()).
+// from an object of the stick that does not ask for sensor values (IsActivity()).
 constexpr int64_t kIdleUs = 1'000'000;
 
 // Virtual time that objects have to shut the robot down after the pause button was pressed.  After

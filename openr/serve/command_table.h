@@ -27,7 +27,7 @@ struct RunCommand {
   const char* takes = "";
 };
 
-// Returns all commands of openr serve, in the order of the documentation.
+// Returns all commands of openr serve, in the order in which docs/python.md lists them.
 const std::vector<RunCommand>& RunCommands();
 
 // Returns the command with the name `name`; null if no command has this name.

@@ -13,7 +13,7 @@ class System;
 struct RobotModel;
 struct TraceRecord;
 
-// A message that was delivered, in the form in which programs get it.
+// A delivered message, in the form in which the program that drives the run gets it.
 struct DeliveredMessage {
   uint64_t number = 0;
   uint64_t cause = 0;
@@ -43,8 +43,8 @@ struct MessageFilter {
   std::string Text() const;
 };
 
-// Returns the description of a message that is about to be delivered, in the form in which programs
-// get it.
+// Returns the description of a message that is about to be delivered, in the form in which the
+// program that drives the run gets it.
 DeliveredMessage Describe(const System& system, const TraceRecord& record, const Message& message);
 
 }  // namespace openr_host

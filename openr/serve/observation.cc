@@ -142,8 +142,8 @@ std::vector<ReadValue> FindGroup(const OfRobot& wanted, const RobotModel& model)
   return values;
 }
 
-// Returns the quantity `wanted` if it is one that only this file knows; null if FindQuantity() has
-// to find the quantity.
+// Returns the quantity `wanted` if only this file knows quantities of this name; null if
+// FindQuantity() has to find the quantity.
 Quantity FindOwn(const OfRobot& wanted, const RobotModel& model) {
   const size_t dot = wanted.rest.find('.');
   if (dot == std::string::npos) return MotionOf(wanted.robot, wanted.rest);

@@ -42,8 +42,8 @@ void RequestPipe::DropDescriptors() {
 }
 
 void RequestPipe::Move(int socket) {
-  // Makes the old descriptors lead to /dev/null in this fork.  Then the program at their other end
-  // sees when the original process ends, although the fork goes on.
+  // Makes the old descriptors lead to /dev/null in this fork.  Then the program that drives the
+  // run, at the other end, sees when the original process ends, although the fork goes on.
   const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
   for (const int descriptor : {input_, output_}) dup2(nowhere, descriptor);
   close(nowhere);

@@ -1,4 +1,4 @@
-// RequestTooLong, an exception of RequestPipe.
+// RequestTooLong, the exception that RequestPipe throws if a request has too many bytes.
 #pragma once
 
 #include <stdexcept>

@@ -65,7 +65,8 @@ int RunServer::Serve() {
 
 // Serves one request.  Returns false if the other end of the pipe is closed.
 bool RunServer::ServeOne() {
-  // Removes zombies, that is, forks of this process that have ended.
+  // Removes forks of this process that have ended, because they stay as zombies until somebody
+  // waits for them.
   while (waitpid(-1, nullptr, WNOHANG) > 0) {
   }
   std::string text, bytes;
@@ -144,8 +145,8 @@ void RunServer::WatchCrashes() {
   crash_log_ = std::make_unique<CrashLog>(std::vector<std::string>(robots, run_->crash_log()));
 }
 
-// Answers the present request when the process ends (docs/endings.md), because the program waits
-// for its answer.  Called in a signal handler.
+// Answers the present request when the process ends (docs/endings.md), because the program that
+// drives the run waits for its answer.  Called in a signal handler.
 void RunServer::TellEnding(Ending* ending) {
   const RunEnd end = EndOf(*ending);
   const nlohmann::ordered_json answer = {{"error", std::string(ending->record.text())},
@@ -155,9 +156,9 @@ void RunServer::TellEnding(Ending* ending) {
   ending->answered = true;
 }
 
-// Sends a second message after that of TellEnding(): what the commands findings, console and report
-// would answer now, because the program cannot ask a process that ends.  Called in a signal
-// handler.
+// Sends a second message after the message of TellEnding().  It has what the commands findings,
+// console and report would answer now, because the program that drives the run cannot ask a process
+// that ends.  Called in a signal handler.
 void RunServer::TellLastWords(const Ending& ending) {
   if (run_ == nullptr) return;
   try {

@@ -39,8 +39,8 @@ class RunServer {
     std::string bytes;
   };
 
-  // A request: all its parameters, including those that the program left out, and the bytes after
-  // its JSON text.
+  // A request: all its parameters, including the parameters that the program which drives the run
+  // has left out, and the bytes after its JSON text.
   struct Request {
     const Json& json;
     const std::string& bytes;
@@ -90,8 +90,9 @@ class RunServer {
 
   RequestPipe& pipe_;
   bool is_copy_ = false;
-  // Registered before the EndingActions of `run_`, so that it is called after them.  So the
-  // recording of the run is complete already if this action crashes while it makes the report.
+  // An action that is registered before the EndingActions of `run_`, because actions are called in
+  // reverse order.  So the recording of the run is already complete if this action crashes while it
+  // makes the report.
   const EndingAction last_words_{[this](Ending* ending) { TellLastWords(*ending); }};
   std::unique_ptr<ServedRun> run_;
   // These members end the process when an object crashes or its handler does not return:

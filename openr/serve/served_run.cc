@@ -59,8 +59,8 @@ ServedRun::ServedRun(const ServedRunOptions& options)
   });
 }
 
-// Returns the options with which the simulation is made: the options that the program gave, with
-// the stick, the network and the console of this run added.
+// Returns the options with which the simulation is made: the options that the program which drives
+// the run has given, with the stick, the network and the console of this run added.
 SimulationOptions ServedRun::SimulationWith(const ServedRunOptions& given) {
   SimulationOptions options = given.simulation;
   options.stick = stick_.folder();

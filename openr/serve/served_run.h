@@ -105,7 +105,8 @@ class ServedRun {
   std::string crash_log_;
   ConsoleLog console_;
   Recorder recorder_;
-  // A Rewind that is never begun, because the program goes back by forks of this process.
+  // A Rewind that is never begun, because the program that drives the run goes back by forks of
+  // this process.
   Rewind rewind_;
   RunClock clock_{0};
   RobotClients clients_;
@@ -120,7 +121,7 @@ class ServedRun {
   std::vector<MessageFilter> filters_;
   std::deque<DeliveredMessage> watched_;
   size_t watched_bytes_ = 0;  // number of bytes in the contents of `watched_`
-  // Number of watched messages that were dropped for newer ones.
+  // Number of watched messages that were dropped to make room for newer messages.
   uint64_t lost_count_ = 0;
   std::unique_ptr<TempFolder> files_;  // a fork's copies of the stick and of written files
   std::string recording_;              // path of the file to which the recording is written now

@@ -145,7 +145,8 @@ RunServer::Answer RunServer::BecomeCopy(int socket, const std::string& record,
   try {
     run_->BecomeCopy(record);
     watchdog_->StartAgain();
-    // Called again, because a crash record must be written to the stick of the copy.
+    // Calls WatchCrashes() again, because from now on a crash record must be written to the stick
+    // of the copy.
     WatchCrashes();
   } catch (const std::exception& error) {
     tell(error.what());

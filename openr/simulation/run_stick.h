@@ -30,7 +30,7 @@ class RunStick {
   const std::string& folder() const { return folder_; }
 
   // Returns the path of the file for a crash record.  The file is written only when a crash comes;
-  // if it cannot be written, the program says why on standard error.
+  // if it cannot be written, openr says why on standard error.
   const std::string& crash_log() const { return crash_log_; }
 
   // Returns whether the run uses the default stick.  Then the crash record is in the cache folder,

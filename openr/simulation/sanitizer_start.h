@@ -10,9 +10,9 @@ namespace openr_host {
 // otherwise "".  `stick` "" is the default stick, whose images do not need the library.
 std::string MissingSanitizer(const std::string& stick);
 
-// If MissingSanitizer() of the stick is a library, replaces this process by the same program with
-// the same arguments, into which that library is loaded first.  The library must come before all
-// others, because it replaces malloc().  Returns if no library is missing.  Throws
+// If MissingSanitizer() returns a library for the stick, replaces this process by the same program
+// with the same arguments, and makes the dynamic linker load this library first.  The library must
+// come before all others, because it replaces malloc().  Returns if no library is missing.  Throws
 // std::runtime_error if the library cannot be loaded.
 void StartWithSanitizerOf(const std::string& stick);
 

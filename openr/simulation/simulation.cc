@@ -221,7 +221,8 @@ std::vector<AddressPair> Simulation::AddressesOf(const SimulationOptions& option
   if (!text) return options.addresses;
   const AddressConfig config = ParseAddressConfig(kAddressFile, *text, model_.design);
   for (const Diagnostic& diagnostic : config.diagnostics) {
-    // Robots beyond the sticks are skipped, so that the errors of each stick are reported once.
+    // Reports the errors only for the first robot of each stick, because several robots may share a
+    // stick.  Robots from the number sticks_.size() on have the stick of an earlier robot.
     if (static_cast<size_t>(index) < sticks_.size())
       system_->AddFindingAbout(nullptr, diagnostic.severity, RenderWithoutKind(diagnostic));
   }

@@ -26,8 +26,8 @@ class SharedFrame;
 
 struct SimulationOptions {
   // The folder of the Memory Stick, in which OPEN-R/ lies.  "" is the default stick, which came
-  // with the program and must not change.  So if objects may write, set this field to
-  // RunStick::folder(), which is a copy of the default stick or the user's own stick.
+  // with openr and must not change.  So if objects may write, set this field to RunStick::folder(),
+  // which is a copy of the default stick or the user's own stick.
   std::string stick;
   // The folders of further sticks.  With them, the robots take the sticks in turn: robot 0 takes
   // `stick`, robot 1 takes the first further stick, and so on.  After the last further stick,
@@ -123,9 +123,10 @@ class Simulation {
 
   const RobotModel model_;
   const World world_;
-  // The world that all robots share; null if each robot has a world of its own.
+  // The simulated world that all robots share; null if each robot has a world of its own.
   const std::shared_ptr<PhysicsWorld> physics_;
-  // The frames of the shared world; null if each robot has a world of its own.
+  // Ends each frame of 8 ms for all robots of the shared world together, because the robots push
+  // each other; null if each robot has a world of its own.
   const std::shared_ptr<SharedFrame> shared_frame_;
   const std::vector<std::string> sticks_;
   // Costs of the cost file; null: there is no cost file.

@@ -30,7 +30,7 @@ Timeline::Timeline(const std::string& file, System* system) : system_(system) {
   } else {
     json_ = std::make_unique<GrowingFile>(file);
     writer_ = std::make_unique<PerfettoWriter>([this](std::string_view text) { Print(text); });
-    FlushJson();  // so that a run that is killed soon leaves a valid file
+    FlushJson();  // writes the file now, so that a run that is killed soon leaves a valid file
   }
   sink_ = system->trace().AddSink(
       [this](const TraceRecord& record, const Message& message) { Deliver(record, message); });
@@ -54,7 +54,8 @@ void Timeline::NameObject(const Object* object) {
 }
 
 // Returns the processor time that the cost file gives the handler of `message`.  Returns nullopt
-// without a cost file, and for parts of the robot and replies, which take no processor time.
+// without a cost file, for a message to a part of the robot, and for a reply, because these take no
+// processor time.
 std::optional<double> Timeline::CostOf(const Object& object, const Message& message) const {
   if (system_->cpus().empty() || object.is_system || message.is_reply) return {};
   if (!object.processor.is_busy) return 0;
@@ -83,7 +84,7 @@ void Timeline::Deliver(const TraceRecord& record, const Message& message) {
     slice.length_us = *cost_us;
   }
   running_ = std::move(slice);
-  // Read last, because the work above must not count as time of the handler.
+  // Reads the clock last, because the work above must not count as time of the handler.
   begin_ns_ = WallClockNs();
 }
 
