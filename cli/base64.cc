@@ -9,7 +9,8 @@ namespace {
 constexpr std::string_view kDigits =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-// Returns the value of each character as a Base64 digit; -1 for a character that is no digit.
+// Returns the value of each character as a Base64 digit; -1 for a character that is no Base64
+// digit.
 constexpr std::array<int8_t, 256> DigitValues() {
   std::array<int8_t, 256> values{};
   for (int8_t& value : values) value = -1;

@@ -1,4 +1,4 @@
-// Colour of text on a terminal.
+// Colours text that the program prints on a terminal.
 #pragma once
 
 #include <string>

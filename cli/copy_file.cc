@@ -11,7 +11,8 @@ std::error_code TryCopyFile(const fs::path& from, const fs::path& to, fs::copy_o
   const bool is_new = !fs::exists(to, ignored);
   fs::copy_file(from, to, options, error);
   if (!error) return error;
-  // Looks at the room of the disk before the part of the copy is removed, because this makes room.
+  // Asks for the free room of the disk before the incomplete copy is removed, because removing it
+  // makes room, and the disk would then not look full.
   struct statvfs disk {};
   if (error == std::errc::io_error && statvfs(to.c_str(), &disk) == 0 && disk.f_bavail == 0)
     error = std::make_error_code(std::errc::no_space_on_device);

@@ -15,7 +15,7 @@ std::error_code TryCopyFile(
     const std::filesystem::path& from, const std::filesystem::path& to,
     std::filesystem::copy_options options = std::filesystem::copy_options::none);
 
-// The same, but throws std::filesystem::filesystem_error after an error.
+// Copies a file as TryCopyFile() does, but throws std::filesystem::filesystem_error after an error.
 void CopyFile(const std::filesystem::path& from, const std::filesystem::path& to,
               std::filesystem::copy_options options = std::filesystem::copy_options::none);
 

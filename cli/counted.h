@@ -1,4 +1,4 @@
-// Numbers of things, for messages: "1 error", "2 errors".
+// Writes the numbers of things with their nouns, for messages: "1 error", "2 errors".
 #pragma once
 
 #include <fmt/format.h>

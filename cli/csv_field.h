@@ -1,4 +1,4 @@
-// Fields of lines of comma-separated values.
+// Writes the fields of a line of comma-separated values.
 #pragma once
 
 #include <string>

@@ -31,7 +31,7 @@ void GrowingFile::Append(std::string_view bytes, std::string_view end) {
     end_ = end;
     if (!is_shorter) return;
   } else if (!end_.empty()) {
-    // Writes the old end again, because the part of `bytes` that still fitted on the disk lies over
+    // Writes the old end again, because the part of `bytes` that fitted on the disk has overwritten
     // the old end.
     go_back();
     WriteAll(descriptor_, end_);

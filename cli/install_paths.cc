@@ -34,7 +34,8 @@ fs::path RuntimePrefix() {
   return (is_installed ? folder.parent_path() : folder).parent_path();
 }
 
-// The folder of data below the prefix of an installation, and in the build tree.
+// The folder with the program's data, relative to the folder of an installation (Prefix()) or to
+// the build tree.
 constexpr char kDataFolder[] = "share/openr-host";
 
 std::vector<fs::path> DataFolders() {
@@ -84,7 +85,7 @@ std::string ProgramCall() {
     if (!fs::is_regular_file(found, error)) continue;
     const bool is_self = fs::equivalent(found, self, error);
     if (is_self && !error) return self.filename();
-    break;  // a shell finds another program of this name first
+    break;  // the path is needed, because a shell finds another program of this name first
   }
   const fs::path relative = self.lexically_relative(fs::current_path());
   const bool is_below = !relative.empty() && *relative.begin() != "..";

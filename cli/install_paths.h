@@ -29,14 +29,14 @@ std::string ObjectSources();
 // such model, throws std::runtime_error that lists the models.
 std::string ModelFile(const std::string& name);
 
-// Returns the names of the robot models that came with the program, sorted.
+// Returns the names of the robot models that came with openr, sorted.
 std::vector<std::string> ModelNames();
 
-// Returns the file names of the worlds that came with the program ("ramp-and-stairs.json"), sorted.
+// Returns the file names of the worlds that came with openr ("ramp-and-stairs.json"), sorted.
 std::vector<std::string> WorldNames();
 
 // Returns `name` if a file of this name exists.  Otherwise returns the path of the file of this
-// name that came with the program ("ers210.cost"), or `name` if the program has no such file.
+// name that came with openr ("ers210.cost"), or `name` if openr has no such file.
 std::string DataFile(const std::string& name);
 
 // Returns the path of the file with the pretty printers of gdb; "" if the file does not exist.

@@ -10,7 +10,7 @@
 namespace openr_host {
 namespace {
 
-// Throws std::runtime_error if `fractions` does not include `number`.
+// Throws std::runtime_error if `number` is not among the numbers that `fractions` allows.
 template <typename Json>
 void CheckFraction(const Json& number, Fractions fractions) {
   if (fractions == Fractions::kNone)

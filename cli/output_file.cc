@@ -69,9 +69,9 @@ Target TargetOf(const std::string& file) {
   return target;
 }
 
-// Returns whether the file is replaced by a new one, rather than written in place.  Devices and
-// pipes are written in place, and so are files with several hard links, because the other names of
-// such a file would keep the old content.
+// Returns whether the file is replaced by a new file, and not written in place.  Devices and pipes
+// are written in place, and so are files with several hard links, because the other names of such a
+// file would keep the old content.
 bool IsReplaced(const Target& target) {
   return !target.exists || (S_ISREG(target.status.st_mode) && target.status.st_nlink == 1);
 }
@@ -170,7 +170,7 @@ bool IsStandardOutput(const std::string& file) { return TargetOf(file).stream ==
 std::string WhyNoFolder(const std::string& folder) {
   if (folder.empty()) return "'' names no folder";
   std::error_code error;
-  // Shortened below to the part of the path that exists.
+  // The longest part of the folder's path that exists, after the loop below.
   fs::path there = fs::absolute(folder, error).lexically_normal();
   while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
   if (!fs::is_directory(there, error)) {

@@ -21,7 +21,7 @@ int64_t ProgressQuietNs();
 // if `descriptor` is -1 or no terminal, and nothing before `quiet_ns` have passed.
 class ProgressLine {
  public:
-  // `total`: the number of pieces; nullopt: it is not known.
+  // `total` is the number of pieces of the work; nullopt if this number is not known.
   ProgressLine(int descriptor, std::optional<uint64_t> total, std::string what,
                int64_t quiet_ns = ProgressQuietNs());
   ~ProgressLine();  // clears the line

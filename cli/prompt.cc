@@ -137,8 +137,8 @@ class LineEdit {
   }
 
   static unsigned char Suspend(EditLine*, int) {
-    // libedit handles this signal: it restores the terminal, and prepares the terminal again when
-    // the program goes on.
+    // Sends SIGTSTP to this process, as Ctrl-Z does.  libedit handles this signal: it restores the
+    // terminal, and prepares the terminal again when the program goes on.
     raise(SIGTSTP);
     return CC_REDISPLAY;
   }

@@ -36,7 +36,7 @@ void OpenClosedDescriptors() {
 }
 
 // Replaces stderr by a stream whose writes always succeed.  fmt::print() throws when a stream
-// fails, and a run must not end because no one reads its messages.
+// fails, and a run must not end because nobody reads its messages.
 void KeepErrorStreamGood() {
   cookie_io_functions_t functions = {};
   functions.write = [](void*, const char* text, size_t size) {

@@ -9,7 +9,7 @@
 namespace openr_host {
 
 // Thrown when the reader of standard output has closed its pipe, as in `openr trace FILE | head`.
-// The command ends without a message, as one that SIGPIPE ends.
+// The command ends without a message, like a command that SIGPIPE ends.
 struct ReaderGone : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
