@@ -26,8 +26,8 @@ _leftover: list["subprocess.Popen[bytes]"] = []
 def find_program(program: Optional[str] = None) -> str:
     """Returns the path of the program openr.
 
-    The path is `program`, or the value of OPENR_HOST_PROGRAM, or that of the program which was installed
-    or built beside this module, or else that of the program in PATH.
+    This is the first that is given of: `program`, the value of OPENR_HOST_PROGRAM, the path of the
+    program that was installed or built beside this module, the path of the program in PATH.
     """
     named = program or os.environ.get(PROGRAM)
     if named:
@@ -62,9 +62,10 @@ class Channel:
         self._popen: Optional["subprocess.Popen[bytes]"] = popen
         self.process = popen.pid
         self._socket: Optional[socket.socket] = ours
-        self._rest = b""  # bytes after the last answer, which begin the next one
-        # The ids of the processes of open copies, and of copies of these.  Copies share this set with
-        # their original.  The set has no channels, which would keep copies alive that nobody uses.
+        self._rest = b""  # bytes after the last answer: the beginning of the next answer
+        # The ids of the processes of open copies, and of the copies of these copies.  Copies share this
+        # set with their original.  The set has ids and not channels, because a channel in it would keep
+        # a copy alive that nobody uses.
         self._copies: set[int] = set()
 
     @classmethod
@@ -92,7 +93,7 @@ class Channel:
         except OSError as error:
             raise self._lost(str(error)) from error
         except KeyboardInterrupt:
-            self.close()  # else the next request would get the answer to this one
+            self.close()  # because the next request would get the answer to this request
             raise
 
     def hear(self) -> tuple[dict[str, Any], bytes]:

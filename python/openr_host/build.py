@@ -23,9 +23,10 @@ def build(folder: Union[str, "os.PathLike[str]"], variant: str = "", *,
     """Builds a folder of objects with `openr build`, and returns the stick, for `Run`.
 
     `variant` is "debug", "sanitize" or "coverage"; "" means a build without special flags.  The stick
-    is the one in the folder, or `output` if that is given.  `jobs` compilers run at once; 0 means one
-    for each processor.  With `echo`, all messages of the compilers are printed on standard error,
-    warnings too.  Raises BuildFailed with the compiler's lines if an image of the stick is missing.
+    is made in the folder, or at the path `output` if that is given.  `jobs` compilers run at once; 0
+    means one compiler for each processor.  With `echo`, all messages of the compilers are printed on
+    standard error, warnings too.  Raises BuildFailed with the compiler's lines if an image of the stick
+    is missing.
     """
     if variant and variant not in VARIANTS:
         raise Refused(f"there is no variant '{variant}'; there are {', '.join(VARIANTS)}")

@@ -127,7 +127,7 @@ class Run:
         self._commands = Commands(channel)
         self._act: dict[tuple[int, bool], bytes] = {}
 
-    # ---- Begin and end of a run
+    # ---- Methods that begin and end a run
 
     def boot(self) -> None:
         """Begins the boot.  The objects start while the run goes on."""
@@ -160,7 +160,7 @@ class Run:
                            self.console(), self.report())
         return answer
 
-    # ---- Letting time pass
+    # ---- Methods that let time pass
 
     def run(self, for_s: float) -> None:
         """Runs for `for_s` seconds of virtual time."""
@@ -193,7 +193,7 @@ class Run:
         """Runs until JointMover of the default stick has made the dog stand."""
         self.until(READY, within_s)
 
-    # ---- Joints and values in a loop of control
+    # ---- Methods for a loop of control, which moves joints and reads values again and again
 
     def actuate(self, *names: str) -> tuple[str, ...]:
         """Chooses the joints that `act` moves, and their order; without `names`, all joints."""
@@ -226,7 +226,7 @@ class Run:
         values.frombytes(answer[1])
         return values
 
-    # ---- What people do to the robot (docs/inputs.md)
+    # ---- Methods that do what people do to the robot (docs/inputs.md)
 
     def input(self, line: str, robot: int = 0) -> None:
         """Gives the run an input in the form of docs/inputs.md, such as "press chin for 300ms"."""
@@ -260,7 +260,7 @@ class Run:
         sender = f" from {subject}" if subject else ""
         self.input(f"send {observer}{sender} hex:{data.hex()}", robot)
 
-    # ---- Messages
+    # ---- Methods that wait for messages and keep them
 
     def expect(self, sender: str = "", receiver: str = "", *, kind: str = "", entry: str = "",
                within_s: float = 1.0) -> Message:
@@ -292,7 +292,7 @@ class Run:
         """Connects to a TCP port of the robot without a socket, so that the run can be repeated exactly."""
         return Connection(self, self._commands.connect(port=port, robot=robot)[0]["connection"])
 
-    # ---- States
+    # ---- Methods that copy the run, and that keep states and go back to them
 
     def fork(self, record: Union[str, "os.PathLike[str]"] = "") -> "Run":
         """Copies the run.  The run and its copy go on from here, each in its own process.
@@ -327,7 +327,7 @@ class Run:
             self.observe(*self.observed)
         self.time_s = state.time_s
 
-    # ---- Reading values
+    # ---- Methods that read values
 
     def read(self, *names: str) -> dict[str, Value]:
         """Reads values, which have the names that `observe` takes.  Values may be texts, too.  The keys of
