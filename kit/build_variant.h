@@ -11,7 +11,8 @@ enum class BuildVariant { kPlain, kDebug, kSanitize, kCoverage };
 
 // Returns "debug", "sanitize" or "coverage"; "" for kPlain, the build without special flags.
 std::string VariantName(BuildVariant variant);
-// Returns the variant called `name` ("debug" for kDebug); kPlain if there is none of this name.
+// Returns the variant whose name is `name` ("debug" for kDebug); kPlain if no variant has this
+// name.
 BuildVariant VariantOf(const std::string& name);
 
 // Returns the variant that `openr build` has asked the compiler and the linker to make, by the

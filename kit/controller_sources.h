@@ -9,7 +9,7 @@
 namespace openr_host {
 
 struct ControllerSources {
-  // The sources, in the order of `list` or, without a list, by name.
+  // The sources of the controller, in the order of `list` or, without a list, by name.
   std::vector<std::filesystem::path> files;
   std::filesystem::path list;           // path of Makefile.sources; empty: there is no such file
   std::vector<Diagnostic> diagnostics;  // mistakes in the list, such as a missing file

@@ -66,7 +66,7 @@ void MergeInto(const fs::path& file, const std::string& ours) {
   Write(file, MergeConfig(ReadText(file).value_or(""), ours));
 }
 
-// Copies the OPEN-R/ of the folder `base` to the stick `root`.  Throws if it has no base image.
+// Copies the OPEN-R/ of the folder `base` to the stick `root`.  Throws if `base` has no base image.
 void CopyBase(const std::string& base, const fs::path& root) {
   const fs::path tree = FindEntry(base, "OPEN-R");
   const std::string problem = tree.empty()          ? "there is no OPEN-R/ in it"

@@ -12,7 +12,7 @@
 
 namespace openr_host {
 
-// One setting that a user can give: by a flag, or as the answer to a question.
+// A setting of WLANCONF.TXT that a user can give: by a flag, or as the answer to a question.
 struct WlanQuestion {
   const char* key;       // key in the file, such as "ETHER_IP"
   const char* flag;      // flag of the command, such as "--ip"
@@ -23,14 +23,14 @@ struct WlanQuestion {
   bool (*is_asked)(const WlanConfig& config);
 };
 
-// Returns all settings in the order in which they are asked and written.
+// Returns all settings of WLANCONF.TXT, in the order in which they are asked and written.
 const std::vector<WlanQuestion>& WlanQuestions();
 
 // Sets `key` to `value`, as a line KEY=VALUE of the file does.  Returns "", or the reason why the
 // robot would not accept the value ("CHANNEL must be a number from 1 to 11").
 std::string SetWlanKey(const std::string& key, const std::string& value, WlanConfig* config);
 
-// Returns the value of `key`, written as in a file; "" if the key has no value.
+// Returns the value of `key`, written as in WLANCONF.TXT; "" if the key has no value.
 std::string WlanValue(const WlanConfig& config, const std::string& key);
 
 // Asks each question by `ask`.  `ask` gets the text of the question and the present value, which
