@@ -11,7 +11,7 @@
 
 namespace openr_host {
 
-// The name of the value of --world in the help.
+// The name by which the help calls the value of --world.
 inline constexpr char kWorldType[] = "WORLD";
 
 // Adds the flags of all commands that load the objects of a stick: --stick, --robot, --world and

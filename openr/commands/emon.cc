@@ -40,7 +40,7 @@ std::string TextOfRun(const std::string& record) {
   return record.substr(0, record.find(kRobotRecordBegin));
 }
 
-// Returns the last record of a file to which the processes of a run have added their records.
+// Returns the last crash record of a file to which the processes of a run have added their records.
 std::string LastRecord(const std::string& text) {
   const size_t last = text.rfind(std::string("\n") + kOwnRecord);
   return last == std::string::npos ? text : text.substr(last + 1);

@@ -58,7 +58,7 @@ void BecomeChild(pid_t parent) {
   ::signal(SIGHUP, SIG_IGN);
 }
 
-// The first signal that came: SIGINT, SIGTERM or SIGHUP; 0: none.
+// The first signal that asked this process to end: SIGINT, SIGTERM or SIGHUP; 0: none.
 volatile sig_atomic_t g_ended_by = 0;
 volatile sig_atomic_t g_child = 0;  // process id of the worker that --restart runs; 0: none
 

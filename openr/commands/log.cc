@@ -196,7 +196,7 @@ void LogPlot(const LogFlags& flags) {
 }
 
 // Returns the group of values (commanded, measured or simulated) for one side of a comparison.
-// This is the group that the flag names. Without the flag, it is the values of the real robot if
+// This is the group that the flag names.  Without the flag, it is the values of the real robot if
 // the log has them, else the simulated values.
 LogGroup GroupOf(const std::string& flag, const LogFile& log) {
   for (const LogGroup group : kGroups) {

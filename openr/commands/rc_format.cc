@@ -14,7 +14,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr uint32_t kNoFrame = 0xffffffff;
 
-// The address that RcRobotLabel has set for this thread; "": none.
+// The robot's address, which RcRobotLabel has set for the answers that this thread prints; "":
+// none.
 thread_local std::string t_robot;
 std::mutex g_print_mutex;  // protects the output, because with two robots two threads print
 

@@ -59,7 +59,7 @@ bool IsLike(const std::string& name, const std::string& wanted) {
          fnmatch(("*." + pattern).c_str(), name.c_str(), 0) == 0;
 }
 
-// The unit of the quantities in kAngleGroups, which do not end with their unit.
+// The unit of the quantities in kAngleGroups, whose names do not end with the unit.
 constexpr QuantityUnit kAngle{"deg", 1, 4};
 
 // Returns the part of `series` in the time that `request` asks for, as a curve.  If this part has

@@ -21,7 +21,7 @@ constexpr int kRobotSp = 29;  // number of the register sp, the stack pointer
 constexpr int kRobotRa = 31;  // number of the register ra, the return address
 
 struct EmonLog {
-  // An object in the list of objects that the record has.
+  // An object in the list of objects that the crash record has.
   struct Object {
     std::string name;
     uint32_t context = 0;

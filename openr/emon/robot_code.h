@@ -31,7 +31,7 @@ class RobotCode {
   // Returns whether the instruction at `address` - 8 is a call, so that `address` may be a return
   // address.  The instruction at `address` - 4, the delay slot, runs before the call does.
   bool IsAfterCall(uint32_t address) const;
-  // Returns function and line of the robot's address `address`.
+  // Returns the function and the source line of the robot's address `address`.
   CodeLookup LookUp(uint32_t address) const;
   // Converts the robot's address `address` to the address in the file, which disassemblers print.
   uint32_t InFile(uint32_t address) const { return address - loaded_by_ - moved_by_; }

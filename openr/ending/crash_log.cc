@@ -181,7 +181,7 @@ class RecordFile {
 
  private:
   // Removes the part of this record that was written, because readers would take the part for the
-  // whole record. Records of other processes stay.
+  // whole record.  Records of other processes stay.
   void RemovePart() const {
     if (begin_ > 0) {
       static_cast<void>(ftruncate(descriptor_, begin_) == 0);

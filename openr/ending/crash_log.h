@@ -13,8 +13,8 @@
 namespace openr_host {
 
 // While a CrashLog exists, a SIGSEGV, SIGBUS, SIGFPE or SIGILL that comes while an object runs ends
-// the run with a record.  The same signals have their default action while the program itself runs.
-// A CrashLog does nothing under AddressSanitizer, because the report of AddressSanitizer says more
+// the run with a record.  The same signals have their default action while no object runs.  A
+// CrashLog does nothing under AddressSanitizer, because the report of AddressSanitizer says more
 // about a crash.
 class CrashLog {
  public:

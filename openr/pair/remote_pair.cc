@@ -326,9 +326,9 @@ void RemotePair::TakeSetValues(const remote::Event& event) {
   if (Lead(kSecond, event.frame, values.commanded)) ++status_.key_frames;
 }
 
-// Sends goals to the robot that follows.  The leader, the other robot, had these goals in its frame
-// `frame`.  Returns false if nothing is sent: the follower does not accept commands, is silent, or
-// has reached the goals.
+// Sends goals (joint positions) to the robot that follows.  The leader, the other robot, had these
+// goals in its frame `frame`.  Returns false if nothing is sent: the follower does not accept
+// commands, is silent, or has reached the goals.
 bool RemotePair::Lead(PairSide leader, uint32_t frame, const std::vector<int32_t>& goals) {
   Side& follower = sides_[OtherOf(leader)];
   if (follower.state != moverACCEPTING_COMMANDS || goals.size() != joints_.size()) return false;

@@ -87,7 +87,7 @@ class Page : public WebPage {
   // The bridges that connect robots of the run with second robots.  The key is the number of the
   // robot of the run.
   std::map<size_t, std::unique_ptr<PairBridge>> pairs_;
-  // The first bytes of a message that is not complete yet.
+  // The first bytes of a message from the page that is not complete yet.
   std::string received_;
   PageQueue queue_;
   bool is_amid_message_ = false;  // true: a part of a message has come, but not its last part

@@ -9,13 +9,14 @@ namespace openr_host {
 
 class PageQueue {
  public:
-  // The most bytes of messages that may wait.  The server closes a page for which more bytes wait.
+  // The most bytes of messages for the page that may wait.  The server closes a page for which more
+  // bytes wait.
   static constexpr size_t kBytesMax = size_t{8} << 20;
 
-  // Adds a message.  An event that shows a state ("pose", "values", "graph") replaces the waiting
-  // event of the same name, so that a slow page skips old states instead of falling behind.  If
-  // more than kBytesMax bytes wait, drops all events that show a state.  Returns false if more than
-  // kBytesMax bytes wait even then.
+  // Adds a message for the page.  An event that shows a state ("pose", "values", "graph") replaces
+  // the waiting event of the same name, so that a slow page skips old states instead of falling
+  // behind.  If more than kBytesMax bytes wait, drops all events that show a state.  Returns false
+  // if more than kBytesMax bytes wait even then.
   bool Add(std::string text);
 
   // Removes the oldest message and returns it; "" if no message waits.

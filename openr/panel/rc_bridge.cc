@@ -38,7 +38,8 @@ void Answer(Outbox* outbox, RcCalls::Json answer, const std::vector<nlohmann::js
 }  // namespace
 
 struct RcBridge::Queue {
-  // A call that waits, and the ids of the requests that it answers.
+  // A remote-control call of the page that waits, and the ids of the requests that its answer
+  // answers.
   struct Call {
     nlohmann::json request;
     size_t size;

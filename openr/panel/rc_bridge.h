@@ -14,10 +14,11 @@ namespace openr_host {
 // for the robot.  Answers and events go into an outbox.
 class RcBridge {
  public:
-  // The most calls that may wait.  If more calls come, they are answered with an error.
+  // The most remote-control calls of the page that may wait.  If more calls come, they are answered
+  // with an error.
   static constexpr size_t kCallsMax = 64;
-  // The most bytes of calls that may wait.  If more bytes come, their calls are answered with an
-  // error.
+  // The most bytes of remote-control calls of the page that may wait.  If more bytes come, their
+  // calls are answered with an error.
   static constexpr size_t kBytesMax = size_t{16} << 20;
   // The largest number of threads that all bridges of this process together may have.
   static constexpr int kThreadsMax = 64;
@@ -29,8 +30,9 @@ class RcBridge {
   RcBridge(const RcBridge&) = delete;
   RcBridge& operator=(const RcBridge&) = delete;
 
-  // Adds a call, which has `size` bytes.  A command that sets a value of a joint replaces a waiting
-  // command for the same value: the older command is not sent, and both get the same answer.
+  // Adds a remote-control call of the page, which has `size` bytes.  A command that sets a value of
+  // a joint replaces a waiting command for the same value: the older command is not sent, and both
+  // get the same answer.
   void Add(nlohmann::json request, size_t size);
 
   // Returns whether the thread of any RcBridge of this process still runs.

@@ -76,7 +76,7 @@ Received Receive(int socket, RcFramer* framer) {
   return n > 0 || errno == EAGAIN || errno == EINTR ? Received::kBytes : Received::kLost;
 }
 
-// An answer that this server gives itself, in place of the robot.
+// An answer that the forwarder gives itself, in place of the robot.
 struct OwnAnswer {
   RcHeader request;
   int status;

@@ -18,10 +18,12 @@ class VirtualRobot;
 struct RobotLook {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   std::vector<Eigen::Isometry3d> X_WL;  // poses of the bodies, in the order of Body::BodyPoses()
-  // Brightness, 0 to 1, in the order of RobotModel::leds; missing lights are off.
+  // Brightness of each light, 0 to 1, in the order of RobotModel::leds; lights that the list lacks
+  // are off.
   std::vector<double> leds;
   bool is_face_in_mode_b = false;  // true: the lights of the face show their colours of mode B
-  // Angles of the plungers, in the order of RobotModel::plungers; missing angles are 0.
+  // Angles of the plungers (ears), in the order of RobotModel::plungers; angles that the list lacks
+  // are 0.
   std::vector<double> plungers_rad;
 };
 

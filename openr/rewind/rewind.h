@@ -76,7 +76,8 @@ class Rewind {
   // simulation is made.
   std::unique_ptr<Network> Follow(int robot, std::unique_ptr<Network> inner);
 
-  // Begins to follow the run that `parts` describes.  REQUIRES: System::Boot() has not been called.
+  // Begins to log the inputs of the run that `parts` describes, and to save files of its stick
+  // before their first change.  REQUIRES: System::Boot() has not been called.
   void Begin(RewindParts parts);
 
   // Takes a checkpoint if the last checkpoint is old enough, and drops old checkpoints.  Drops all

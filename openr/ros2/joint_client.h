@@ -32,15 +32,15 @@ class JointClient : public PassingNetwork {
   JointClient(std::unique_ptr<Network> inner, Refused refused)
       : PassingNetwork(std::move(inner)), refused_(std::move(refused)) {}
 
-  // Stores targets for the next Poll().  The key of a target is the number that the robot gives the
-  // joint.  While the robot has not answered earlier requests, a new target replaces the stored
-  // target of the same joint.
+  // Stores joint targets for the next Poll().  The key of a target is the number that the robot
+  // gives the joint.  While the robot has not answered earlier requests, a new target replaces the
+  // stored target of the same joint.
   void Want(const std::map<int, JointTarget>& targets);
 
-  // Returns whether stored targets still wait until the robot takes them.
+  // Returns whether stored joint targets still wait until the robot takes them.
   bool IsWaiting() const { return !wanted_.empty(); }
-  // Drops the stored targets.  Called when the robot has not taken them for 1 s, because the robot
-  // must not move much later by an old command.
+  // Drops the stored joint targets.  Called when the robot has not taken them for 1 s, because the
+  // robot must not move much later by an old command.
   void GiveUp() { wanted_.clear(); }
 
   void Listen(NetHandle listener, uint16_t port) override;

@@ -11,7 +11,7 @@
 namespace openr_host {
 namespace {
 
-// Number of frames (1 s) after which a target that the robot has not taken is dropped.
+// Number of frames (1 s) after which a joint target that the robot has not taken is dropped.
 constexpr int kPatienceFrames = 125;
 constexpr size_t kNamespaceMax = 64;  // largest length of a namespace, in characters
 constexpr const char* kCommandTopic = "/joint_command";
@@ -89,7 +89,7 @@ void Ros2Link::TakeCommands(Robot* robot) {
         ": a publisher does not match and is not heard; it has to be reliable and to speak "
         "XCDR1, which is the default of ROS 2");
   }
-  // True: earlier targets still wait until the robot takes them.
+  // True: earlier joint targets still wait until the robot takes them.
   const bool is_waiting = robot->client->IsWaiting();
   for (int i = 0; i < Ros2JointCommands::kWaitingMax; ++i) {
     const std::optional<Ros2JointCommand> command = robot->commands->Take();
@@ -102,7 +102,7 @@ void Ros2Link::TakeCommands(Robot* robot) {
   robot->frames_waiting = is_waiting ? robot->frames_waiting + 1 : 0;
   if (robot->frames_waiting == kPatienceFrames) {
     robot->frames_waiting = 0;
-    // Drops the targets, because the robot must not move later by an old command.
+    // Drops the joint targets, because the robot must not move later by an old command.
     robot->client->GiveUp();
     robot->complaints->Add(fmt::format(
         "{}: the remote control of the robot has not taken a command for 1 s, it is given up; is "

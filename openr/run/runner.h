@@ -111,7 +111,7 @@ class Runner {
   const InterruptCounter* const interrupts_;
   std::vector<StandingMonitor> standing_;
   std::vector<bool> taken_;  // for each picture: true if it was taken
-  // The facts about each robot; the index is the number of the robot.
+  // The facts that were printed last about each robot; the index is the number of the robot.
   std::vector<Announced> announced_;
   int activity_sink_ = 0;
   int64_t last_activity_us_ = 0;

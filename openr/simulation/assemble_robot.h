@@ -40,7 +40,7 @@ struct RobotEquipment {
   std::shared_ptr<MemoryStick> stick;  // the Memory Stick; null: the robot has no stick
   std::unique_ptr<Body> body;  // the body; null: the robot has no body and no OVirtualRobotComm
   VirtualRobotOptions devices;
-  // Makes the network of the robot whose number in the System is `robot`.
+  // A function that makes the network of the robot whose number in the System is `robot`.
   std::function<std::unique_ptr<Network>(int robot)> make_network;
   IpStackOptions ip_stack;
 };

@@ -129,7 +129,7 @@ class Simulation {
   // each other; null if each robot has a world of its own.
   const std::shared_ptr<SharedFrame> shared_frame_;
   const std::vector<std::string> sticks_;
-  // Costs of the cost file; null: there is no cost file.
+  // Processor times of handlers from the cost file; null: there is no cost file.
   const std::shared_ptr<ConfiguredCost> cost_;
   std::unique_ptr<System> system_;
   std::vector<VirtualRobot*> robots_;

@@ -27,14 +27,15 @@ std::string WhyNoTimelineName(const std::string& file);
 // the handler took on this computer.
 class Timeline {
  public:
-  // Creates `file` and follows the run from now on.  Throws std::runtime_error when the file cannot
-  // be written.
+  // Creates `file`, and adds all handlers that run from now on.  Throws std::runtime_error when the
+  // file cannot be written.
   Timeline(const std::string& file, System* system);
   ~Timeline();
   Timeline(const Timeline&) = delete;
   Timeline& operator=(const Timeline&) = delete;
 
-  // Ends the slice of the last handler.  Called before the run waits, for example for the clock.
+  // Ends the slice of the last handler.  Called before the run waits, for example for the clock, so
+  // that the wait does not count as time of the handler.
   void Rest();
 
   // Completes the file of the timeline.  Returns "", or the error that happened while the file was
@@ -56,7 +57,7 @@ class Timeline {
   CtfWriter* ctf_ = nullptr;  // the writer, if the timeline is in CTF; null: it is JSON
   int sink_ = 0;
   std::optional<HandlerSlice> running_;  // slice of the handler that runs
-  // Time at which this handler began, by the clock of this computer.
+  // Time at which the handler of `running_` began, by the clock of this computer.
   int64_t begin_ns_ = 0;
   // End of the last slice whose length is wall time; the next such slice begins at this time or
   // later.

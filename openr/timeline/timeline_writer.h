@@ -35,7 +35,7 @@ class TimelineWriter {
   virtual void AddObject(int robot, int32_t id, const std::string& name) = 0;
   // Adds a slice to the timeline.  Must be called in the order in which the slices begin.
   virtual void AddSlice(const HandlerSlice& slice) = 0;
-  // Completes the timeline.
+  // Writes the end of the timeline.
   virtual void Finish() = 0;
 };
 
