@@ -377,7 +377,8 @@ std::string DecodeHandled(const System& system, const Message& message) {
     // Looks regions up by their ids.  The pointers of the message may lead to regions that do not
     // exist any more, but an id is never used again.
     const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
-    // Limits the count, because the handler may have damaged the message before it crashed.
+    // Limits the number of regions, because the handler may have damaged the message before it
+    // crashed.
     const int count = std::min<int>(notify.numOfData, MAX_NUM_DATA);
     for (int i = 0; i < count; ++i) {
       const TransferedData& data = notify.data[i];

@@ -15,7 +15,7 @@ class RunClock {
   // message, or over the next message with sensor values.
   enum class Step { kNone, kFrame, kMessage, kVector };
 
-  // The largest number of steps that the run has still to make.
+  // The largest number of steps that a paused run may still have to make.
   static constexpr int kStepsMax = 1000;
 
   // Makes a clock with the rate `rate`: virtual seconds per second of the computer's clock; 0: as

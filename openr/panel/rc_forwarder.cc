@@ -304,8 +304,8 @@ void RcForwarder::Take(int connection) {
       close(connection);
     }).detach();
   } catch (const std::system_error&) {
-    // Gives up the client, because this computer cannot make a thread for it.  So the client does
-    // not count any more.
+    // Gives up the client, because this computer cannot make a thread for it.  So it is no
+    // longer one of the clients that have not shown the token yet.
     --g_without_token;
     close(connection);
   }

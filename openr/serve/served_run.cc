@@ -89,7 +89,7 @@ void ServedRun::Boot() {
   system().Boot();
 }
 
-// Notes for each robot whether it stands.  Does so once in each frame.
+// Finds out whether each robot stands.  Does so once in each frame.
 void ServedRun::Sample() {
   const int64_t now_us = system().now_us();
   if (now_us / kFrameUs == sampled_us_ / kFrameUs && sampled_us_ >= 0) return;
