@@ -61,7 +61,15 @@ JUMP = re.compile(r"set point jumps from (-?[\d.]+) to (-?[\d.]+) degrees")
 JUMP_DEG = 45
 
 
-def is_expected(finding):
+# The error that a joint has pressed against something for 30 s.  On the physical body PHYSICS_INPUTS
+# push the robot over sooner or later, and nobody puts it back on its feet, so the joints on which
+# it lies press against the floor.
+PRESSED = re.compile(r"MECHA_LOAD_HIGH")
+
+
+def is_expected(finding, body):
+    if body == "ode" and PRESSED.search(finding["text"]):
+        return True
     jump = JUMP.search(finding["text"])
     return finding["object"] == "JointMover" and finding["severity"] == "warning" and \
         jump is not None and abs(float(jump[1]) - float(jump[2])) < JUMP_DEG
@@ -268,10 +276,10 @@ def main():
             except (rc.Refused, OSError, ValueError, RuntimeError) as error:
                 verdict("the run and its clients go on to the end", False, repr(error))
             begin = time.monotonic()
-            run.check_end(f", seed {flags.seed}")
+            run.check_end(f", seed {flags.seed}", lambda finding: is_expected(finding, flags.body))
             report = json.loads((folder / "report.json").read_text())
-            others = [finding for finding in report["findings"] if not is_expected(finding)]
-            verdict("the report has no finding but that a motion began with a jump", not others,
+            others = [finding for finding in report["findings"] if not is_expected(finding, flags.body)]
+            verdict("the report has no other finding than those that such a run may have", not others,
                     others[:10])
             print(f"figures: trace hash {report['trace_hash']}, state hash {report['state_hash']}; "
                   f"end and replay in {time.monotonic() - begin:.0f} s")
