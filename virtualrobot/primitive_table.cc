@@ -1,5 +1,7 @@
 #include "virtualrobot/primitive_table.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "runtime/base/hasher.h"
@@ -88,6 +90,13 @@ Primitive* PrimitiveTable::Find(OPrimitiveID id) {
 
 void PrimitiveTable::CloseAll() {
   for (Primitive& primitive : primitives_) primitive.open_count = 0;
+}
+
+std::string PrimitiveTable::Lines() const {
+  std::string lines;
+  for (size_t i = 0; i < primitives_.size(); ++i)
+    lines += fmt::format("{} {}\n", kFirstId + i, primitives_[i].locator);
+  return lines;
 }
 
 void PrimitiveTable::HashState(Hasher* hasher) const {

@@ -49,6 +49,9 @@ class PrimitiveTable {
   // Closes all primitives, as if OpenPrimitive() had never been called.
   void CloseAll();
 
+  // Returns a line "ID LOCATOR" for each primitive, in order of the ids.
+  std::string Lines() const;
+
   void HashState(Hasher* hasher) const;
 
  private:

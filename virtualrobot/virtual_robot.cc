@@ -9,6 +9,7 @@
 #include "runtime/base/spelling.h"
 #include "runtime/config/line_file.h"
 #include "runtime/core/current.h"
+#include "runtime/core/debugger_locators.h"
 #include "runtime/core/system.h"
 #include "runtime/stick/memory_stick.h"
 #include "virtualrobot/sound/audio_comm.h"
@@ -18,7 +19,10 @@ namespace openr_host {
 
 VirtualRobot::VirtualRobot(System* system, int robot, const RobotModel& model,
                            std::unique_ptr<Body> body, VirtualRobotOptions options)
-    : parts_(system, robot, model, std::move(body), std::move(options)) {}
+    : parts_(system, robot, model, std::move(body), std::move(options)) {
+  // The first robot stands for all, because the robots of a run are of one model.
+  if (robot == 0) SetLocatorsForDebugger(parts_.primitives.Lines());
+}
 
 VirtualRobot::~VirtualRobot() = default;
 
@@ -45,11 +49,6 @@ OStatus VirtualRobot::OpenPrimitive(const char* locator, OPrimitiveID* id) {
   }
   ++primitive->open_count;
   return oSUCCESS;
-}
-
-const char* VirtualRobot::LocatorOf(OPrimitiveID id) {
-  const Primitive* const primitive = parts_.primitives.Find(id);
-  return primitive == nullptr ? nullptr : primitive->locator.c_str();
 }
 
 OStatus VirtualRobot::ClosePrimitive(OPrimitiveID id) {

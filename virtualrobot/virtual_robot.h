@@ -79,7 +79,6 @@ class VirtualRobot : public RobotServices {
   // ---- Implementation of RobotServices
   OStatus OpenPrimitive(const char* locator, OPrimitiveID* id) override;
   OStatus ClosePrimitive(OPrimitiveID id) override;
-  const char* LocatorOf(OPrimitiveID id) override;
   OStatus ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param,
                            size_t param_size, void* result, size_t result_size) override;
   OStatus EnableJointGain(OPrimitiveID id) override;

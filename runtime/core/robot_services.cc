@@ -9,7 +9,6 @@ OStatus RobotServices::OpenPrimitive(const char*, OPrimitiveID* id) {
   return oNOT_FOUND;
 }
 OStatus RobotServices::ClosePrimitive(OPrimitiveID) { return oINVALID_PRIMITIVE_ID; }
-const char* RobotServices::LocatorOf(OPrimitiveID) { return nullptr; }
 OStatus RobotServices::ControlPrimitive(OPrimitiveID, OPrimitiveRequest, void*, size_t, void*,
                                         size_t) {
   return oINVALID_PRIMITIVE_ID;

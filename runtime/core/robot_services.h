@@ -22,9 +22,6 @@ class RobotServices {
 
   virtual OStatus OpenPrimitive(const char* locator, OPrimitiveID* id);
   virtual OStatus ClosePrimitive(OPrimitiveID id);
-  // Returns the locator of the primitive, such as "PRM:/r1/c1-Joint2:j1", for debuggers; null if it
-  // is not known.
-  virtual const char* LocatorOf(OPrimitiveID id);
   virtual OStatus ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param,
                                    size_t param_size, void* result, size_t result_size);
 

@@ -27,16 +27,18 @@ def as_type(value, name):
         return None
 
 
+def locators():
+    """Returns the CPC locators by the numbers of their primitives; none before there is a robot."""
+    try:
+        lines = gdb.parse_and_eval("(const char *) &openr_locators").string().splitlines()
+    except gdb.error:  # a program without the runtime
+        return {}
+    return {int(number): locator for number, locator in (line.split(" ") for line in lines)}
+
+
 def primitive(number):
     """Returns the CPC locator of a primitive, or its number where the program does not know it."""
-    try:
-        locator = gdb.parse_and_eval(
-            "((const char *(*)(unsigned int)) openr_locator_of)(%d)" % int(number))
-        if int(locator) != 0:
-            return locator.string()
-    except gdb.error:  # a core file has no process that could answer
-        pass
-    return "primitive %d" % int(number)
+    return locators().get(int(number), "primitive %d" % int(number))
 
 
 class PrimitiveIdPrinter:
