@@ -1,8 +1,10 @@
 #include "kit/compile_database.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "cli/json_text.h"
 #include "kit/compile_command.h"
@@ -14,12 +16,24 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
+// Flags of compile-flags.txt that clang 14 refuses.  They change the code of an image, not the
+// meaning of a source.
+constexpr std::array<std::string_view, 4> kFlagsOfGccAlone = {
+    "-fno-gnu-unique", "-fno-aggressive-loop-optimizations", "-fno-lifetime-dse",
+    "-ftrivial-auto-var-init=zero"};
+
 // Returns the words of `command`, a call of the compiler.  The build compiled a private copy of
 // `original`, which is a file of the user; the words are changed so that they name `original`,
 // because editors show the user's file.
 Words WordsFor(const KitLog::Command& command, const std::string& original,
                const std::vector<SourceCopy>& copies) {
   Words words = command.words;
+  // Leaves out these flags, because clangd shows each of them as an error in the first line of the
+  // source.
+  std::erase_if(words, [](const std::string& word) {
+    return std::find(kFlagsOfGccAlone.begin(), kFlagsOfGccAlone.end(), word) !=
+           kFlagsOfGccAlone.end();
+  });
   // Puts the user's folders before their copies, so that an editor opens the user's headers.
   Words originals;
   for (const std::string& flag : CarriedFlags(words, command.folder)) {

@@ -219,6 +219,20 @@ TEST_F(EditorTest, TheCommandsForEditorsNeedNoMakefile) {
   EXPECT_THAT(FilesThatCompile(folder_), ElementsAre("Wag/Wag.cc"));
 }
 
+// clangd compiles with clang, which takes an unknown flag for an error.
+TEST_F(EditorTest, ClangKnowsTheFlagsOfTheCommandsForEditors) {
+  if (!HasProgram("clang++")) GTEST_SKIP() << "clang++ is not installed";
+  ASSERT_EQ(folder_.Build({"--compile-commands"}).status, 0);
+  const Json commands = Json::parse(folder_.Read("compile_commands.json"));
+  ASSERT_EQ(commands.size(), 1u);
+  std::vector<std::string> words = commands.at(0).at("arguments");
+  words.front() = "clang++";
+  words.push_back("-fsyntax-only");
+  const ProcessResult result =
+      RunProcess(words, {.folder = commands.at(0).at("directory"), .captures_error = true});
+  EXPECT_TRUE(result.good()) << result.output;
+}
+
 // What a source needs beyond the flags of its Makefile, such as declarations that headers had once.
 TEST_F(EditorTest, TheCommandsForEditorsCompileOldSources) {
   folder_.Write("Wag/Wag.cc", folder_.Read("Wag/Wag.cc") + "double largest = DBL_MAX;\n");
