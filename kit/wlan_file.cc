@@ -185,7 +185,11 @@ std::vector<Diagnostic> CheckWlanSense(const std::string& file, const WlanResult
   }
   if (!config.wep_enable && Sets(settings, "WEPKEY"))
     sense.Warn("WEPKEY has no effect with WEPENABLE=0");
-  if (config.wep_enable && Sets(settings, "WEPENABLE") && !Sets(settings, "WEPKEY"))
+  // A line with an error sets nothing, so a key may stand in such a line.
+  const bool may_lack_key = std::none_of(
+      settings.diagnostics.begin(), settings.diagnostics.end(),
+      [](const Diagnostic& diagnostic) { return diagnostic.severity == Severity::kError; });
+  if (config.wep_enable && Sets(settings, "WEPENABLE") && !Sets(settings, "WEPKEY") && may_lack_key)
     sense.Warn("WEPENABLE is 1 and there is no WEPKEY; the robot takes that of Sony's file, AIBO2");
   if (config.ap_mode == 1 && Sets(settings, "CHANNEL"))
     sense.Warn("CHANNEL has no effect with APMODE=1: it is for ad hoc networks");

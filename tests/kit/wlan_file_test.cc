@@ -127,6 +127,12 @@ TEST(WlanSenseTest, MasksAndAddressesMustBeThoseOfAHost) {
               ElementsAre(HasSubstr("give the robot another one")));
 }
 
+TEST(WlanSenseTest, AKeyThatIsRefusedIsNotMissing) {
+  EXPECT_THAT(WarningsAbout("WEPENABLE=1\n"), ElementsAre(HasSubstr("there is no WEPKEY")));
+  EXPECT_THAT(WarningsAbout("WEPENABLE=1\nWEPKEY=0x12\n"), IsEmpty());
+  EXPECT_THAT(WarningsAbout("WEPENABLE=1\nWEPKEY = abcde\n"), IsEmpty());
+}
+
 TEST(WlanSenseTest, SettingsThatDoNothingAreNamed) {
   EXPECT_THAT(WarningsAbout("USE_DHCP=1\nETHER_IP=10.0.1.9\nWEPENABLE=0\nWEPKEY=abcde\nAPMODE=1\n"
                             "CHANNEL=3\n"),
