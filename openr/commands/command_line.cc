@@ -98,7 +98,30 @@ void PrintHelp(const CLI::App& app, const std::vector<std::string>& words) {
   PrintAnswer(ForTerminal(app.get_formatter()->make_help(about, name, CLI::AppFormatMode::Normal)));
 }
 
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_usage(const CLI::App* app, std::string name) const override {
+    if (app->get_parent() != nullptr) name = WordsUpTo(*app->get_parent()) + app->get_name();
+    return CLI::Formatter::make_usage(app, name);
+  }
+
+ private:
+  // Returns the words of a call up to a subcommand of `command`, and a blank.
+  std::string WordsUpTo(const CLI::App& command) const {
+    std::string words = command.get_parent() == nullptr ? "" : WordsUpTo(*command.get_parent());
+    words += command.get_name() + " ";
+    const auto is_positional = [](const CLI::Option* option) { return option->get_positional(); };
+    for (const CLI::Option* const option : command.get_options(is_positional))
+      words += make_option_usage(option) + " ";
+    return words;
+  }
+};
+
 }  // namespace
+
+std::shared_ptr<CLI::FormatterBase> MakeHelpFormatter() {
+  return std::make_shared<HelpFormatter>();
+}
 
 std::string ForTerminal(const std::string& help) {
   if (!HasColours(StandardOutput())) return help;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <string>
 
 namespace openr_host {
@@ -9,6 +10,10 @@ namespace openr_host {
 // Returns one line about a wrong command line: the mistake, and what the user may have meant. `app`
 // is the whole program; `error` is the exception that app.parse() has thrown.
 std::string ExplainCommandLine(const CLI::App& app, const CLI::ParseError& error);
+
+// Returns the formatter of all help texts.  Its line "Usage:" has the positionals of the commands
+// above as well, such as HOST in "openr rc HOST move", because a call without them fails.
+std::shared_ptr<CLI::FormatterBase> MakeHelpFormatter();
 
 // Returns the help text `help` as it is printed: with bold headings if standard output is a
 // terminal.

@@ -59,13 +59,22 @@ std::string Entry(const OptionInfo& option, bool is_positional) {
   return text + "\n";
 }
 
-std::string Synopsis(const CommandInfo& command) {
-  std::string text = Bold(command.path);
-  if (!command.options.empty()) text += " [" + Italic("OPTIONS") + "]";
+// Returns the names of the positionals, each after a blank.
+std::string Positionals(const CommandInfo& command) {
+  std::string text;
   for (const OptionInfo& positional : command.positionals) {
     const std::string name = Italic(positional.names[0]) + (positional.is_repeatable ? "..." : "");
     text += positional.is_required ? " " + name : " [" + name + "]";
   }
+  return text;
+}
+
+// Returns the line that shows how to call `command`.  `call` are the words up to the name of the
+// command, with the positionals of the commands above it: "openr rc HOST move".
+std::string Synopsis(const CommandInfo& command, const std::string& call) {
+  std::string text = call;
+  if (!command.options.empty()) text += " [" + Italic("OPTIONS") + "]";
+  text += Positionals(command);
   if (!command.commands.empty()) text += " " + Italic("COMMAND");
   return text + "\n";
 }
@@ -103,12 +112,13 @@ std::string UpperCase(std::string text) {
 }
 
 // Adds a section to the manual page for each command below `command`: its subcommands, the
-// subcommands of these, and so on.
-void AddBelow(const CommandInfo& command, std::string* page) {
+// subcommands of these, and so on.  `call` are the words up to the name of `command`.
+void AddBelow(const CommandInfo& command, const std::string& call, std::string* page) {
   for (const CommandInfo& below : command.commands) {
-    *page += ".SS " + Plain(below.path) + "\n" + Synopsis(below) + ".PP\n" +
+    const std::string below_call = call + Positionals(command) + " " + Bold(below.name);
+    *page += ".SS " + Plain(below.path) + "\n" + Synopsis(below, below_call) + ".PP\n" +
              Plain(below.description) + "\n" + Entries(below) + Footer(below.footer);
-    AddBelow(below, page);
+    AddBelow(below, below_call, page);
   }
 }
 
@@ -143,7 +153,7 @@ std::string ManPage(const CommandInfo& program, const CommandInfo& command,
   std::string page =
       fmt::format(".TH {} 1 \"\" \"openr\\-host {}\" \"openr\\-host\"\n.SH NAME\n{} \\- {}\n",
                   UpperCase(Plain(title)), version, Plain(title), Plain(command.description));
-  page += ".SH SYNOPSIS\n" + Synopsis(command);
+  page += ".SH SYNOPSIS\n" + Synopsis(command, Bold(command.path));
   const std::string entries = Entries(command);
   if (!entries.empty()) page += ".SH OPTIONS\n" + entries;
   if (is_program) {
@@ -152,7 +162,7 @@ std::string ManPage(const CommandInfo& program, const CommandInfo& command,
       page += ".TP\n" + Bold(below.name) + "\n" + Plain(below.description) + "\n";
   } else if (!command.commands.empty()) {
     page += ".SH COMMANDS\n";
-    AddBelow(command, &page);
+    AddBelow(command, Bold(command.path), &page);
   }
   if (!command.footer.empty()) page += ".SH EXAMPLES\n" + Footer(command.footer);
   page += kFacts;

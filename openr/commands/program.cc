@@ -79,6 +79,7 @@ int PrintAskedFor(const CLI::App& app, const CLI::ParseError& error) {
 // of the time in which the program starts.
 void DescribeProgram(CLI::App* app, int* exit_code, std::string_view wanted) {
   app->name("openr");
+  app->formatter(MakeHelpFormatter());
   app->require_subcommand(1);
   app->set_help_all_flag("--help-all", "Help of all commands");
   const bool tells_of_all = wanted == "help" || wanted == "completion" || wanted == "man";
