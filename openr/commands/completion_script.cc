@@ -16,7 +16,7 @@ using Value = OptionInfo::Value;
 // like `run`.
 constexpr char kBegin[] = R"(# Completion of openr for bash; made by: openr completion bash
 _openr() {
-  local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]} path=openr i
+  local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]} path=openr i count=0
   COMPREPLY=()
   # bash takes '=' for a word of its own: --robot=ers7.
   [ "$cur" = = ] && cur=
@@ -27,7 +27,10 @@ _openr() {
       )";
 
 constexpr char kAfterCommands[] = R"()
-        path+=" ${COMP_WORDS[i]}" ;;
+        path+=" ${COMP_WORDS[i]}"; count=0 ;;
+      *)
+        # Counts the words after the command, without flags and their values.
+        [[ ${COMP_WORDS[i]} == -* || ${COMP_WORDS[i-1]} == -* ]] || count=$((count + 1)) ;;
     esac
   done
   case "$path $prev" in
@@ -109,14 +112,19 @@ void AddWords(const CommandInfo& command, const DataNames& names, std::string* s
     for (std::string& word : WordsFor(positional, names)) words.push_back(std::move(word));
     if (kind.empty()) kind = KindOf(positional.value);
   }
-  if (command.takes_input) {
-    words.insert(words.end(), names.joints.begin(), names.joints.end());
-    words.insert(words.end(), names.sensors.begin(), names.sensors.end());
-  }
   for (const OptionInfo& option : command.options)
     flags.insert(flags.end(), option.names.begin(), option.names.end());
-  *script += fmt::format("    '{}') words='{}|{}' kind={} ;;\n", command.path,
-                         fmt::join(words, " "), fmt::join(flags, " "), kind);
+  *script += fmt::format("    '{}') words='{}|{}' kind={} ", command.path, fmt::join(words, " "),
+                         fmt::join(flags, " "), kind);
+  if (command.takes_input) {
+    // The word right after the positionals is the verb of the input; names follow the verb.
+    const size_t verb_place = command.positionals.size();
+    *script += fmt::format(
+        "\n      [ $count -eq {} ] && words='{}|'\n      [ $count -gt {} ] && words='{} {}|' ",
+        verb_place, fmt::join(names.inputs, " "), verb_place, fmt::join(names.joints, " "),
+        fmt::join(names.sensors, " "));
+  }
+  *script += ";;\n";
   for (const CommandInfo& below : command.commands) AddWords(below, names, script);
 }
 

@@ -14,6 +14,7 @@ struct DataNames {
   std::vector<std::string> sensors;  // of all robot models, without the sensors of joints
   std::vector<std::string> models;
   std::vector<std::string> worlds;
+  std::vector<std::string> inputs;  // the first words of inputs, such as "press"
 };
 
 // Returns a script for bash that completes commands, flags, and the values of flags.  Such a value

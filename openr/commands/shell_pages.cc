@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <set>
 #include <stdexcept>
@@ -42,7 +43,15 @@ void WritePages(const CommandInfo& program, const std::string& output) {
       fmt::format("wrote {} to {}\n", Counted(program.commands.size() + 1, "page"), output));
 }
 
-// Returns the names of joints, sensors and the like in the models and worlds that came with openr.
+// The first words of all inputs (docs/inputs.md).  They stand here again because the runtime and
+// the robots of a run define them, and `openr completion` has no run.
+constexpr const char* kInputs[] = {"battery", "break",    "charger", "draw",  "heat",
+                                   "hold",    "letgo",    "lift",    "press", "push",
+                                   "put",     "release",  "repair",  "send",  "set",
+                                   "setdown", "shutdown", "target",  "turn",  "type"};
+
+// Returns the names of joints, sensors and the like in the models and worlds that came with openr,
+// and the inputs.
 DataNames FindDataNames() {
   std::set<std::string> joints, sensors;  // sorted, each name once
   for (const std::string& name : ModelNames()) {
@@ -52,8 +61,11 @@ DataNames FindDataNames() {
       if (sensor.joint < 0) sensors.insert(sensor.short_name);
     }
   }
-  return {
-      {joints.begin(), joints.end()}, {sensors.begin(), sensors.end()}, ModelNames(), WorldNames()};
+  return {{joints.begin(), joints.end()},
+          {sensors.begin(), sensors.end()},
+          ModelNames(),
+          WorldNames(),
+          {std::begin(kInputs), std::end(kInputs)}};
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // openr completion and openr man: what bash and man do with what they print.
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -91,6 +92,25 @@ TEST_F(CompletionTest, JointsAreThoseOfTheModels) {
   EXPECT_THAT(Offered("openr model show ers2"), UnorderedElementsAre("ers210", "ers220"));
 }
 
+TEST_F(CompletionTest, AnInputFollowsTheNameOfARun) {
+  EXPECT_THAT(Offered("openr poke ''"), IsEmpty());
+  EXPECT_THAT(Offered("openr poke default pu"), UnorderedElementsAre("push", "put"));
+  EXPECT_THAT(Offered("openr poke --robot 1 default pu"), UnorderedElementsAre("push", "put"));
+  EXPECT_THAT(Offered("openr poke --ro"), UnorderedElementsAre("--robot"));
+}
+
+TEST_F(CompletionTest, TheInputsThatAreOfferedAreThoseOfARun) {
+  folder_.Write("a.events", "0s nosuch\n");
+  const ProgramResult refused =
+      RunProgram({"run", "--no-panel", "--events", folder_.File("a.events")});
+  const std::string begin = "known are ";
+  const size_t at = refused.err.find(begin);
+  ASSERT_NE(at, std::string::npos) << refused.err;
+  std::string known = refused.err.substr(at + begin.size());
+  known.erase(known.find('\n'));
+  EXPECT_EQ(fmt::format("{}", fmt::join(Offered("openr poke default ''"), ", ")), known);
+}
+
 TEST_F(CompletionTest, FilesAreOfferedWhereACommandTakesOne) {
   EXPECT_THAT(Offered("openr mtn info 'a'"), UnorderedElementsAre("a file.MTN"));
   EXPECT_THAT(Offered("openr build ''"), UnorderedElementsAre("stick"));
@@ -137,6 +157,7 @@ TEST_F(ManPageTest, ThePageOfACommandHasItsFlagsAndTheCommandsBelow) {
   EXPECT_THAT(Shown("openr-run.1"), HasSubstr("--until-idle"));
   const std::string rc = Shown("openr-rc.1");
   EXPECT_THAT(rc, HasSubstr("openr rc mtn play"));
+  EXPECT_THAT(rc, HasSubstr("openr rc HOST mtn play [OPTIONS] FILE"));
   EXPECT_THAT(rc, HasSubstr("--loops"));
   EXPECT_THAT(Shown("openr.1"), HasSubstr("NO_COLOR"));
 }
