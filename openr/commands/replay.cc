@@ -97,8 +97,9 @@ int Finish(Replayer* replayer, const ReplayFlags& flags) {
                               : !problems.empty()       ? ", as far as the recording can be read"
                               : equal && replayer->at_end() ? ", to the end of the recording"
                                                             : "";
-  fmt::print(stderr, "openr: {} equal, {:.3f} s of virtual time{}\n",
-             Counted(replayer->count(), "message"), time_s, how_far);
+  const char* const result = replayer->answer_differences().empty() ? "equal" : "replayed";
+  fmt::print(stderr, "openr: {} {}, {:.3f} s of virtual time{}\n",
+             Counted(replayer->count(), "message"), result, time_s, how_far);
   const auto& [ended_by, why] = replayer->reader().ended();
   if (!ended_by.empty() && replayer->at_end())
     fmt::print(stderr, "openr: the recorded run was ended by {}: {}\n", ended_by, why);

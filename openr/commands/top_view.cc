@@ -217,7 +217,9 @@ std::string TopText(const std::vector<Run>& runs, double now_s, size_t columns) 
       if (!process.lost.empty()) text += Fold("  lost: " + process.lost, columns);
     }
   }
-  return text.empty() ? "no run was heard yet\n" : text;
+  return !text.empty() ? text
+                       : "no run was heard yet; openr top hears runs with --monitor, with --ros2,\n"
+                         "or with objects in other processes\n";
 }
 
 Json TopJson(const std::vector<Run>& runs, double now_s) {

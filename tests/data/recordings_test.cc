@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::ContainsRegex;
 using testing::HasSubstr;
+using testing::Not;
 
 class RecordingsTest : public testing::Test {
  protected:
@@ -167,6 +168,9 @@ TEST_F(RecordingsTest, OtherAnswersAreNamedAndTheOthersGetTheRecordedOnes) {
   const ProgramResult only = Openr({"replay", At("other.rec"), "--only", "JointMover", "--json"});
   EXPECT_EQ(only.status, 1);
   const json answer = json::parse(only.out);
+  EXPECT_THAT(only.err, HasSubstr(" of JointMover, 2 other than recorded\n"));
+  EXPECT_THAT(only.err, HasSubstr(" messages replayed, 3.000 s of virtual time"));
+  EXPECT_THAT(only.err, Not(HasSubstr(" equal,")));
   // RCServer and Controller get the same region, so the recorded bytes reach Controller, too.
   ASSERT_EQ(answer["answer_differences"].size(), 2U) << only.err;
   const json& difference = answer["answer_differences"][0];

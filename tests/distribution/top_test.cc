@@ -204,6 +204,11 @@ TEST(TopViewTest, TheTableHasALineForEachObject) {
             "  Brain   -        den     7    64    0.0        -       -      0      0\n");
 }
 
+TEST(TopViewTest, WithoutARunTheFlagsAreNamedWithWhichItWouldBeHeard) {
+  EXPECT_THAT(TopText({}, 1, 80), HasSubstr("no run was heard yet"));
+  EXPECT_THAT(TopText({}, 1, 80), HasSubstr("--monitor"));
+}
+
 // 80 columns show only whole columns.
 TEST(TopViewTest, ANarrowScreenHasTheColumnsThatMatterMost) {
   RunsHeard::Run run = MadeUp();
