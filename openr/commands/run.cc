@@ -414,6 +414,14 @@ int RunJobs(const RunFlags& flags) {
   return WriteReport(report, flags) && is_good ? kExitGood : kExitWrong;
 }
 
+// Prints a note if the default stick is to run in a folder that has a stick, as `openr new` makes
+// one, because a person in such a folder expects this stick.
+void NoteOwnStick(const SimulationOptions& options) {
+  if (options.stick.empty() && HoldsOpenR("MS"))
+    fmt::print(stderr,
+               "openr: note: the default stick runs; --stick MS runs the stick of this folder\n");
+}
+
 }  // namespace
 
 void AddRunCommand(CLI::App* app, int* exit_code) {
@@ -428,6 +436,7 @@ void AddRunCommand(CLI::App* app, int* exit_code) {
     if (!flags->gdb.empty()) StartUnderGdb(flags->gdb, flags->simulation.stick);
     StartWithSanitizerOf(flags->simulation.stick);
     for (const std::string& stick : flags->simulation.more_sticks) StartWithSanitizerOf(stick);
+    NoteOwnStick(flags->simulation);
     *exit_code = flags->jobs > 0 ? RunJobs(*flags) : CommandedRun(*flags).Run();
   });
 }

@@ -25,6 +25,7 @@
 #include "kit/text_files.h"
 #include "kit/wlan_file.h"
 #include "openr/commands/common_flags.h"
+#include "openr/simulation/simulation.h"
 #include "virtualrobot/model/robot_model.h"
 
 namespace openr_host {
@@ -110,6 +111,11 @@ void TellSense(const std::string& file, const std::string& text) {
   fmt::print(stderr, "{}", Render(CheckWlanSense(file, ParseWlanConfig(file, text))));
 }
 
+[[noreturn]] void ThrowNoStick(const std::string& folder) {
+  throw std::runtime_error(
+      fmt::format("{}: is no stick, there is no OPEN-R/ in it{}", folder, StickNear(folder)));
+}
+
 struct WlanCommand {
   WlanFlags wlan;
   std::string stick;
@@ -118,7 +124,7 @@ struct WlanCommand {
 
 int WriteWlan(WlanCommand command) {
   if (!command.stick.empty() && FindEntry(command.stick, "OPEN-R").empty())
-    throw std::runtime_error(command.stick + ": is no stick, there is no OPEN-R/ in it");
+    ThrowNoStick(command.stick);
   if (!command.wlan.is_given) AskAll(&command.wlan.config);
   TellDefaultKey(command.wlan);
   const std::string text = WlanText(command.wlan.config);
@@ -158,8 +164,7 @@ std::string SummaryOf(const StickSummary& stick) {
 }
 
 int Check(const CheckCommand& command) {
-  if (FindEntry(command.stick, "OPEN-R").empty())
-    throw std::runtime_error(command.stick + ": is no stick, there is no OPEN-R/ in it");
+  if (FindEntry(command.stick, "OPEN-R").empty()) ThrowNoStick(command.stick);
   Remarks remarks = CheckFolder(command.stick, {}, CheckTarget::kRobot);
   const RobotModel model = LoadRobotModel(ModelFile(command.robot));
   const StickSummary summary =

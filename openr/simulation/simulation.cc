@@ -89,17 +89,16 @@ VirtualRobotOptions DevicesOf(const SimulationOptions& options, bool is_first) {
   return devices;
 }
 
-// Returns whether the folder has the folder OPEN-R of a stick.  Uses Locate() because, like a
-// Memory Stick, it does not distinguish upper and lower case, and so finds a folder "open-r", too.
+}  // namespace
+
+// Uses Locate() because, like a Memory Stick, it does not distinguish upper and lower case, and so
+// finds a folder "open-r", too.
 bool HoldsOpenR(const std::filesystem::path& folder) {
   std::error_code error;
   const MemoryStick::Location root = FolderStick(folder).Locate("/MS/OPEN-R");
   return root.exists && std::filesystem::is_directory(root.path, error);
 }
 
-// Returns "; did you mean FOLDER?" for the end of a message about `wanted`, a folder that is no
-// stick.  FOLDER is the only stick directly in `wanted`, or the stick that has `wanted` as its
-// OPEN-R.  Returns "" if there is none.
 std::string StickNear(const std::filesystem::path& wanted) {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -111,8 +110,6 @@ std::string StickNear(const std::filesystem::path& wanted) {
   if (near.empty() && !around.empty() && HoldsOpenR(around)) near.push_back(around);
   return near.size() == 1 ? fmt::format("; did you mean {}?", near[0].string()) : "";
 }
-
-}  // namespace
 
 std::string StickFolder(const std::string& wanted) {
   if (wanted.empty()) return DefaultStick();

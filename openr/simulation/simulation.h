@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -73,6 +74,14 @@ struct SimulationOptions {
   // Recording, replay and ROS 2 use such a function.
   std::function<std::unique_ptr<Network>(int robot, std::unique_ptr<Network>)> network_filter;
 };
+
+// Returns whether the folder has the folder OPEN-R of a stick.
+bool HoldsOpenR(const std::filesystem::path& folder);
+
+// Returns "; did you mean FOLDER?" for the end of a message about `wanted`, a folder that is no
+// stick.  FOLDER is the only stick directly in `wanted`, or the stick that has `wanted` as its
+// OPEN-R.  Returns "" if there is none.
+std::string StickNear(const std::filesystem::path& wanted);
 
 // Returns the folder of the default stick if `wanted` (SimulationOptions::stick) is "", otherwise
 // `wanted`.  Throws std::runtime_error if `wanted` holds no folder OPEN-R or cannot be read.

@@ -248,6 +248,8 @@ TEST_F(RobotStickCheckTest, AFolderThatIsNoStickIsRefused) {
   const ProgramResult result = Check();
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.err, HasSubstr("is no stick"));
+  folder_.Write("stick/MS/OPEN-R/MW/CONF/OBJECT.CFG", "");
+  EXPECT_THAT(Check().err, HasSubstr("did you mean " + folder_.File("stick/MS") + "?\n"));
 }
 
 TEST_F(RobotStickCheckTest, ANewStickHasTheImagesTheBaseAndTheNetwork) {

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "cli/process.h"
 #include "tests/openr/program_run.h"
 
 namespace openr_host {
@@ -231,6 +232,19 @@ TEST(CommandLineTest, AFolderBesideAStickIsRefusedWithTheNameOfTheStick) {
   ExpectRefusal({"run", "--stick", folder.File("other")}, 1, "root of a Memory Stick\n");
   folder.Write("MS2/open-r/MW/CONF/OBJECT.CFG", "");  // of two sticks none is proposed
   ExpectRefusal({"run", "--stick", folder.File("")}, 1, "root of a Memory Stick\n");
+}
+
+TEST(CommandLineTest, ANoteTellsOfAStickInTheFolderThatIsNotRun) {
+  const ScratchFolder folder;
+  folder.Write("MS/OPEN-R/MW/CONF/OBJECT.CFG", "");
+  const ProcessResult result =
+      RunProcess({OPENR_PROGRAM, "run", "--for", "8ms", "--no-panel", "--rc-port", "0"},
+                 {.folder = folder.path(), .captures_error = true, .captures_out = true});
+  EXPECT_TRUE(result.good()) << result.output;
+  EXPECT_NE(result.output.find("note: the default stick runs; --stick MS runs the stick of this "
+                               "folder\n"),
+            std::string::npos)
+      << result.output;
 }
 
 TEST(CommandLineTest, AStickThatIsNotThereOrNoFolderIsRefused) {
