@@ -173,6 +173,12 @@ std::string WlanText(const WlanConfig& config) {
 }
 
 std::vector<Diagnostic> CheckWlanSense(const std::string& file, const WlanResult& settings) {
+  // A line with an error sets nothing.  Warnings would be about the initial values of such
+  // settings, which are not in the file, so the errors have to be corrected first.
+  const bool has_errors = std::any_of(
+      settings.diagnostics.begin(), settings.diagnostics.end(),
+      [](const Diagnostic& diagnostic) { return diagnostic.severity == Severity::kError; });
+  if (has_errors) return {};
   const WlanConfig& config = settings.config;
   Sense sense(file);
   if (config.use_dhcp) {
@@ -185,11 +191,7 @@ std::vector<Diagnostic> CheckWlanSense(const std::string& file, const WlanResult
   }
   if (!config.wep_enable && Sets(settings, "WEPKEY"))
     sense.Warn("WEPKEY has no effect with WEPENABLE=0");
-  // A line with an error sets nothing, so a key may stand in such a line.
-  const bool may_lack_key = std::none_of(
-      settings.diagnostics.begin(), settings.diagnostics.end(),
-      [](const Diagnostic& diagnostic) { return diagnostic.severity == Severity::kError; });
-  if (config.wep_enable && Sets(settings, "WEPENABLE") && !Sets(settings, "WEPKEY") && may_lack_key)
+  if (config.wep_enable && Sets(settings, "WEPENABLE") && !Sets(settings, "WEPKEY"))
     sense.Warn("WEPENABLE is 1 and there is no WEPKEY; the robot takes that of Sony's file, AIBO2");
   if (config.ap_mode == 1 && Sets(settings, "CHANNEL"))
     sense.Warn("CHANNEL has no effect with APMODE=1: it is for ad hoc networks");

@@ -47,7 +47,8 @@ bool AskForWlan(const std::function<std::optional<std::string>(const std::string
 std::string WlanText(const WlanConfig& config);
 
 // Returns warnings about settings that are valid but do not fit together, such as a gateway that is
-// not in the robot's network.  The warnings name `file`.
+// not in the robot's network.  Returns no warnings if the file has errors.  The warnings name
+// `file`.
 std::vector<Diagnostic> CheckWlanSense(const std::string& file, const WlanResult& settings);
 
 }  // namespace openr_host

@@ -127,10 +127,11 @@ TEST(WlanSenseTest, MasksAndAddressesMustBeThoseOfAHost) {
               ElementsAre(HasSubstr("give the robot another one")));
 }
 
-TEST(WlanSenseTest, AKeyThatIsRefusedIsNotMissing) {
+TEST(WlanSenseTest, WhatIsRefusedIsNotMissing) {
   EXPECT_THAT(WarningsAbout("WEPENABLE=1\n"), ElementsAre(HasSubstr("there is no WEPKEY")));
   EXPECT_THAT(WarningsAbout("WEPENABLE=1\nWEPKEY=0x12\n"), IsEmpty());
   EXPECT_THAT(WarningsAbout("WEPENABLE=1\nWEPKEY = abcde\n"), IsEmpty());
+  EXPECT_THAT(WarningsAbout("ETHER_IP=192.168.1.500\nIP_GATEWAY=192.168.1.1\n"), IsEmpty());
 }
 
 TEST(WlanSenseTest, SettingsThatDoNothingAreNamed) {
