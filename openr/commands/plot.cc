@@ -106,12 +106,17 @@ Table TableOfMotionLog(const PlotFlags& flags, const std::string& bytes) {
   return table;
 }
 
-// Reads the file as a table.  The first bytes of the file tell its format.
+// Reads the file as a table.  The first bytes of the file tell its format.  A file whose first
+// bytes tell nothing is read as CSV, or as MCAP if its name says so, for the error to be about
+// MCAP.
 Table ReadTable(const PlotFlags& flags) {
   const std::string bytes = BytesOf(flags.file);
   if (bytes.starts_with(kMcapMagic)) return ReadWithProgress(ReadMcapTable, flags.file, bytes);
   if (bytes.starts_with("OPENRTRC")) return TableOfRecording(flags);
-  if (!bytes.starts_with("AIBO_")) return ReadWithProgress(ReadCsvTable, flags.file, bytes);
+  if (!bytes.starts_with("AIBO_")) {
+    const bool is_mcap = flags.file.ends_with(".mcap");
+    return ReadWithProgress(is_mcap ? ReadMcapTable : ReadCsvTable, flags.file, bytes);
+  }
   try {
     return TableOfMotionLog(flags, bytes);
   } catch (const std::runtime_error& error) {

@@ -240,7 +240,8 @@ std::string TraceWriter::Finish(System* system) {
 TraceReader::TraceReader(const std::string& file) : file_(file), bytes_(file) {
   if (bytes_.size() == 0) throw std::runtime_error(fmt::format("{}: is empty", file));
   if (bytes_.Read(0, kMagic.size()) != kMagic)
-    throw std::runtime_error(fmt::format("{}: is no trace (openr run --record makes them)", file));
+    throw std::runtime_error(
+        fmt::format("{}: is no recording (openr run --record makes them)", file));
   try {
     ReadHeader();
   } catch (const std::exception& e) {

@@ -358,6 +358,13 @@ TEST_F(PlotCommandTest, ChartIsAPngWhenItsNameSaysSo) {
   EXPECT_TRUE(Content(At("a.png")).starts_with("\x89PNG"));
 }
 
+TEST_F(PlotCommandTest, AFileNamedMcapThatIsNoneIsRefusedAsMcap) {
+  std::ofstream(At("bad.mcap")) << "garbage";
+  const ProgramResult refused = Openr({"plot", At("bad.mcap"), "-o", At("a.svg")});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, HasSubstr("bad.mcap: is no MCAP file\n"));
+}
+
 TEST_F(PlotCommandTest, WrongFilesAndNamesAreRefused) {
   EXPECT_EQ(Openr({"plot", At("none.csv"), "-o", At("a.svg")}).status, 1);
   EXPECT_EQ(Openr({"plot", At("none.csv")}).status, 2);
