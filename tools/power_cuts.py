@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Kills a run at each of its writes to the Memory Stick, and looks at the stick.
 
-    power_cuts.py --build build/release [--most N] [--one CALL N]
+    power_cuts.py --build build/release [--most N] [--one CALL N [--refuse]]
 
 A client uploads a motion and then an image, which replaces one that is there.  strace kills the run
 with SIGKILL at its n-th call of a kind on the files of the uploads: an open, a write, a close, a
@@ -12,11 +12,19 @@ rename, a removal.  After each of these ends must hold:
 - an upload that the run has acknowledged is there;
 - the next start works, and leaves no temporary file of an upload.
 
+The same again on a file system that refuses to rename a file to a name that exists: strace lets these
+renames fail, and both uploads replace a file.  There the old file may be without its name after a
+kill, until the next start, or until the one after that if it is the image.
+
 Then one run that is not killed: its bytes before each rename of an upload, and the folder directly
-after it, are written through to the disk (fsync), as a cut of the host's power demands.
---most N takes N calls of each kind, spread over the uploads.  The last line is "N passed, N failed".
+after it, are written through to the disk (fsync), as a cut of the host's power demands.  The client
+gets the answer to its last packet only after that.
+--most N takes N calls of each kind, spread over the uploads.  --one CALL N ends one run; with
+--refuse its renames fail.  The last line is "N passed, N failed".
 """
 import argparse
+import ast
+import collections
 import os
 import pathlib
 import re
@@ -34,25 +42,46 @@ from verdicts import finish, verdict  # noqa: E402: the folder is put into the p
 CALLS = ("openat", "write", "writev", "close", "rename", "unlink")
 MOTION_NAME, IMAGE_NAME = "KILLED.MTN", "CONTROLL.BIN"
 LIMIT_S = 10  # for a run that is to be killed; ends a check only
-TEMPORARY = re.compile(r"UPLOAD\d\.")
+TEMPORARY = re.compile(r"UPLOAD\d\.|\.~")
+# The renames of the uploads, numbered from 1, that find a file of the new name: those of the motion,
+# and of the image.  The third and the last try of each upload follow when the old file is away.
+REFUSE = "inject=rename:error=EEXIST:when=1+4"
+# Without "rename", because strace does one thing to a call.  Without the writes, which come before
+# the first rename.
+REFUSED_CALLS = ("openat", "close", "unlink")
+
+
+def upload_paths(folder):
+    """Returns flags of strace: only calls on the files of the uploads count.
+
+    So the numbers of the calls are those of the next run.
+    """
+    names = {rc.MOTION: ("UPLOAD0.TMP", MOTION_NAME, "KILLED.~TN"),
+             rc.IMAGE: ("UPLOAD0.TMP", "UPLOAD0.OLD", IMAGE_NAME, "CONTROLL.OLD", "CONTROLL.~IN", "CONTROLL.~LD")}
+    paths = [f"--trace-path={folder}/stick/{rc.FOLDERS[kind]}/{name}" for kind in names for name in names[kind]]
+    return [*paths, "-e", "trace=" + ",".join(CALLS)]
 
 
 class Uploads:
     """A run under strace, with its stick, and the files that a client uploads to it."""
 
-    def __init__(self, openr, folder, *strace):
+    def __init__(self, openr, folder, *strace, refuses=False):
         self.trace = pathlib.Path(folder) / "trace"
-        # Only calls on the files of the uploads count, so that their numbers are those of the next run.
-        names = {rc.MOTION: ("UPLOAD0.TMP", MOTION_NAME), rc.IMAGE: ("UPLOAD0.TMP", "UPLOAD0.OLD", IMAGE_NAME, "CONTROLL.OLD")}
-        paths = [f"--trace-path={folder}/stick/{rc.FOLDERS[kind]}/{name}" for kind in names for name in names[kind]]
-        self.run = rc.Run(openr, folder, "--rate", "max", "--no-payloads", waits=False,
-                          prefix=["strace", "-f", "-qq", "-y", "-o", str(self.trace), *paths, *strace])
-        self.motion_path = self.run.stick / rc.FOLDERS[rc.MOTION] / MOTION_NAME
-        self.image_path = self.run.stick / rc.FOLDERS[rc.IMAGE] / IMAGE_NAME
+        stick = pathlib.Path(folder) / "stick"
+        subprocess.run([openr, "stick", "host", "-o", str(stick)], check=True, stdout=subprocess.DEVNULL)
+        self.motion_path = stick / rc.FOLDERS[rc.MOTION] / MOTION_NAME
+        self.image_path = stick / rc.FOLDERS[rc.IMAGE] / IMAGE_NAME
         self.old_image = self.image_path.read_bytes()
         self.motion = self.motion_path.with_name("STAND.MTN").read_bytes() + bytes(2000)
         self.image = self.old_image + bytes(20000)  # the robot ignores bytes behind an image
+        self.old_motion = None
+        if refuses:
+            strace += ("-e", REFUSE)
+            self.old_motion = self.motion + b"old"
+            self.motion_path.write_bytes(self.old_motion)
         self.acknowledged = []
+        self.run = rc.Run(openr, folder, "--rate", "max", "--no-payloads", waits=False, stick=stick,
+                          prefix=["strace", "-f", "-qq", "-y", "-o", str(self.trace), *strace])
 
     def count(self, call):
         """Returns how many calls of this kind the run has made."""
@@ -85,19 +114,20 @@ class Uploads:
             return False
         return self.run.process.returncode in (-signal.SIGKILL, 128 + signal.SIGKILL)
 
-    def wrong(self):
-        """Returns what is wrong with the stick."""
+    def wrong(self, may_lack):
+        """Returns what is wrong with the stick; `may_lack`: files may be without their names."""
         found = []
         motion = self.motion_path.read_bytes() if self.motion_path.exists() else None
         image = self.image_path.read_bytes() if self.image_path.exists() else None
         old_path = self.image_path.with_suffix(".OLD")
-        if motion not in (None, self.motion):
-            found.append("the motion is in part")
-        if image not in (self.old_image, self.image):
+        lack = {None} if may_lack else set()
+        if motion not in {self.old_motion, self.motion} | lack:
+            found.append("the motion is in part, or gone")
+        if image not in {self.old_image, self.image} | lack:
             found.append("the image is in part, or gone")
         if old_path.exists() and old_path.read_bytes() != self.old_image:
             found.append("CONTROLL.OLD is in part")
-        if MOTION_NAME in self.acknowledged and motion is None:
+        if MOTION_NAME in self.acknowledged and motion != self.motion:
             found.append("the acknowledged motion is lost")
         if IMAGE_NAME in self.acknowledged and image != self.image:
             found.append("the acknowledged image is lost")
@@ -105,34 +135,73 @@ class Uploads:
 
     def start_again(self):
         """Starts the stick again; returns what is wrong with that."""
-        again = subprocess.run([self.run.openr, "run", "--stick", str(self.run.stick), "--body", "ideal", "--rate",
-                                "max", "--for", "2s", "--rc-port", "0", "--no-panel"], capture_output=True, text=True,
-                               env=self.run.environment)
+        # Without its image, the robot does not boot.  Here it boots with CONTROLL.OLD, an error is
+        # reported, RCServer gives the image its name back, and the start after that must be good.
+        starts = 1 if self.image_path.exists() else 2
+        for _ in range(starts):
+            again = subprocess.run([self.run.openr, "run", "--stick", str(self.run.stick), "--body", "ideal",
+                                    "--rate", "max", "--for", "2s", "--rc-port", "0", "--no-panel"],
+                                   capture_output=True, text=True, env=self.run.environment)
         found = [] if again.returncode == 0 else [f"the next start: status {again.returncode}\n{again.stderr}"]
-        left = [path.name for path in self.run.stick.rglob("*") if TEMPORARY.match(path.name)]
-        return found + ([f"after the next start {left} is there"] if left else [])
+        left = [path.name for path in self.run.stick.rglob("*") if TEMPORARY.search(path.name)]
+        return found + ([f"after the next start {left} is there"] if left else []) + self.wrong(may_lack=False)
 
 
-def cut(openr, call, number):
+def cut(openr, call, number, refuses):
     """Ends a run at one call.  Returns what is wrong, or None if the run makes fewer calls."""
     with tempfile.TemporaryDirectory(prefix="cut-") as folder:
-        uploads = Uploads(openr, folder, "-e", "trace=" + ",".join(CALLS),
-                          "-e", f"inject={call}:signal=SIGKILL:when={number}")
+        uploads = Uploads(openr, folder, *upload_paths(folder), "-e", f"inject={call}:signal=SIGKILL:when={number}",
+                          refuses=refuses)
         whole = uploads.upload()
         # After the last answer the run makes only a few more calls on the files.
         killed = uploads.was_killed(1 if whole else LIMIT_S)
         uploads.end()
-        wrong = uploads.wrong() + uploads.start_again()
+        wrong = uploads.wrong(may_lack=refuses) + uploads.start_again()
         if not whole and not killed:
             wrong.append(f"the uploads failed, and the run was not killed: {uploads.run.said.read_text()}")
         return None if whole and not killed and not wrong else wrong
 
 
+def cut_all(openr, calls, most, refuses):
+    """Ends runs at each call of these kinds, or at `most` calls of each kind."""
+    with tempfile.TemporaryDirectory(prefix="cut-") as folder:
+        whole = Uploads(openr, folder, *upload_paths(folder), refuses=refuses)
+        if not whole.upload():
+            sys.exit("the uploads fail without an end")
+        whole.end()
+        counts = {call: whole.count(call) for call in calls}
+    where = ", where rename() replaces no file" if refuses else ""
+    for call in calls:
+        numbers = range(1, counts[call] + 1)
+        for number in numbers if not most else numbers[::max(1, len(numbers) // most)][:most]:
+            wrong = cut(openr, call, number, refuses)
+            verdict(f"killed at {call} {number} of {counts[call]}{where}", wrong == [],
+                    "the run makes fewer calls" if wrong is None else "\n".join(wrong))
+
+
+def ends_answered(lines):
+    """Returns the numbers of the lines of a trace after which the robot has answered UPLOAD_END."""
+    streams, found = collections.defaultdict(bytes), []
+    for i, line in enumerate(lines):
+        sent = re.search(r'sendto\((\d+)<[^>]*>, "((?:[^"\\]|\\.)*)"', line)
+        if not sent:
+            continue
+        stream = streams[sent[1]] + ast.literal_eval(f'b"{sent[2]}"')
+        while len(stream) >= rc.ANSWER.size and stream.startswith(b"RC"):
+            _, size, _, command, *_ = rc.ANSWER.unpack_from(stream)
+            if len(stream) < size:
+                break
+            if command == rc.UPLOAD_END:
+                found.append(i)
+            stream = stream[size:]
+        streams[sent[1]] = stream
+    return found
+
+
 def order(openr):
     """Returns what is wrong with the order of the calls of a run that nobody ends."""
     with tempfile.TemporaryDirectory(prefix="cut-") as folder:
-        folders = [f"--trace-path={folder}/stick/{name}" for name in rc.FOLDERS.values()]
-        uploads = Uploads(openr, folder, *folders, "-e", "trace=fsync,rename")
+        uploads = Uploads(openr, folder, "-s", "100000", "-e", "trace=fsync,rename,sendto")
         if not uploads.upload():
             uploads.end()
             return ["the uploads failed"]
@@ -141,6 +210,7 @@ def order(openr):
         wrong, renames = [], [i for i, line in enumerate(lines) if "rename(" in line and TEMPORARY.search(line)]
         if len(renames) != 3:
             wrong.append(f"{len(renames)} renames of uploads, not 3")
+        folders_written = []  # line numbers of the fsync of the folder after the last rename of each upload
         for i in renames:
             source, target = re.findall(r'"([^"]*)"', lines[i])
             if not any("fsync(" in line and f"<{source}>" in line for line in lines[:i]):
@@ -149,6 +219,14 @@ def order(openr):
             following = "".join(lines[i + 1:i + 2])
             if "fsync(" not in following or f"<{folder_name}>" not in following:
                 wrong.append(f"after the rename to {target} its folder is not written through, but: {following}")
+            if target.endswith((MOTION_NAME, IMAGE_NAME)):
+                folders_written.append(i + 1)
+        answered = ends_answered(lines)
+        if len(answered) != 2:
+            wrong.append(f"{len(answered)} answers to UPLOAD_END, not 2")
+        for written, answer in zip(folders_written, answered):
+            if answer < written:
+                wrong.append(f"UPLOAD_END is answered before the folder is written through: {lines[written]}")
         return wrong
 
 
@@ -157,28 +235,20 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build/release"))
     parser.add_argument("--most", type=int, default=0, help="ends at calls of one kind; 0: all")
     parser.add_argument("--one", nargs=2, metavar=("CALL", "N"))
+    parser.add_argument("--refuse", action="store_true", help="with --one: rename() replaces no file")
     flags = parser.parse_args()
     if not shutil.which("strace"):
         sys.exit("strace is not installed (Debian package strace)")
     openr = (flags.build / "bin/openr").resolve()
     if flags.one:
-        wrong = cut(openr, flags.one[0], int(flags.one[1]))
+        wrong = cut(openr, flags.one[0], int(flags.one[1]), flags.refuse)
         print("\n".join(["the run makes fewer calls"] if wrong is None else wrong or ["nothing is wrong"]))
         return 1 if wrong else 0
-    with tempfile.TemporaryDirectory(prefix="cut-") as folder:
-        whole = Uploads(openr, folder, "-e", "trace=" + ",".join(CALLS))
-        if not whole.upload():
-            sys.exit("the uploads fail without an end")
-        whole.end()
-        counts = {call: whole.count(call) for call in CALLS}
-    for call in CALLS:
-        numbers = range(1, counts[call] + 1)
-        for number in numbers if not flags.most else numbers[::max(1, len(numbers) // flags.most)][:flags.most]:
-            wrong = cut(openr, call, number)
-            verdict(f"killed at {call} {number} of {counts[call]}", wrong == [],
-                    "the run makes fewer calls" if wrong is None else "\n".join(wrong))
+    cut_all(openr, CALLS, flags.most, refuses=False)
+    cut_all(openr, REFUSED_CALLS, flags.most, refuses=True)
     wrong = order(openr)
-    verdict("files are written through before a rename, and their folders after it", not wrong, "\n".join(wrong))
+    verdict("files are written through before a rename, and their folders after it and before the answer", not wrong,
+            "\n".join(wrong))
     return finish()
 
 

@@ -32,7 +32,7 @@ RequestHandler::Begin(const RobotConstants* robot, const std::string& stickRoot)
     robot_ = robot;
     store_.SetRoot(stickRoot);
     log_.Begin(robot);
-    std::string kept;
+    std::string kept = store_.PutBack();
     for (int i = 0; i < MAX_CLIENTS; i++) {
         upload_[i].SetPlace(i);
         const std::string path = upload_[i].RemoveLeftovers(store_);

@@ -15,10 +15,10 @@ COMPILE_TIME_CHECK(UploadedMotionsCanBePlayed, (long)RC_MAX_MOTION == STICK_FILE
 StickStore::StickStore() : count_(0) {}
 
 static bool
-IsMotionName(const char* name)
+HasExtension(const char* name, const char* extension)
 {
     const char* dot = strchr(name, '.');
-    return dot != 0 && strcmp(dot, ".MTN") == 0;
+    return dot != 0 && strcmp(dot, extension) == 0;
 }
 
 int
@@ -26,7 +26,7 @@ StickStore::CheckName(int kind, const std::string& given, StickName* file, std::
 {
     file->kind = kind;
     if (!MtnFileName(given.c_str(), file->name, why)) return rcerrorNO_SUCH_FILE;
-    if (kind == rcfileMOTION && !IsMotionName(file->name)) {
+    if (kind == rcfileMOTION && !HasExtension(file->name, ".MTN")) {
         *why = std::string(file->name) + ": the name of a motion ends in .MTN";
         return rcerrorNO_SUCH_FILE;
     }
@@ -48,13 +48,20 @@ StickStore::Path(int kind, const std::string& name) const
 void
 StickStore::ReadMotions()
 {
+    ReadNames(".MTN");
+}
+
+// Reads the names of all files in the folder of the motions that have this extension.
+void
+StickStore::ReadNames(const char* extension)
+{
     count_ = 0;
     DIR* folder = opendir(Path(rcfileMOTION, "").c_str());
     if (folder == 0) return;
     while (const struct dirent* entry = readdir(folder)) {
         char name[MTN_NAME_SIZE];
         std::string why;
-        if (MtnFileName(entry->d_name, name, &why) && IsMotionName(name)) Insert(name);
+        if (MtnFileName(entry->d_name, name, &why) && HasExtension(name, extension)) Insert(name);
     }
     closedir(folder);
 }
@@ -115,6 +122,16 @@ StickStore::ReadPart(const std::string& path, Uint32 offset, Uint8* bytes, int c
     return done;
 }
 
+// Returns the name that the file `path` has while Replace() puts another file in its place: its own
+// name with a tilde as the first character of the extension, so that PutBack() knows its old name.
+static std::string
+SpareName(const std::string& path)
+{
+    std::string spare = path;
+    spare[spare.rfind('.') + 1] = '~';
+    return spare;
+}
+
 bool
 StickStore::Replace(const std::string& from, const std::string& to)
 {
@@ -127,7 +144,7 @@ StickStore::Replace(const std::string& from, const std::string& to)
     // this.  Does not remove `to` before `from` is in its place, because on a full or damaged stick
     // the second rename() may fail as well.
     const int error = errno;
-    const std::string spare = from.substr(0, from.rfind('.')) + ".BAK";
+    const std::string spare = SpareName(to);
     bool isReplaced = false;
     // Goes on only if `from` and `to` are files, because a folder may not be replaced.
     if (SizeOf(from) >= 0 && SizeOf(to) >= 0) {
@@ -143,6 +160,37 @@ StickStore::Replace(const std::string& from, const std::string& to)
     }
     errno = error;
     return isReplaced;
+}
+
+// Gives the spare file of `path`, if there is one, the name `path` again.  Removes the spare file
+// instead if there is a file `path`, because this is the new file, or the old one with its name
+// back.  Returns whether no spare file is left.
+static bool
+PutBackOne(const std::string& path)
+{
+    const std::string spare = SpareName(path);
+    if (StickStore::SizeOf(spare) < 0) return true;
+    if (StickStore::SizeOf(path) >= 0) return remove(spare.c_str()) == 0;
+    return rename(spare.c_str(), path.c_str()) == 0;
+}
+
+std::string
+StickStore::PutBack()
+{
+    std::string left;
+    const std::string images[] = { Path(rcfileIMAGE, RC_IMAGE_NAME),
+                                   Path(rcfileIMAGE, "CONTROLL.OLD") };
+    for (int i = 0; i < 2; i++) {
+        if (!PutBackOne(images[i])) left = SpareName(images[i]);
+    }
+    ReadNames(".~TN");
+    for (int j = 0; j < count_; j++) {
+        std::string motion = Path(rcfileMOTION, names_[j]);
+        motion[motion.rfind('.') + 1] = 'M';
+        if (!PutBackOne(motion)) left = SpareName(motion);
+    }
+    count_ = 0;
+    return left;
 }
 
 bool

@@ -53,8 +53,17 @@ public:
                         Uint32* size);
 
     // Gives the file `from` the name `to`, and replaces a file of this name.  When this fails, both
-    // files are there as before, and `errno` has the reason.
+    // files are there as before, and `errno` has the reason.  `to` has an extension.
+    //
+    // Where the file system refuses to replace a file, the old file has another name for a moment,
+    // such as WALK.~TN for WALK.MTN.  When the power fails in this moment, PutBack() gives the file
+    // its name back.
     static bool Replace(const std::string& from, const std::string& to);
+
+    // Gives the files that Replace() has renamed for a moment their names back, and removes those
+    // that have been replaced.  Returns the path of a file for which this failed, or "".  Forgets
+    // the names that ReadMotions() has read.
+    std::string PutBack();
 
     // Copies the file `from` to `to`.  When this fails, there is no file `to`, and `errno` has the
     // reason.
@@ -64,6 +73,7 @@ private:
     static const int MAX_MOTIONS = 682;
     static const int NAME_SIZE = 13;  // "NAME1234.MTN" with its closing NUL
 
+    void ReadNames(const char* extension);
     void Insert(const char* name);
 
     std::string root_;

@@ -236,6 +236,25 @@ TEST_F(FilesTest, WhatAKilledRunHasLeftIsRemovedAtTheStart) {
   EXPECT_EQ(kept_, "") << "nothing was left";
 }
 
+// Where rename() replaces no file, an upload renames the old file first.  The power failed then, or
+// before the old file was removed.
+TEST_F(FilesTest, FilesThatAnUploadHasRenamedGetTheirNamesBackAtTheStart) {
+  Write(Motion("WALK.~TN"), {1});
+  Write(Motion("TURN.~TN"), {2});
+  Write(Motion("TURN.MTN"), {3});
+  Write(Motion("UPLOAD0.TMP"), {4});
+  Write(ImagePath("CONTROLL.~IN"), {5});
+  Write(ImagePath("CONTROLL.~LD"), {6});
+  Boot();
+  EXPECT_EQ(kept_, "");
+  EXPECT_EQ(Files(),
+            (std::vector<std::string>{"CONTROLL.BIN", "CONTROLL.OLD", "TURN.MTN", "WALK.MTN"}));
+  EXPECT_EQ(Read(Motion("WALK.MTN")), Bytes{1});
+  EXPECT_EQ(Read(Motion("TURN.MTN")), Bytes{3});
+  EXPECT_EQ(Read(ImagePath("CONTROLL.BIN")), Bytes{5});
+  EXPECT_EQ(Read(ImagePath("CONTROLL.OLD")), Bytes{6});
+}
+
 TEST_F(FilesTest, AFileThatCannotBeRemovedAtTheStartIsNamed) {
   std::filesystem::create_directory(ImagePath("UPLOAD4.OLD"));
   Write(ImagePath("UPLOAD4.OLD/A"), {1});  // remove() leaves a folder with a file
