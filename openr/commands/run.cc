@@ -49,6 +49,7 @@
 #include "openr/simulation/sanitizer_start.h"
 #include "openr/simulation/simulation.h"
 #include "openr/timeline/timeline.h"
+#include "runtime/core/lost_bytes.h"
 
 namespace openr_host {
 namespace {
@@ -393,6 +394,12 @@ bool CommandedRun::Report() {
   if (!boots_ && !is_stopped) fmt::print(stderr, "openr: the robot does not boot\n");
   EndConsoleLine();
   nlohmann::ordered_json report = MakeReport(&simulation_, facts_);
+  // Flushed only now, because the state hash in the report contains the files of the stick, and a
+  // replay of the run does not flush.
+  for (const auto& object : system().objects()) {
+    if (object != nullptr) FlushStreams(object.get());
+  }
+  report["findings"] = ReportOfFindings(system());
   distribution_.Describe(&report);
   distribution_.EndProcesses();
   fmt::print(stderr, "{}{}", DescribeFindings(&simulation_, HasColours(STDERR_FILENO)),

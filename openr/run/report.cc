@@ -140,10 +140,13 @@ Json MakeReport(Simulation* simulation, const RunFacts& facts) {
   }
   report["objects"] = Json::array();
   for (const auto& object : system.objects()) report["objects"].push_back(ObjectReport(*object));
-  report["findings"] = Json::array();
-  for (const Finding& finding : system.findings().all()) {
-    report["findings"].push_back(FindingReport(finding));
-  }
+  report["findings"] = ReportOfFindings(system);
+  return report;
+}
+
+Json ReportOfFindings(const System& system) {
+  Json report = Json::array();
+  for (const Finding& finding : system.findings().all()) report.push_back(FindingReport(finding));
   return report;
 }
 

@@ -12,6 +12,7 @@
 namespace openr_host {
 
 class Simulation;
+class System;
 struct Ending;
 
 // Facts for the report that the simulation does not know.
@@ -24,6 +25,9 @@ struct RunFacts {
 
 // Returns the report of the run as JSON. docs/cli.md gives the order of its keys.
 nlohmann::ordered_json MakeReport(Simulation* simulation, const RunFacts& facts);
+
+// Returns the findings of the run, which are a part of the report.
+nlohmann::ordered_json ReportOfFindings(const System& system);
 
 // Returns one line for each object, such as "[oid:0x80000045] /MS/OPEN-R/MW/OBJS/RCSERVER.BIN
 // RCServer".  Printed at the start of the run, because the log lines of objects show only the

@@ -8,6 +8,7 @@
 #include "runtime/base/assert.h"
 #include "runtime/core/api.h"
 #include "runtime/core/connection_state.h"
+#include "runtime/core/lost_bytes.h"
 #include "runtime/core/object_manager.h"
 #include "runtime/core/system.h"
 
@@ -148,8 +149,9 @@ void ObjectTable::EndAllOf(ObjectId id) {
 void ObjectTable::RemoveAllOf(int robot) {
   std::vector<std::unique_ptr<Object>> absent;
   for (const auto& object : objects_) {
-    if (object->robot == robot && object.get() != &system_->manager().host())
-      absent.push_back(std::make_unique<AbsentObject>(*object));
+    if (object->robot != robot || object.get() == &system_->manager().host()) continue;
+    FlushStreams(object.get());
+    absent.push_back(std::make_unique<AbsentObject>(*object));
   }
   Replace(std::move(absent));
 }

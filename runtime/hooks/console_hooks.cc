@@ -10,6 +10,7 @@
 
 #include <cerrno>
 
+#include "runtime/core/lost_bytes.h"
 #include "runtime/core/system.h"
 #include "runtime/hooks/hook.h"
 
@@ -157,6 +158,7 @@ int ferror(FILE* file) noexcept {
 
 void clearerr(FILE* file) noexcept {
   static const auto next = OPENR_NEXT(clearerr);
+  if (InObject()) openr_host::ReportErrorMark(file);
   next(Resolve(file));
 }
 

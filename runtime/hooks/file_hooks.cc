@@ -19,6 +19,7 @@
 #include <string_view>
 #include <utility>
 
+#include "runtime/core/lost_bytes.h"
 #include "runtime/core/system.h"
 #include "runtime/hooks/hook.h"
 #include "runtime/hooks/stick_call.h"
@@ -284,6 +285,8 @@ FILE* freopen(const char* path, const char* mode, FILE* file) {
   }
   const std::string host = HostPath(path, UseOf(mode));
   const bool writes = OpensForWriting(mode);
+  // freopen() closes the stream, whose last bytes are written then, without a look at errors.
+  if (t_current.object->files.streams.contains(file)) static_cast<void>(fflush(file));
   ForgetStream(file);
   const bool may_open = !host.empty() && MayOpen(host, writes, path);
   const ApiScope scope;

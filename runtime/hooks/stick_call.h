@@ -18,9 +18,4 @@ enum class StickUse {
 // errno.  A mistake in `path`, such as a path outside of /MS, also causes a finding.
 std::string HostPath(const char* path, StickUse use);
 
-// Adds a warning that bytes which the current object has written to `file` are not in the file,
-// once for each file.  `error` is the errno of the write that failed; 0 if it is not known.  Keeps
-// errno, because the object reads it.
-void ReportLostBytes(OpenFiles::File* file, int error);
-
 }  // namespace openr_host

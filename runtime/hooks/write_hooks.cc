@@ -1,23 +1,20 @@
-// Functions that write to an open file: write(), writev(), which std::ofstream calls, fwrite() and
-// fflush().
+// Functions that write to an open file: write(), writev(), which std::ofstream calls, fwrite(),
+// fflush() and rewind().
 //
 // An object gets from them what the C library returns.  If the host's disk has not taken all bytes,
 // for instance because it is full, the run has a finding, because programs often ignore such an
 // error.  There is no hook for fprintf(), fputs() and the like: an error of theirs is found by the
-// next fwrite() or fflush(), or at the end of the stream (fclose() in file_hooks.cc).
-#include <fmt/format.h>
+// next fwrite(), fflush() or rewind(), or at the end of the stream: by fclose() in file_hooks.cc,
+// or by FlushStreams() if the object does not close the stream.
 #include <stdio.h>
-#include <sys/statvfs.h>
 #include <sys/uio.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
-#include <string>
 
+#include "runtime/core/lost_bytes.h"
 #include "runtime/core/system.h"
 #include "runtime/hooks/hook.h"
-#include "runtime/hooks/stick_call.h"
 
 using openr_host::ApiScope;
 using openr_host::InObject;
@@ -62,38 +59,6 @@ void ReportFailedStream(FILE* file) {
   errno = error;
 }
 
-}  // namespace
-
-namespace openr_host {
-
-void ReportLostBytes(OpenFiles::File* file, int error) {
-  if (file->has_lost) return;
-  const ApiScope scope;
-  const int kept = errno;
-  if (error == 0) {
-    // The C library marks a stream in the same way after a failed write and after a failed read,
-    // which loses no bytes.  So bytes count as lost only if the disk is full now.
-    struct statvfs disk {};
-    const bool is_full = statvfs(file->path.c_str(), &disk) == 0 && disk.f_bavail == 0;
-    errno = kept;
-    if (!is_full) return;
-    error = ENOSPC;
-  }
-  file->has_lost = true;
-  const std::string why = std::strerror(error);
-  const std::string advice =
-      error == ENOSPC ? fmt::format("; make room on the disk that holds {}", file->path) : "";
-  t_current.system->AddFinding(Severity::kWarning,
-                               fmt::format("{}: not all bytes that were written are in the file: "
-                                           "{}{}",
-                                           file->name, why, advice));
-  errno = kept;
-}
-
-}  // namespace openr_host
-
-namespace {
-
 // Looks up the C library's write() when the library is loaded, because later a signal handler may
 // be the first caller, and a look-up is not allowed there.
 [[gnu::constructor]] void FindWrite() { static_cast<void>(write(-1, nullptr, 0) == 0); }
@@ -132,6 +97,20 @@ int fflush(FILE* file) {
   const int result = next(file);
   if (result != 0 && file != nullptr && InObject()) ReportFailedStream(file);
   return result;
+}
+
+void rewind(FILE* file) {
+  static const auto next = OPENR_NEXT(rewind);
+  if (InObject()) {
+    // Looks for failures first, because rewind() writes the bytes that the stream holds and then
+    // clears the mark of an error.
+    const ApiScope scope;
+    OpenFiles& files = t_current.object->files;
+    const auto found = files.streams.find(file);
+    if (found != files.streams.end() && found->second.writes)
+      openr_host::FlushStream(file, &found->second);
+  }
+  next(file);
 }
 
 }  // extern "C"

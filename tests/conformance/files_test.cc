@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 #include <zlib.h>
 
+#include "runtime/core/lost_bytes.h"
 #include "tests/conformance/conform_fixture.h"
 
 namespace openr_host {
@@ -30,6 +31,14 @@ class SmallFiles {
   rlimit before_{};
   const sighandler_t handler_;
 };
+
+// The finding about a file of DATA/P whose bytes a limit for the size of files has refused.
+std::string Lost(const char* name) {
+  return fmt::format(
+      "/MS/OPEN-R/MW/DATA/P/{}.TXT: not all bytes that were written are in the file: File too "
+      "large\n",
+      name);
+}
 
 TEST_F(FilesConformance, AFileCanBeOpenTwiceOnlyIfAllReadIt) {
   Start();
@@ -134,14 +143,29 @@ TEST_F(FilesConformance, BytesThatTheStickDoesNotTakeAreReportedOnceForEachFile)
             "W descriptor open 1 write -1/27 close 0\n"
             "W ofstream open 1 good 0\n"
             "W folders mkdir 0 remove 0 rename 0\n");
-  std::string expected;
-  for (const char* const name : {"STDIO", "CLOSE", "OPEN", "STREAM"}) {
-    expected += fmt::format(
-        "/MS/OPEN-R/MW/DATA/P/{}.TXT: not all bytes that were written are in the "
-        "file: File too large\n",
-        name);
+  EXPECT_EQ(Findings(), Lost("STDIO") + Lost("CLOSE") + Lost("OPEN") + Lost("STREAM"));
+}
+
+// The streams have forgotten their error, or are never closed.
+TEST_F(FilesConformance, BytesOfAStreamThatForgetsItsErrorsAreReportedToo) {
+  Start();
+  Object* const teller = system->FindObject(0, "Teller");
+  ASSERT_NE(teller, nullptr);
+  {
+    const SmallFiles small(0);
+    Answer("leaves");
+    EXPECT_EQ(Findings(), Lost("REWIND") + Lost("REOPEN"));
+    FlushStreams(teller);  // as at the end of a run
+    FlushStreams(teller);
   }
-  EXPECT_EQ(Findings(), expected);
+  EXPECT_EQ(Findings(), Lost("REWIND") + Lost("REOPEN") + Lost("LEFT"));
+}
+
+TEST_F(FilesConformance, StreamsThatAreLeftOpenOnAGoodDiskAreNoFindings) {
+  Start();
+  Answer("leaves");
+  for (const auto& object : system->objects()) FlushStreams(object.get());
+  EXPECT_EQ(Findings(), "");
 }
 
 TEST_F(FilesConformance, CallsThatTheRobotLacksFailAndAreReported) {

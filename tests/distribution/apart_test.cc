@@ -53,6 +53,7 @@ class TwoProcesses : public Elsewhere {
       "AWriteProtectedStickIsNamedForEachFileThatIsNotWritten",
       // The limit for the size of files is one of this process.
       "BytesThatTheStickDoesNotTakeAreReportedOnceForEachFile",
+      "BytesOfAStreamThatForgetsItsErrorsAreReportedToo",
       // In workers, an observer that never asserts ready is not named, and of two objects of one
       // name both are replaced by stand-ins.
       "AnObserverThatNeverAssertsIsNamed",

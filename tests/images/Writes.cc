@@ -90,6 +90,34 @@ ChangeFolders()
 }
 
 void
+LeaveStreams()
+{
+    // Never closed.
+    FILE* file = fopen(WRITES_FOLDER "LEFT.TXT", "w");
+    if (file != 0) fputs("left", file);
+    // In each of these, the stream forgets that a write has failed.
+    file = fopen(WRITES_FOLDER "REWIND.TXT", "w");
+    if (file != 0) {
+        fputs("rewind", file);
+        rewind(file);
+        fclose(file);
+    }
+    file = fopen(WRITES_FOLDER "REOPEN.TXT", "w");
+    if (file != 0) {
+        fputs("reopen", file);
+        file = freopen(WRITES_FOLDER "OTHER.TXT", "w", file);
+        if (file != 0) fclose(file);
+    }
+    file = fopen(WRITES_FOLDER "CLEAR.TXT", "w");
+    if (file != 0) {
+        setvbuf(file, 0, _IONBF, 0);
+        fputs("clear", file);
+        clearerr(file);
+        fclose(file);
+    }
+}
+
+void
 WriteInAllWays()
 {
     OMemoryStickStatus status = omemorystickUNDEF;

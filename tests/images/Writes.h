@@ -5,4 +5,7 @@
 // Writes in the ways of C and C++ programs, and prints what each call returns.
 void WriteInAllWays();
 
+// Writes to streams that forget their errors, or that are never closed.  Prints nothing.
+void LeaveStreams();
+
 #endif  // Writes_h_DEFINED

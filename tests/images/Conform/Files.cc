@@ -229,6 +229,8 @@ FileCommand(const std::string& command)
         Flags();
     } else if (command == "writes") {
         WriteInAllWays();
+    } else if (command == "leaves") {
+        LeaveStreams();
     } else if (command == "list") {
         List(FOLDER "MANY");
     } else if (command == "refused") {

@@ -121,6 +121,7 @@ Trouble::DoStart(const OSystemEvent&)
         if (left != 0) fclose(left);
     } else if (strcmp(word, "writes") == 0) {
         WriteInAllWays();
+        LeaveStreams();
     } else if (strcmp(word, "shutdown") == 0) {
         OPENR::Shutdown(OBootCondition(obcbPAUSE_SW));
     } else if (strcmp(word, "fatal") == 0) {
