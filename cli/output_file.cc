@@ -96,18 +96,31 @@ int TakeOver(int descriptor, const struct stat& old) {
   return fchmod(descriptor, old.st_mode & 07777) == 0 ? 0 : errno;
 }
 
-// Writes `bytes` to a new file beside `target` and sets `name` to its path.  Returns 0, or an
-// errno; after an error the new file does not exist.
-int WriteBeside(const Target& target, std::string_view bytes, std::string* name) {
+// Makes an empty file beside `target`, with its owner and permissions, and sets `name` to its path.
+// Returns the descriptor; after an error -1, sets `error` to the errno, and there is no such file.
+int CreateBeside(const Target& target, std::string* name, int* error) {
   int descriptor = -1;
   for (int i = 0; descriptor < 0 && i < kTemporaryNamesMax; ++i) {
     *name = TemporaryName(target.path, i);
     descriptor = open(name->c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0 && errno != EEXIST) break;
   }
-  if (descriptor < 0) return errno;
-  int error = target.exists ? TakeOver(descriptor, target.status) : 0;
-  if (error == 0) error = WriteAll(descriptor, bytes);
+  *error = descriptor < 0 ? errno : target.exists ? TakeOver(descriptor, target.status) : 0;
+  if (*error == 0) return descriptor;
+  if (descriptor >= 0) {
+    close(descriptor);
+    unlink(name->c_str());
+  }
+  return -1;
+}
+
+// Writes `bytes` to a new file beside `target` and sets `name` to its path.  Returns 0, or an
+// errno; after an error the new file does not exist.
+int WriteBeside(const Target& target, std::string_view bytes, std::string* name) {
+  int error = 0;
+  const int descriptor = CreateBeside(target, name, &error);
+  if (descriptor < 0) return error;
+  error = WriteAll(descriptor, bytes);
   if (close(descriptor) != 0 && error == 0) error = errno;
   if (error != 0) unlink(name->c_str());
   return error;
@@ -310,28 +323,73 @@ std::string CopyToFile(const std::string& from, const std::string& to) {
   return error ? WhyNotWritten(to, error.value()) : "";
 }
 
-int OpenGrowingFile(const std::string& file, std::string* problem) {
-  const Target target = TargetOf(file);
+namespace {
+
+// Opens `target`, which `file` names, for writing, and locks it if it is a regular file.  Sets
+// `status` to its status.  On failure returns -1 and sets `problem`.
+int OpenLocked(const std::string& file, const Target& target, struct stat* status,
+               std::string* problem) {
   const int descriptor =
       target.stream >= 0
           ? fcntl(target.stream, F_DUPFD_CLOEXEC, STDERR_FILENO + 1)
           : open(target.path.c_str(), O_WRONLY | O_CREAT | O_NOCTTY | O_CLOEXEC, 0666);
-  struct stat status;
-  if (descriptor < 0 || fstat(descriptor, &status) != 0) {
+  if (descriptor < 0 || fstat(descriptor, status) != 0) {
     *problem = WhyNotWritten(file, errno);
     if (descriptor >= 0) close(descriptor);
     return -1;
   }
-  if (target.stream >= 0 || !S_ISREG(status.st_mode)) return descriptor;
+  if (target.stream >= 0 || !S_ISREG(status->st_mode)) return descriptor;
   // Goes on without a lock if the file system has no locks.
-  if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    *problem = IsBeingWritten(file, status);
-  } else if (ftruncate(descriptor, 0) != 0) {
-    *problem = WhyNotWritten(file, errno);
-  } else {
-    return descriptor;
-  }
+  if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return descriptor;
+  *problem = IsBeingWritten(file, *status);
   close(descriptor);
+  return -1;
+}
+
+// Puts a new empty file in the place of `target`, which is locked and has the status `old`.
+// Returns the descriptor of the new file, which is locked; after an error -1, and sets `error`.
+int ReplaceLocked(const Target& target, const struct stat& old, int* error) {
+  std::string name;
+  const int descriptor = CreateBeside(target, &name, error);
+  if (descriptor < 0) return -1;
+  flock(descriptor, LOCK_EX | LOCK_NB);
+  // Another process may have put a file of its own there before the old file was locked here.
+  struct stat now;
+  const bool is_same =
+      stat(target.path.c_str(), &now) == 0 && now.st_ino == old.st_ino && now.st_dev == old.st_dev;
+  if (is_same && rename(name.c_str(), target.path.c_str()) == 0) return descriptor;
+  *error = is_same ? errno : EAGAIN;
+  close(descriptor);
+  unlink(name.c_str());
+  return -1;
+}
+
+}  // namespace
+
+int OpenGrowingFile(const std::string& file, std::string* problem) {
+  const Target target = TargetOf(file);
+  struct stat status;
+  const int descriptor = OpenLocked(file, target, &status, problem);
+  if (descriptor < 0 || target.stream >= 0 || !S_ISREG(status.st_mode)) return descriptor;
+  if (ftruncate(descriptor, 0) == 0) return descriptor;
+  *problem = WhyNotWritten(file, errno);
+  close(descriptor);
+  return -1;
+}
+
+int OpenNewGrowingFile(const std::string& file, std::string* problem) {
+  const Target target = TargetOf(file);
+  if (target.stream >= 0 || !target.exists || !IsReplaced(target))
+    return OpenGrowingFile(file, problem);
+  struct stat status;
+  const int old = OpenLocked(file, target, &status, problem);
+  if (old < 0) return -1;
+  int error = 0;
+  const int descriptor = ReplaceLocked(target, status, &error);
+  close(old);
+  if (descriptor >= 0) return descriptor;
+  if (MayBeInPlace(error)) return OpenGrowingFile(file, problem);
+  *problem = WhyNotWritten(file, error);
   return -1;
 }
 

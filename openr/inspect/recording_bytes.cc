@@ -35,9 +35,10 @@ RecordingBytes::RecordingBytes(const std::string& file) {
     size_ = part_.size();
     return;
   }
-  size_ = static_cast<uint64_t>(facts.st_size);
   descriptor_ = open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor_ < 0) FailToRead(file);
+  // The size is that of the open file, because another run may have put a new one in its place.
+  if (descriptor_ < 0 || fstat(descriptor_, &facts) != 0) FailToRead(file);
+  size_ = static_cast<uint64_t>(facts.st_size);
 }
 
 RecordingBytes::~RecordingBytes() {

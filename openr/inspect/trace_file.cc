@@ -97,7 +97,7 @@ TraceHeader HeaderOf(std::string_view text) {
 TraceWriter::TraceWriter(const std::string& file, const TraceHeader& header)
     : file_(file), payloads_(header.payloads), coder_(header.payloads) {
   std::string problem;
-  descriptor_ = OpenGrowingFile(file, &problem);
+  descriptor_ = OpenNewGrowingFile(file, &problem);  // somebody may be replaying the old recording
   if (descriptor_ < 0) throw std::runtime_error(problem);
   ByteWriter head;
   head.U32(kTraceVersion);

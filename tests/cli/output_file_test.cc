@@ -246,6 +246,42 @@ TEST(OutputFileTest, AFileThatAnotherProcessWritesIsRefusedUntilThatHasEnded) {
   close(ready[1]);
 }
 
+TEST(OutputFileTest, AGrowingFileThatIsNewLeavesTheOldOneToItsReaders) {
+  const ScratchFolder folder;
+  folder.Write("a", "old");
+  std::filesystem::create_symlink("a", folder.File("link"));
+  chmod(folder.File("a").c_str(), 0640);
+  std::ifstream reader(folder.File("a"));
+  std::string problem;
+  const int descriptor = OpenNewGrowingFile(folder.File("link"), &problem);
+  ASSERT_GE(descriptor, 0) << problem;
+  WriteAll(descriptor, "new");
+  std::string text;
+  EXPECT_TRUE(reader >> text);
+  EXPECT_EQ(text, "old");
+  EXPECT_EQ(folder.Read("a"), "new");
+  EXPECT_EQ(NamesIn(folder), (std::vector<std::string>{"a", "link"}));
+  struct stat status;
+  ASSERT_EQ(stat(folder.File("a").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 07777, 0640u);
+  EXPECT_EQ(OpenNewGrowingFile(folder.File("a"), &problem), -1) << "the new file is locked, too";
+  EXPECT_NE(problem.find("is being written by process"), std::string::npos) << problem;
+  EXPECT_EQ(folder.Read("a"), "new");
+  close(descriptor);
+}
+
+TEST(OutputFileTest, AGrowingFileWithTwoNamesKeepsThem) {
+  const ScratchFolder folder;
+  folder.Write("a", "a long old content");
+  std::filesystem::create_hard_link(folder.File("a"), folder.File("b"));
+  std::string problem;
+  const int descriptor = OpenNewGrowingFile(folder.File("a"), &problem);
+  ASSERT_GE(descriptor, 0) << problem;
+  WriteAll(descriptor, "new");
+  close(descriptor);
+  EXPECT_EQ(folder.Read("b"), "new");
+}
+
 TEST(OutputFileTest, AnEndingThatMayNotAllocateReplacesAFileAsWell) {
   const ScratchFolder folder;
   folder.Write("a", "old");
