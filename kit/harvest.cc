@@ -334,6 +334,17 @@ bool HasSameBytes(const fs::path& a, const fs::path& b) {
   return ReadText(a) == ReadText(b);
 }
 
+// Returns the file in which to keep a robot's image: `kept`, or a name beside it with a number,
+// such as WALK.BIN.2, if another image is kept under `kept` already.  Thus the image of each
+// version stays that a user has put on the stick between two builds.
+fs::path PlaceToKeep(const fs::path& image, const fs::path& kept) {
+  fs::path place = kept;
+  std::error_code error;
+  for (int i = 2; fs::exists(place, error) && !HasSameBytes(image, place); ++i)
+    place = fmt::format("{}.{}", kept.string(), i);
+  return place;
+}
+
 // Creates MW/DATA/P, in which programs open files for writing.  OPEN-R does not create missing
 // folders, so without this folder programs could not write.
 void MakeDataFolder(const StickFolder& stick, const fs::path& target) {
@@ -376,7 +387,7 @@ std::vector<std::string> DeliverStick(const StickFolder& stick, const fs::path& 
     std::error_code error;
     if (LowerCase(name.extension()) == ".bin" && fs::exists(place, error) &&
         ReadImageFile(place).is_for_robot) {
-      const fs::path kept = robot_folder / name;
+      const fs::path kept = PlaceToKeep(place, robot_folder / name);
       fs::create_directories(kept.parent_path(), error);
       error = TryCopyFile(place, kept, fs::copy_options::skip_existing);
       if (error) {

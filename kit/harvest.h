@@ -47,7 +47,8 @@ void RemoveImages(const std::vector<KitLog::Image>& images, const Project& proje
 
 // Copies the files of `stick`, which is in the private copy, to `target`, the user's stick or
 // another folder.  Leaves out files that the build has not changed, unless `whole` is set.  Before
-// a binary for the robot is overwritten, copies it to `robot_folder`.  Also creates the folder in
+// a binary for the robot is overwritten, copies it to `robot_folder`, where each version of it is
+// kept: the second of WALK.BIN as WALK.BIN.2.  Also creates the folder in
 // which programs write files.  Returns the error messages, each of one line.
 std::vector<std::string> DeliverStick(const StickFolder& stick, const std::filesystem::path& target,
                                       const WorkCopy& copy,

@@ -2,6 +2,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+
 #include "tests/kit/kit_folder.h"
 #include "tests/kit/robot_binary.h"
 
@@ -157,6 +162,37 @@ TEST(BuildTest, WhatABuildForTheRobotLeftIsNotUsed) {
   folder.Write("MS/OPEN-R/MW/OBJS/SENDER.BIN", RobotBinary());
   ASSERT_EQ(folder.Build().status, 0);
   EXPECT_THAT(folder.Say(), HasSubstr("heard: greeting 3\n"));
+}
+
+// A user builds for the robot and for the host in turn.
+TEST(BuildTest, EachBinaryForTheRobotThatWasInTheWayIsKept) {
+  const KitFolder folder("makefile");
+  const std::string robot_image = RobotBinary();
+  const auto kept = [&] {
+    std::map<std::string, std::string> files;
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(folder.scratch().File("cache"))) {
+      const std::string name = entry.path().filename();
+      if (!name.starts_with("SENDER.BIN") && !name.starts_with("RECEIVER.BIN")) continue;
+      if (entry.path().string().find("/robot/") == std::string::npos) continue;
+      std::ifstream file(entry.path(), std::ios::binary);
+      files[name] =
+          std::string(std::istreambuf_iterator<char>(file), {}).substr(robot_image.size());
+    }
+    return files;
+  };
+  for (const auto& [sender, receiver] :
+       {std::pair("1", "one"), {"2", "one"}, {"3", "two"}, {"2", "two"}}) {
+    folder.Write("MS/OPEN-R/MW/OBJS/SENDER.BIN", robot_image + sender);
+    folder.Write("MS/OPEN-R/MW/OBJS/RECEIVER.BIN", robot_image + receiver);
+    ASSERT_EQ(folder.Build().status, 0);
+  }
+  const std::map<std::string, std::string> all = {{"SENDER.BIN", "1"},
+                                                  {"SENDER.BIN.2", "2"},
+                                                  {"SENDER.BIN.3", "3"},
+                                                  {"RECEIVER.BIN", "one"},
+                                                  {"RECEIVER.BIN.2", "two"}};
+  EXPECT_EQ(kept(), all);
 }
 
 TEST(BuildTest, WithoutMakefilesFoldersWithAStubAreObjects) {
