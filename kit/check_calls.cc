@@ -168,18 +168,53 @@ class CallCheck {
 
   void CheckClock(const Clock& clock) {
     if (*clock.word != '\0' && !HasWord(code_, clock.word)) return;
-    // Does not warn if the program sets a seed of random numbers, because even a clock that stands
-    // still can give the seed.
-    if (HasWord(code_, "srand") || HasWord(code_, "srandom")) return;
     const std::regex call(std::string("\\b") + clock.name + "[ \t]*\\(" + clock.arguments);
     for (std::sregex_iterator it(code_.begin(), code_.end(), call), end; it != end; ++it) {
       const size_t at = static_cast<size_t>(it->position(0));
       if (IsMemberCall(code_, at) || HasOwn(all_code_, clock.name)) continue;
+      // Does not warn of a clock that seeds random numbers, because even a clock that stands still
+      // can give the seed.
+      if (IsSeed(at, at + static_cast<size_t>(it->length(0)))) continue;
       Warn(at, clock.name,
            fmt::format("{}(): {}; take GetSystemTime(), which has microseconds since the boot, or "
                        "OPENR::GetTime(), which has the date in seconds",
                        clock.name, clock.why));
     }
+  }
+
+  // Returns whether the value of the clock that is called from `at` to `end` seeds random numbers:
+  // the call stands in the brackets of srand(), or srand() gets a variable that has the value.
+  bool IsSeed(size_t at, size_t end) const {
+    const std::vector<std::string> names = NamesOfValue(at, end);
+    static const std::regex kSeed("\\bsrand(?:om)?[ \t]*\\(");
+    for (std::sregex_iterator it(code_.begin(), code_.end(), kSeed), last; it != last; ++it) {
+      const size_t open = static_cast<size_t>(it->position(0) + it->length(0)) - 1;
+      const size_t close = ClosingOf(code_, open);
+      if (close == kNone) continue;
+      if (open < at && at < close) return true;
+      const std::string_view given = std::string_view(code_).substr(open, close - open);
+      for (const std::string& name : names) {
+        if (HasWord(given, name)) return true;
+      }
+    }
+    return false;
+  }
+
+  // Returns the names of the variables that get the value of this call: "seed" for
+  // "unsigned seed = time(0)" and for "unsigned seed(time(0))", "now" for "time(&now)".
+  std::vector<std::string> NamesOfValue(size_t at, size_t end) const {
+    std::vector<std::string> names;
+    const std::string_view code = code_;
+    for (size_t i = at; i > 0 && code[i - 1] != ';' && code[i - 1] != '{' && code[i - 1] != '}';
+         --i) {
+      if (code[i - 1] == '=' || code[i - 1] == '(') names.emplace_back(WordBefore(code, i - 1));
+    }
+    for (size_t i = code.find('&', at); i < end; i = code.find('&', i + 1)) {
+      const size_t next = NextOf(code, i + 1);
+      if (next != kNone) names.emplace_back(WordAt(code, next));
+    }
+    std::erase(names, "");
+    return names;
   }
 
   // Warns of calls of a function that our headers do not declare, because no document gives its

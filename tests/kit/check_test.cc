@@ -366,10 +366,17 @@ TEST(CheckTest, ClocksThatTheRobotLacksAreNamed) {
   // functions of their own under these names.
   for (const char* good :
        {"    gettimeofday(&tv, 0); long s = tv.tv_sec;", "    srand(time(NULL));",
-        "    unsigned seed = time(0); srand(seed);", "    timer.clock(); timer->time(0);",
+        "    unsigned seed = time(0); srand(seed);", "    unsigned seed(time(0)); srand(seed + 1);",
+        "    gettimeofday(&tv, 0); srandom(tv.tv_usec);", "    timer.clock(); timer->time(0);",
         "    MyTimer::clock();", "    long (*clock)() = Ticks; clock();"}) {
     EXPECT_THAT(check("", good), HasSubstr("0 warnings")) << good;
   }
+  // Only the seed may be a clock.
+  EXPECT_THAT(check("", "    srand(time(0)); seed = 1;\n    last = time(0);"),
+              AllOf(Says("Sender/Sender.cc:47:", "warning: time(): the robot has no such clock"),
+                    HasSubstr("1 warning")));
+  EXPECT_THAT(check("", "    srand(seed); long begin = clock();"),
+              HasSubstr("clock(): the robot has no such"));
   EXPECT_THAT(check("static long time(long* t) { return 0; }\n", "    time(0);"),
               HasSubstr("0 warnings"));
   EXPECT_THAT(check("struct Probe {\n  int ticks, clock;\n  Probe() : ticks(0), clock() {}\n};\n"
