@@ -171,6 +171,8 @@ void IpStack::HandleStackMessage(Operation* operation) {
         return Answer(operation, sender != nullptr && sender->is_system
                                      ? parameters_.Set(operation->As<antEnvInitSetParamMsg>())
                                      : ANT_FAIL);
+      // Answers with success to every object and does nothing, because the stack runs since the
+      // boot and no document says whether the robot refuses a program (docs/openr/network.md, 3.3).
       case antEnv_Operation_InitStart:
         return Answer(operation, ANT_SUCCESS);
       default:
