@@ -149,6 +149,20 @@ TEST_F(NewcomerTest, AReadyToAllSubjectsBetweenTwoConnectionsIsKept) {
   EXPECT_THAT(receiver_->events, ElementsAre("7"));
 }
 
+// A program that goes through its subjects does not reach the newcomer, with which it is not
+// connected.
+TEST_F(NewcomerTest, AReadyToEachConnectedSubjectIsNoneForAMissingOne) {
+  system_.Boot();
+  system_.RunFor(2 * kWaitUs);
+  Return();
+  RunAs(receiver_, [this] {
+    for (auto it = receiver_->in->begin(); it != receiver_->in->end(); ++it)
+      receiver_->in->AssertReady(it->GetSubjectID());
+  });
+  system_.RunFor(kWaitUs);
+  EXPECT_THAT(log_, ElementsAre("init"));
+}
+
 // The newcomer gets the assert that the receiver has given to its predecessor, then the deassert.
 TEST_F(NewcomerTest, ADeassertBetweenTwoConnectionsCountsAsTheLaterCommand) {
   system_.Boot();
