@@ -46,7 +46,12 @@ std::string Worker::LoadObjects(const openr_wire_Load& load) {
     CheckRobot(static_cast<int>(i));
     SetHeapElsewhere(static_cast<int>(i), load.heap_elsewhere._buffer[i]);
   }
-  if (!std::exchange(has_called_begins_, true) && options_.begins) options_.begins(stick_);
+  if (!std::exchange(has_called_begins_, true)) {
+    const std::string problem = options_.why_unfit ? options_.why_unfit(stick_) : "";
+    is_refused_ = !problem.empty();
+    if (is_refused_) return problem;
+    if (options_.begins) options_.begins(stick_);
+  }
   for (uint32_t i = 0; i < load.designs._length; ++i) {
     const openr_wire_DesignEntry& entry = load.designs._buffer[i];
     CheckRobot(entry.robot);

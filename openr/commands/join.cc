@@ -26,6 +26,7 @@
 #include "openr/ending/watchdog.h"
 #include "openr/run/report.h"
 #include "openr/simulation/run_stick.h"
+#include "openr/simulation/sanitizer_start.h"
 
 namespace openr_host {
 namespace {
@@ -172,6 +173,18 @@ int Join(JoinFlags flags, bool is_known = false) {
   flags.worker.say = [name](const std::string& line) {
     fmt::print(stderr, "openr: process '{}': {}\n", name, line);
   };
+  // Stick whose images need the library of AddressSanitizer, which this process lacks; "": none.
+  std::string sanitized_stick;
+  if (flags.parent == 0) {
+    flags.worker.why_unfit = [&sanitized_stick](const std::string& stick) -> std::string {
+      if (MissingSanitizer(stick).empty()) return "";
+      sanitized_stick = stick;
+      return fmt::format(
+          "{}: its objects were built with --sanitize, so the process starts again "
+          "with the library of AddressSanitizer",
+          stick);
+    };
+  }
   std::optional<RunStick> own_stick;
   if (flags.parent == 0) flags.worker.own_stick = [&own_stick] { return OwnStick(&own_stick); };
   flags.worker.begins = [&](const std::string& stick) {
@@ -192,6 +205,10 @@ int Join(JoinFlags flags, bool is_known = false) {
   };
   const Outcome outcome = Work(flags.worker, is_known);
   if (outcome.problem.empty()) return kExitGood;
+  if (!sanitized_stick.empty()) {
+    own_stick.reset();
+    StartWithSanitizerOf(sanitized_stick);
+  }
   if (g_ended_by != 0) EndBySignal();
   flags.worker.say(outcome.problem);
   return outcome.is_refused ? kRefused : kExitWrong;
@@ -280,6 +297,7 @@ void AddJoinCommand(CLI::App* app, int* exit_code) {
   command->add_option("--session", flags->worker.session)->group("");
   AddBusFlags(command, &flags->worker.bus);
   command->callback([flags, exit_code] {
+    if (!flags->worker.stick.empty()) StartWithSanitizerOf(flags->worker.stick);
     flags->worker.waits_for_predecessor = flags->restarts;
     const int code = flags->restarts ? JoinAgainAndAgain(*flags) : Join(*flags);
     *exit_code = code == kRefused && !flags->restarts ? kExitWrong : code;

@@ -1,6 +1,8 @@
 // openr build --debug, --sanitize and --coverage, and openr coverage.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
@@ -50,6 +52,25 @@ TEST(VariantsTest, ARecordingIsReplayedWithTheLibraryThatItsImagesNeed) {
   const ProgramResult plotted =
       RunProgram({"plot", file, "neck_pan", "-o", program.folder().File("neck.svg")});
   EXPECT_EQ(plotted.status, 0) << plotted.err;
+}
+
+// It learns from the run which stick it is, unless --stick says so.
+TEST(VariantsTest, AnExternalWorkerIsStartedAgainWithTheLibraryThatItsImagesNeed) {
+  const Variant program("--sanitize", KitFolder::Printing("far away"));
+  const std::string stick = program.folder().File("MS"), name = fmt::format("far-{}", getpid());
+  program.folder().Write("where.cfg", "greeter far\n@far 127.0.0.1\n");
+  for (const std::vector<std::string>& flags :
+       {std::vector<std::string>{}, std::vector<std::string>{"--stick", stick}}) {
+    std::vector<std::string> words = {"join", "--process", "far", "--run-name", name};
+    words.insert(words.end(), flags.begin(), flags.end());
+    ProgramRun join(words);
+    ProgramRun run({"run", "--stick", stick, "--placement", program.folder().File("where.cfg"),
+                    "--run-name", name, "--for", "100ms", "--rate", "max", "--no-panel",
+                    "--rc-port", "0"});
+    EXPECT_EQ(run.Finish().status, 0) << run.heard() << join.heard();
+    EXPECT_THAT(run.heard(), HasSubstr("far away\n"));
+    EXPECT_EQ(join.Finish().status, 0) << join.heard();
+  }
 }
 
 TEST(VariantsTest, AHeapOverflowEndsTheRunAndNamesTheLine) {
