@@ -26,9 +26,6 @@ int RunServe() {
   // Ignores Ctrl-C, because the program that drives the run decides what Ctrl-C in its terminal
   // means.
   signal(SIGINT, SIG_IGN);
-  // Makes Mesa draw pictures without threads of its own.  The process is forked, and the fork would
-  // not have these threads.
-  setenv("LP_NUM_THREADS", "0", 0);
   const Console console("");  // keeps the text that objects print separate from the answers
   RequestPipe pipe(STDIN_FILENO, StandardOutput());
   auto server = std::make_unique<RunServer>(&pipe);
