@@ -78,6 +78,11 @@ TEST(RobotModelTest, TheCorrectionsOfSonysTablesHold) {
     EXPECT_NEAR(limits("H_j1").min, Radians(-130), 1e-9) << side;
     EXPECT_NEAR(limits("H_j1").max, Radians(115), 1e-9) << side;
   }
+  const RobotModel ers220 = ModelNamed("ers220.json");
+  const JointModel& tilt = ers220.joints.at(static_cast<size_t>(ers220.FindJoint("neck_tilt")));
+  EXPECT_NEAR(tilt.soft_rad.min, Radians(-88), 1e-9);
+  EXPECT_NEAR(tilt.hard_rad.min, Radians(-91.5), 1e-9);
+  EXPECT_EQ(ers220.sensors.at(0).min, -1596976);
   for (const Sensor& sensor : Ers210().sensors) {
     if (sensor.kind != SensorKind::kForce) continue;
     EXPECT_EQ(sensor.max, 980665) << sensor.name;
