@@ -149,7 +149,7 @@ TEST_F(FilesConformance, BytesThatTheStickDoesNotTakeAreReportedOnceForEachFile)
 // The streams have forgotten their error, or are never closed.
 TEST_F(FilesConformance, BytesOfAStreamThatForgetsItsErrorsAreReportedToo) {
   Start();
-  Object* const teller = system->FindObject(0, "Teller");
+  Object* const teller = system->FindObject(0, "teller");
   ASSERT_NE(teller, nullptr);
   {
     const SmallFiles small(0);
