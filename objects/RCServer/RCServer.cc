@@ -54,7 +54,7 @@ RCServer::DoInit(const OSystemEvent&)
     }
     const std::string kept = handler_.Begin(robot);
     if (!kept.empty()) {
-        OSYSLOG1((osyslogERROR, "RCServer: %s, left by an upload, cannot be removed or renamed",
+        OSYSLOG1((osyslogERROR, "RCServer: what uploads have left cannot be removed or renamed: %s",
                   kept.c_str()));
     }
     return sensorReader_.Open(robot);

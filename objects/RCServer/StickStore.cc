@@ -51,19 +51,21 @@ StickStore::ReadMotions()
     ReadNames(".MTN");
 }
 
-// Reads the names of all files in the folder of the motions that have this extension.
-void
+// Reads the names of all files in the folder of the motions that have this extension.  Returns false
+// if the folder cannot be read; `errno` then has the reason.
+bool
 StickStore::ReadNames(const char* extension)
 {
     count_ = 0;
     DIR* folder = opendir(Path(rcfileMOTION, "").c_str());
-    if (folder == 0) return;
+    if (folder == 0) return false;
     while (const struct dirent* entry = readdir(folder)) {
         char name[MTN_NAME_SIZE];
         std::string why;
         if (MtnFileName(entry->d_name, name, &why) && HasExtension(name, extension)) Insert(name);
     }
     closedir(folder);
+    return true;
 }
 
 // Inserts a name into the sorted table.  When the table is full, the last name is dropped.
@@ -169,9 +171,10 @@ static bool
 PutBackOne(const std::string& path)
 {
     const std::string spare = SpareName(path);
-    if (StickStore::SizeOf(spare) < 0) return true;
+    // Usually there is no spare file.  Any other error may hide a file, so nothing is renamed then.
+    if (StickStore::SizeOf(spare) < 0) return errno == ENOENT;
     if (StickStore::SizeOf(path) >= 0) return remove(spare.c_str()) == 0;
-    return rename(spare.c_str(), path.c_str()) == 0;
+    return errno == ENOENT && rename(spare.c_str(), path.c_str()) == 0;
 }
 
 std::string
@@ -183,7 +186,8 @@ StickStore::PutBack()
     for (int i = 0; i < 2; i++) {
         if (!PutBackOne(images[i])) left = SpareName(images[i]);
     }
-    ReadNames(".~TN");
+    // A stick without motions may lack their folder.
+    if (!ReadNames(".~TN") && errno != ENOENT) left = Path(rcfileMOTION, "");
     for (int j = 0; j < count_; j++) {
         std::string motion = Path(rcfileMOTION, names_[j]);
         motion[motion.rfind('.') + 1] = 'M';

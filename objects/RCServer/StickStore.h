@@ -61,8 +61,8 @@ public:
     static bool Replace(const std::string& from, const std::string& to);
 
     // Gives the files that Replace() has renamed for a moment their names back, and removes those
-    // that have been replaced.  Returns the path of a file for which this failed, or "".  Forgets
-    // the names that ReadMotions() has read.
+    // that have been replaced.  Returns the path of a file or folder for which this failed, or "".
+    // Forgets the names that ReadMotions() has read.
     std::string PutBack();
 
     // Copies the file `from` to `to`.  When this fails, there is no file `to`, and `errno` has the
@@ -73,7 +73,7 @@ private:
     static const int MAX_MOTIONS = 682;
     static const int NAME_SIZE = 13;  // "NAME1234.MTN" with its closing NUL
 
-    void ReadNames(const char* extension);
+    bool ReadNames(const char* extension);
     void Insert(const char* name);
 
     std::string root_;
