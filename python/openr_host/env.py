@@ -7,6 +7,7 @@ terminated, truncated and info.
 """
 from __future__ import annotations
 
+import importlib
 import math
 import random
 from typing import Any, Optional, Sequence
@@ -17,10 +18,9 @@ from .run import Run
 numpy: Any = None  # NumPy is missing, so observations are lists
 gymnasium: Any = None
 try:
-    import numpy as _numpy
-    numpy = _numpy
-    import gymnasium as _gymnasium
-    gymnasium = _gymnasium
+    # Imported by name, because type checkers report an import statement of a module that is missing.
+    numpy = importlib.import_module("numpy")
+    gymnasium = importlib.import_module("gymnasium")
 except ImportError:
     pass
 _Base: Any = object if gymnasium is None else gymnasium.Env

@@ -15,7 +15,7 @@ import json
 import os
 import pathlib
 import subprocess
-from typing import Any, Callable, Iterable, Mapping, NamedTuple, Optional, Sequence, Union
+from typing import Any, Callable, Iterable, Mapping, NamedTuple, Optional, Sequence, TypeVar, Union, overload
 
 from ._channel import Channel, find_program
 from ._commands import Commands
@@ -23,6 +23,7 @@ from .errors import Error, NotMet, RunEnded
 from .finding import Finding, findings_of
 
 Value = Union[float, str]
+Kind = TypeVar("Kind", float, str)
 READY = "objects.JointMover.state == accepting-commands"
 
 
@@ -335,12 +336,29 @@ class Run:
         values: dict[str, Value] = self._commands.read(names=names)[0]["values"]
         return values
 
-    def value(self, name: str) -> Any:
-        """Reads one value: `run.value("height_mm")`, `run.value("objects.JointMover.state")`."""
+    @overload
+    def value(self, name: str) -> Any: ...
+
+    @overload
+    def value(self, name: str, kind: type[Kind]) -> Kind: ...
+
+    def value(self, name: str, kind: Any = None) -> Any:
+        """Reads one value: `run.value("height_mm")`, `run.value("objects.JointMover.state")`.
+
+        With `kind`, `float` or `str`, the result has this type, also for type checkers.  If the value is a
+        text and `kind` is `float`, or the other way round, the method raises Error.
+        """
+        if kind not in (None, float, str):
+            raise Error(f"kind {kind!r} is neither float nor str")
         values = list(self.read(name).values())
         if len(values) != 1:
             raise Error(f"'{name}' are {len(values)} values; use read()")
-        return values[0]
+        value = values[0]
+        if kind is None:
+            return value
+        if isinstance(value, str) != (kind is str):
+            raise Error(f"'{name}' is {value!r}, which is no {kind.__name__}")
+        return kind(value)
 
     def joints(self, robot: int = 0) -> dict[str, float]:
         """Returns the measured angles of the joints in degrees."""

@@ -109,15 +109,40 @@ class DocsTest(unittest.TestCase):
                            env={**os.environ, "PYTHONPATH": str(module)})
             self.assertTrue((module / "openr_host/py.typed").exists())
 
+    def checked_types(self, folder, *arguments):
+        return subprocess.run(["mypy", "--cache-dir", str(folder / "cache"), *arguments], stdout=subprocess.PIPE,
+                              text=True, env={**os.environ, "MYPYPATH": str(ROOT / "python")})
+
     @unittest.skipIf(shutil.which("mypy") is None, "mypy is not installed")
     def test_types_are_right(self):
         with in_empty_folder() as folder:
-            done = subprocess.run(["mypy", "--config-file", str(ROOT / "python/mypy.ini"),
-                                   "--cache-dir", str(folder), str(ROOT / "python/openr_host")], stdout=subprocess.PIPE, text=True)
+            done = self.checked_types(folder, "--config-file", str(ROOT / "python/mypy.ini"), str(ROOT / "python/openr_host"))
         self.assertEqual(done.returncode, 0, done.stdout)
+
+    @unittest.skipIf(shutil.which("mypy") is None, "mypy is not installed")
+    def test_a_program_can_be_checked_strictly_without_a_configuration(self):
+        # --no-site-packages hides gymnasium and numpy.
+        with in_empty_folder() as folder:
+            program = folder / "program.py"
+            program.write_text("import openr_host\n"
+                               "def height(run: openr_host.Run) -> float:\n"
+                               "    return run.value('height_mm', float)\n"
+                               "def state(run: openr_host.Run) -> str:\n"
+                               "    return run.value('objects.JointMover.state', str)\n")
+            done = self.checked_types(folder, "--strict", "--config-file", "", "--no-site-packages", str(program))
+            self.assertEqual(done.returncode, 0, done.stdout)
+            program.write_text(program.read_text().replace("float)", "str)"))
+            done = self.checked_types(folder, "--strict", "--config-file", "", "--no-site-packages", str(program))
+        self.assertIn('Incompatible return value type (got "str", expected "float")', done.stdout)
 
 
 class WalkTest(unittest.TestCase):
+    def test_help_names_no_path_of_the_checkout(self):
+        done = subprocess.run([sys.executable, str(ROOT / "examples/python/find_walk.py"), "--help"],
+                              stdout=subprocess.PIPE, text=True)
+        self.assertIn("find_walk.py -o FOLDER", done.stdout)
+        self.assertNotIn("examples/python", done.stdout)
+
     RESULT = {"slowest_mm_s": 120.0, "times_as_fast": 1.5, "shipped_mm_s": 80.0, "good": True}
 
     def test_a_winner_that_is_fast_enough_is_a_success(self):

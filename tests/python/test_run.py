@@ -51,6 +51,16 @@ class RunTest(unittest.TestCase):
         with self.assertRaisesRegex(openr_host.Refused, "in the past"):
             self.run_.run_to(0.5)
 
+    def test_a_value_has_the_type_that_is_asked_for(self):
+        self.assertIsInstance(self.run_.value("sensor.chin", float), float)
+        self.assertEqual(self.run_.value("objects.JointMover.state", str), "accepting-commands")
+        with self.assertRaisesRegex(openr_host.Error, "'accepting-commands', which is no float"):
+            self.run_.value("objects.JointMover.state", float)
+        with self.assertRaisesRegex(openr_host.Error, "which is no str"):
+            self.run_.value("height_mm", str)
+        with self.assertRaisesRegex(openr_host.Error, "neither float nor str"):
+            self.run_.value("sensor.chin", int)
+
     def test_until_takes_texts_and_functions(self):
         self.run_.press("chin")
         self.run_.until("robots[0].sensor.chin == 1", within_s=1)
