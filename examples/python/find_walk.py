@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Finds a fast walk for the simulated dog, and writes it as motion files.
 
-    PYTHONPATH=python python3 examples/python/find_walk.py -o FOLDER [--minutes 10] [--jobs 2] [--at-least 1.5]
+    find_walk.py -o FOLDER [--minutes 10] [--jobs 2] [--at-least 1.5]
+
+The module openr_host is installed, or PYTHONPATH names the folder that holds it.
 
 With --generations N the search ends after so many generations, not by the clock, so it does the same
 work and finds the same walk on each machine.
