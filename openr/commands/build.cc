@@ -30,8 +30,9 @@ void AddBuildCommand(CLI::App* app, int* exit_code) {
   CLI::App* const command =
       app->add_subcommand("build", "Builds a folder of OPEN-R objects for the host");
   auto options = std::make_shared<BuildOptions>();
+  options->folder = ".";
   command->add_option("DIR", options->folder, "Folder with objects, and Makefiles if it has any")
-      ->required();
+      ->capture_default_str();
   command
       ->add_option("-o,--output", options->output, "Folder for the stick (default: the one in DIR)")
       ->check(IsFolder());

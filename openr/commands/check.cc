@@ -58,8 +58,9 @@ void AddCheckCommand(CLI::App* app, int* exit_code) {
   CLI::App* const command =
       app->add_subcommand("check", "Looks for mistakes in objects and on a stick");
   auto flags = std::make_shared<CheckFlags>();
+  flags->folder = ".";
   command->add_option("DIR", flags->folder, "A stick, or a folder with objects and sticks")
-      ->required();
+      ->capture_default_str();
   command->add_flag("--json", flags->json, "One JSON object instead of text");
   command->callback([flags, exit_code] { *exit_code = Check(*flags); });
 }

@@ -126,7 +126,8 @@ void AddControllerCommand(CLI::App* app, int* exit_code) {
 
   CLI::App* const build =
       command->add_subcommand("build", "Makes CONTROLL.BIN and puts it on a stick");
-  build->add_option("DIR", flags->build.folder, "Folder of the controller")->required();
+  flags->build.folder = ".";
+  build->add_option("DIR", flags->build.folder, "Folder of the controller")->capture_default_str();
   build
       ->add_option("-o,--output", flags->build.output,
                    "Folder of the stick (default: DIR); made if it holds no OPEN-R/")

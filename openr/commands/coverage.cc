@@ -12,7 +12,8 @@ void AddCoverageCommand(CLI::App* app, int* exit_code) {
   CLI::App* const command = app->add_subcommand(
       "coverage", "Shows the lines that runs executed, after openr build --coverage");
   auto options = std::make_shared<CoverageOptions>();
-  command->add_option("DIR", options->folder, "Folder that was built")->required();
+  options->folder = ".";
+  command->add_option("DIR", options->folder, "Folder that was built")->capture_default_str();
   command->add_option("--lcov", options->lcov, "File to write for genhtml and editors");
   command->add_option("--work", options->work, "The folder that --work of openr build named")
       ->check(IsFolder());

@@ -31,9 +31,9 @@ int MakeEditorFiles(const std::string& folder) {
 void AddEditorCommand(CLI::App* app, int* exit_code) {
   CLI::App* const command = app->add_subcommand(
       "editor", "Makes .vscode, for Visual Studio Code, in a folder of objects or a controller");
-  auto folder = std::make_shared<std::string>();
+  auto folder = std::make_shared<std::string>(".");
   command->add_option("DIR", *folder, "Folder that openr build or openr controller build builds")
-      ->required();
+      ->capture_default_str();
   command->callback([folder, exit_code] { *exit_code = MakeEditorFiles(*folder); });
 }
 

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <map>
 
+#include "cli/process.h"
 #include "tests/kit/kit_folder.h"
 #include "tests/kit/robot_binary.h"
 
@@ -57,6 +58,22 @@ TEST(BuildTest, AnOutputFolderLeavesTheProgramAsItIs) {
   ASSERT_EQ(folder.Build({"-o", stick}).status, 0);
   EXPECT_EQ(folder.Files(), before);
   EXPECT_THAT(KitFolder::SayOf(stick), HasSubstr("heard: greeting 3\n"));
+}
+
+TEST(BuildTest, TheCurrentFolderIsBuiltAndCheckedIfNoneIsNamed) {
+  const KitFolder folder("makefile");
+  const auto run_there = [&folder](const std::vector<std::string>& words) {
+    return RunProcess(words,
+                      {.folder = folder.File(""), .captures_error = true, .captures_out = true});
+  };
+  const ProcessResult built = run_there({OPENR_PROGRAM, "build", "--coverage"});
+  ASSERT_EQ(built.status, 0) << built.output;
+  EXPECT_THAT(folder.Say(), HasSubstr("heard: greeting 3\n"));
+  EXPECT_EQ(run_there({OPENR_PROGRAM, "check"}).output,
+            run_there({OPENR_PROGRAM, "check", "."}).output);
+  EXPECT_EQ(run_there({OPENR_PROGRAM, "coverage"}).status, 0);
+  EXPECT_EQ(run_there({OPENR_PROGRAM, "editor"}).status, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder.File(".vscode")));
 }
 
 TEST(BuildTest, TwoFoldersDoNotShareAWorkFolder) {
