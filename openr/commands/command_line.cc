@@ -84,6 +84,14 @@ std::string NotExpected(const CLI::App& command, const std::string& word) {
   return fmt::format("there is no flag {}{}", word, DidYouMean(word, flags));
 }
 
+// Returns the help text about `command`.  Makes the text directly, because CLI11's help() describes
+// the command that the user has called, which may be another one, such as `help`.
+std::string HelpAbout(const CLI::App& app, const CLI::App& command) {
+  const std::string path = PathOf(command);
+  const std::string name = path.empty() ? app.get_name() : app.get_name() + " " + path;
+  return app.get_formatter()->make_help(&command, name, CLI::AppFormatMode::Normal);
+}
+
 void PrintHelp(const CLI::App& app, const std::vector<std::string>& words) {
   const CLI::App* about = &app;
   for (const std::string& word : words) {
@@ -91,11 +99,7 @@ void PrintHelp(const CLI::App& app, const std::vector<std::string>& words) {
     if (next == nullptr) throw CLI::ValidationError(NoSuchCommand(*about, word));
     about = next;
   }
-  const std::string path = PathOf(*about);
-  const std::string name = path.empty() ? app.get_name() : app.get_name() + " " + path;
-  // Makes the help text directly, because CLI11's help() would describe the command that the user
-  // called, which is `help` itself.
-  PrintAnswer(ForTerminal(app.get_formatter()->make_help(about, name, CLI::AppFormatMode::Normal)));
+  PrintAnswer(ForTerminal(HelpAbout(app, *about)));
 }
 
 class HelpFormatter : public CLI::Formatter {
@@ -133,6 +137,16 @@ std::string ForTerminal(const std::string& help) {
     text += (is_usage || is_heading ? Coloured(Colour::kBold, line, true) : line) + "\n";
   }
   return text;
+}
+
+// Finds the command by its words, not by what CLI11 has read: CLI11 takes `move` in "openr rc move
+// --help" for HOST, and would describe `rc`.
+std::string HelpAskedFor(const CLI::App& app, int argc, char** argv) {
+  const CLI::App* about = &app;
+  for (int i = 1; i < argc; ++i) {
+    if (const CLI::App* const next = FindCommand(*about, argv[i]); next != nullptr) about = next;
+  }
+  return HelpAbout(app, *about);
 }
 
 std::string HelpWords(const CLI::App& app) {

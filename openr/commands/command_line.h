@@ -19,6 +19,9 @@ std::shared_ptr<CLI::FormatterBase> MakeHelpFormatter();
 // terminal.
 std::string ForTerminal(const std::string& help);
 
+// Returns the help text that a user with the command line `argv` asks for by --help.
+std::string HelpAskedFor(const CLI::App& app, int argc, char** argv);
+
 // Returns the words that the user must type to get help about the command on the command line, such
 // as "openr help run".
 std::string HelpWords(const CLI::App& app);

@@ -59,11 +59,12 @@ void TellFailure(const std::string& why, bool as_json) {
 
 // Prints the help or the version, and returns the exit code.  CLI11 reports a request for help or
 // version as an `error` with exit code 0.
-int PrintAskedFor(const CLI::App& app, const CLI::ParseError& error) {
+int PrintAskedFor(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
   std::ostringstream text;
   const int exit_code = app.exit(error, text, text);
+  const bool is_help = error.get_name() == "CallForHelp";
   try {
-    PrintAnswer(ForTerminal(text.str()));
+    PrintAnswer(ForTerminal(is_help ? HelpAskedFor(app, argc, argv) : text.str()));
     return exit_code;
   } catch (const ReaderGone&) {
     return kExitReaderGone;
@@ -103,7 +104,7 @@ int RunProgram(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return PrintAskedFor(app, error);
+    if (error.get_exit_code() == 0) return PrintAskedFor(app, error, argc, argv);
     TellFailure(ExplainCommandLine(app, error), as_json);
     std::fprintf(stderr, "'%s' tells more\n", HelpWords(app).c_str());
     return kExitCommandLine;

@@ -75,6 +75,16 @@ TEST(CommandLineTest, HelpTellsOfTheProgramAndOfItsCommands) {
   EXPECT_NE(play.out.find("--loops"), std::string::npos) << play.out;
 }
 
+// Without HOST, the program would take `move` for HOST and show the help of rc.
+TEST(CommandLineTest, HelpOfARemoteCommandNeedsNoHost) {
+  EXPECT_EQ(RunProgram({"rc", "move", "--help"}).out, RunProgram({"help", "rc", "move"}).out);
+  EXPECT_EQ(RunProgram({"rc", "mtn", "play", "--help"}).out,
+            RunProgram({"help", "rc", "mtn", "play"}).out);
+  EXPECT_EQ(RunProgram({"rc", "127.0.0.1", "move", "neck_pan", "--help"}).out,
+            RunProgram({"help", "rc", "move"}).out);
+  EXPECT_EQ(RunProgram({"rc", "--help"}).out, RunProgram({"help", "rc"}).out);
+}
+
 TEST(CommandLineTest, HelpAboutAnUnknownCommandIsRefused) {
   ExpectRefusal({"help", "rc", "sped"}, 2, "did you mean 'speed'?");
 }
