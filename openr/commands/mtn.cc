@@ -105,7 +105,7 @@ bool Info(const std::string& name, MtnFlags* flags) {
   MtnFile motion;
   std::string problem;
   if (!Load(name, &motion, &problem)) {
-    fmt::print(stderr, "{}: {}\n", name, problem);
+    fmt::print(stderr, "openr: {}: {}\n", name, problem);
     if (flags->json) flags->answers.push_back({{"file", name}, {"error", problem}});
     return false;
   }
@@ -137,7 +137,7 @@ bool Check(const std::string& name, MtnFlags* flags) {
     fmt::print("{}: plays on the {}: {}, {:.3f} s\n", name, robot->design, CountedFrames(motion),
                motion.DurationMs() / 1000.0);
   }
-  if (!good) fmt::print(stderr, "{}: {}\n", name, problem);
+  if (!good) fmt::print(stderr, "openr: {}: {}\n", name, problem);
   if (!flags->json) PrintWarnings(name, motion);
   return good;
 }
@@ -148,7 +148,7 @@ bool Dump(const std::string& name, MtnFlags*) {
   MtnFile motion;
   std::string problem;
   if (!Load(name, &motion, &problem)) {
-    fmt::print(stderr, "{}: {}\n", name, problem);
+    fmt::print(stderr, "openr: {}: {}\n", name, problem);
     return false;
   }
   fmt::print("{}", CsvOf(motion));

@@ -282,7 +282,10 @@ TEST(CommandLineTest, UnknownRobotsAreRefused) {
 }
 
 TEST(CommandLineTest, AMotionThatCannotBeReadIsNamed) {
-  ExpectRefusal({"mtn", "info", "nowhere.mtn"}, 1, "nowhere.mtn: No such file or directory\n");
+  for (const char* command : {"info", "check", "dump"}) {
+    ExpectRefusal({"mtn", command, "nowhere.mtn"}, 1,
+                  "openr: nowhere.mtn: No such file or directory\n");
+  }
 }
 
 TEST(CommandLineTest, AFileThatIsNoMotionIsRefusedWithSectionAndOffset) {
