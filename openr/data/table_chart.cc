@@ -109,7 +109,7 @@ class ChartMaker {
           return std::all_of(panel.curves.begin(), panel.curves.end(),
                              [](const Curve& curve) { return curve.x.empty(); });
         });
-    if (is_empty) throw std::runtime_error("there are no values in this time");
+    if (is_empty) throw std::runtime_error(WhyEmpty());
     return chart_;
   }
 
@@ -119,6 +119,15 @@ class ChartMaker {
     std::string title;
     std::vector<const Series*> series;
   };
+
+  // Returns why the chart has no values.
+  std::string WhyEmpty() const {
+    const bool has_values =
+        std::any_of(table_.series.begin(), table_.series.end(),
+                    [](const Series& series) { return !series.values.empty(); });
+    return has_values ? "there are no values in this time"
+                      : "has names of quantities, but no values";
+  }
 
   void ChooseJoints() {
     for (const Series& series : table_.series) {

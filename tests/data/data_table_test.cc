@@ -188,6 +188,25 @@ std::vector<std::string> PanelsOf(const std::vector<std::string>& wanted) {
   return titles;
 }
 
+// Returns the error of a chart of all quantities of `table` from the time `from_s` on.
+std::string ErrorOfChart(const Table& table, double from_s) {
+  PlotRequest request;
+  request.wanted = {"*"};
+  request.from_s = from_s;
+  try {
+    ChartOf(table, request);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(TableChartTest, AChartWithoutValuesSaysWhetherTheFileHasNone) {
+  EXPECT_EQ(ErrorOfChart(ReadCsvTable("run.csv", "time_s,LF_j1,x_m\n"), 0),
+            "has names of quantities, but no values");
+  EXPECT_EQ(ErrorOfChart(SmallTable(), 2), "there are no values in this time");
+}
+
 TEST(TableChartTest, AnglesOfAJointShareAPanel) {
   EXPECT_THAT(PanelsOf({}), ElementsAre("LF_j1 2"));
   EXPECT_THAT(PanelsOf({"LF_j1", "pitch_deg"}), ElementsAre("LF_j1 2", "pitch_deg 1"));
