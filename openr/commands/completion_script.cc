@@ -16,7 +16,7 @@ using Value = OptionInfo::Value;
 // like `run`.
 constexpr char kBegin[] = R"(# Completion of openr for bash; made by: openr completion bash
 _openr() {
-  local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]} path=openr i count=0
+  local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]} path=openr i given=()
   COMPREPLY=()
   # bash takes '=' for a word of its own: --robot=ers7.
   [ "$cur" = = ] && cur=
@@ -27,10 +27,10 @@ _openr() {
       )";
 
 constexpr char kAfterCommands[] = R"()
-        path+=" ${COMP_WORDS[i]}"; count=0 ;;
+        path+=" ${COMP_WORDS[i]}"; given=() ;;
       *)
-        # Counts the words after the command, without flags and their values.
-        [[ ${COMP_WORDS[i]} == -* || ${COMP_WORDS[i-1]} == -* ]] || count=$((count + 1)) ;;
+        # Collects the words after the command, without flags and their values.
+        [[ ${COMP_WORDS[i]} == -* || ${COMP_WORDS[i-1]} == -* ]] || given+=("${COMP_WORDS[i]}") ;;
     esac
   done
   case "$path $prev" in
@@ -101,6 +101,20 @@ void AddValues(const CommandInfo& command, const DataNames& names, std::string* 
   for (const CommandInfo& below : command.commands) AddValues(below, names, script);
 }
 
+// Adds to the script the code that completes an input, which begins after `place` words.
+void AddInputs(const std::vector<InputInfo>& inputs, size_t place, std::string* script) {
+  std::string verbs, cases;
+  for (const InputInfo& input : inputs) {
+    verbs += (verbs.empty() ? "" : " ") + input.verb;
+    cases += fmt::format("        {}) words='{}|' ;;\n", input.verb, fmt::join(input.words, " "));
+  }
+  *script += fmt::format(
+      "\n      [ ${{#given[@]}} -eq {} ] && words='{}|'\n"
+      "      [ ${{#given[@]}} -gt {} ] && case ${{given[{}]}} in\n{}        *) words='|' ;;\n"
+      "      esac ",
+      place, verbs, place, place, cases);
+}
+
 // Adds to the script, for each command, a pattern of the shell's `case` statement.  The code after
 // the pattern sets `words` to the words that may come next, then '|', then the flags of the
 // command.  The code also sets `kind`, which says whether file or folder names may come next.
@@ -116,14 +130,7 @@ void AddWords(const CommandInfo& command, const DataNames& names, std::string* s
     flags.insert(flags.end(), option.names.begin(), option.names.end());
   *script += fmt::format("    '{}') words='{}|{}' kind={} ", command.path, fmt::join(words, " "),
                          fmt::join(flags, " "), kind);
-  if (command.takes_input) {
-    // The word right after the positionals is the verb of the input; names follow the verb.
-    const size_t verb_place = command.positionals.size();
-    *script += fmt::format(
-        "\n      [ $count -eq {} ] && words='{}|'\n      [ $count -gt {} ] && words='{} {}|' ",
-        verb_place, fmt::join(names.inputs, " "), verb_place, fmt::join(names.joints, " "),
-        fmt::join(names.sensors, " "));
-  }
+  if (command.takes_input) AddInputs(names.inputs, command.positionals.size(), script);
   *script += ";;\n";
   for (const CommandInfo& below : command.commands) AddWords(below, names, script);
 }

@@ -9,8 +9,6 @@
 #include <charconv>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -18,6 +16,7 @@
 #include "cli/prompt.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
+#include "openr/commands/input_words.h"
 #include "openr/decode/decode_message.h"
 #include "openr/live/live_client.h"
 #include "virtualrobot/faults.h"
@@ -34,9 +33,13 @@ struct LiveFlags {
 
 // Returns the text of the answer to "inputs": one line for each input that the robot knows.
 std::string InputsText(const Json& answer) {
+  const Json& inputs = answer.at("inputs");
+  size_t width = 0;
+  for (const Json& input : inputs)
+    width = std::max(width, input.at("usage").get<std::string>().size());
   std::string text;
-  for (const Json& input : answer.at("inputs")) {
-    text += fmt::format("  {:<42} {}\n", input.at("usage").get<std::string>(),
+  for (const Json& input : inputs) {
+    text += fmt::format("  {:<{}}  {}\n", input.at("usage").get<std::string>(), width,
                         input.at("help").get<std::string>());
   }
   return text;
@@ -238,20 +241,11 @@ std::vector<std::string> RunConsole::WordsAfter(const std::vector<std::string>& 
 
 std::vector<std::string> RunConsole::WordsOf(const std::string& usage,
                                              const std::vector<std::string>& before) {
-  std::string letters = usage;
-  for (char& c : letters) {
-    if (std::isalpha(static_cast<unsigned char>(c)) == 0) c = ' ';
-  }
-  std::istringstream stream(letters);
-  std::set<std::string> in_usage;
-  for (std::string word; stream >> word;) in_usage.insert(word);
-  in_usage.erase(usage.substr(0, usage.find(' ')));
-  in_usage.erase("or");
   std::vector<std::string> words;
   const auto add = [&words](const std::vector<std::string>& names) {
     words.insert(words.end(), names.begin(), names.end());
   };
-  for (const std::string& word : in_usage) {
+  for (const std::string& word : WordsInUsage(usage)) {
     if (word == "SENSOR") {
       add(NamesIn({{"do", "sensors"}}, "sensors", "name"));
     } else if (word == "JOINT") {

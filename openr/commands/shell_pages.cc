@@ -3,11 +3,12 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <iterator>
 #include <memory>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "cli/counted.h"
 #include "cli/exit_code.h"
@@ -18,7 +19,9 @@
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
 #include "openr/commands/completion_script.h"
+#include "openr/commands/input_words.h"
 #include "openr/commands/man_page.h"
+#include "virtualrobot/faults.h"
 #include "virtualrobot/model/robot_model.h"
 
 namespace openr_host {
@@ -43,12 +46,50 @@ void WritePages(const CommandInfo& program, const std::string& output) {
       fmt::format("wrote {} to {}\n", Counted(program.commands.size() + 1, "page"), output));
 }
 
-// The first words of all inputs (docs/inputs.md).  They stand here again because the runtime and
-// the robots of a run define them, and `openr completion` has no run.
-constexpr const char* kInputs[] = {"battery", "break",    "charger", "draw",  "heat",
-                                   "hold",    "letgo",    "lift",    "press", "push",
-                                   "put",     "release",  "repair",  "send",  "set",
-                                   "setdown", "shutdown", "target",  "turn",  "type"};
+// The words of all inputs (docs/inputs.md) that completion offers.  They stand here again because
+// the runtime and the robots of a run define them, and `openr completion` has no run.
+constexpr const char* kInputs[] = {"battery",
+                                   "break JOINT SENSOR FAULT for",
+                                   "charger on off",
+                                   "draw for",
+                                   "heat body battery for",
+                                   "hold",
+                                   "letgo",
+                                   "lift",
+                                   "press SENSOR pause for",
+                                   "push at for",
+                                   "put",
+                                   "release SENSOR JOINT",
+                                   "repair JOINT SENSOR body battery all",
+                                   "send from",
+                                   "set SENSOR for",
+                                   "setdown",
+                                   "shutdown",
+                                   "target JOINT off in",
+                                   "turn JOINT for",
+                                   "type"};
+
+// Returns an input for completion.  `usage` is one of kInputs; JOINT, SENSOR and FAULT in it become
+// the names that they stand for.
+InputInfo MakeInput(const std::string& usage, const std::set<std::string>& joints,
+                    const std::set<std::string>& sensors) {
+  InputInfo input{usage.substr(0, usage.find(' ')), {}};
+  const auto add = [&input](const auto& names) {
+    input.words.insert(input.words.end(), names.begin(), names.end());
+  };
+  for (const std::string& word : WordsInUsage(usage)) {
+    if (word == "JOINT") {
+      add(joints);
+    } else if (word == "SENSOR") {
+      add(sensors);
+    } else if (word == "FAULT") {
+      add(Faults::Names());
+    } else {
+      input.words.push_back(word);
+    }
+  }
+  return input;
+}
 
 // Returns the names of joints, sensors and the like in the models and worlds that came with openr,
 // and the inputs.
@@ -61,11 +102,13 @@ DataNames FindDataNames() {
       if (sensor.joint < 0) sensors.insert(sensor.short_name);
     }
   }
+  std::vector<InputInfo> inputs;
+  for (const char* const usage : kInputs) inputs.push_back(MakeInput(usage, joints, sensors));
   return {{joints.begin(), joints.end()},
           {sensors.begin(), sensors.end()},
           ModelNames(),
           WorldNames(),
-          {std::begin(kInputs), std::end(kInputs)}};
+          std::move(inputs)};
 }
 
 }  // namespace

@@ -135,6 +135,20 @@ TEST_F(LiveRunTest, RefusalsSayWhatIsWrong) {
   EXPECT_THAT(Openr({"poke", "alive"}).output, HasSubstr("press SENSOR [N%] [for DURATION]"));
 }
 
+TEST_F(LiveRunTest, TheInputsAreListedInTwoColumns) {
+  const auto run = Start();
+  const std::string list = Openr({"poke", "alive"}).output;
+  // Returns the place of `help`, the text about an input, in its line.
+  const auto column_of = [&list](const char* help) {
+    const size_t at = list.find(help);
+    EXPECT_NE(at, std::string::npos) << help << " is not in\n" << list;
+    return at - list.rfind('\n', at) - 1;
+  };
+  const size_t column = column_of("Makes a part faulty.");
+  for (const char* const help : {"Lets the robot fall.", "Gives servos their set points"})
+    EXPECT_EQ(column_of(help), column) << list;
+}
+
 TEST_F(LiveRunTest, SeveralRunsOfOneNameNeedTheProcessId) {
   const auto first = Start();
   const auto second = Start();

@@ -2,10 +2,20 @@
 #include <fmt/ranges.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
+#include <set>
 #include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "cli/process.h"
+#include "openr/commands/input_words.h"
+#include "openr/simulation/simulation.h"
+#include "runtime/core/inputs.h"
+#include "runtime/core/system.h"
 #include "tests/openr/program_run.h"
 
 namespace openr_host {
@@ -109,6 +119,41 @@ TEST_F(CompletionTest, TheInputsThatAreOfferedAreThoseOfARun) {
   std::string known = refused.err.substr(at + begin.size());
   known.erase(known.find('\n'));
   EXPECT_EQ(fmt::format("{}", fmt::join(Offered("openr poke default ''"), ", ")), known);
+}
+
+// Returns the inputs that a robot with a body knows.
+std::vector<std::string> UsagesOfInputs() {
+  SimulationOptions options;
+  options.body = "ideal";
+  options.host_network = false;
+  options.console = [](std::string_view) {};
+  Simulation simulation(options);
+  std::vector<std::string> usages;
+  for (const Inputs::Verb* const verb : simulation.system().inputs().VerbsOf(0))
+    usages.push_back(verb->usage);
+  return usages;
+}
+
+TEST_F(CompletionTest, AnInputIsFollowedByTheWordsOfItsUsage) {
+  EXPECT_THAT(Offered("openr poke default push ''"), UnorderedElementsAre("at", "for"));
+  EXPECT_THAT(Offered("openr poke default charger ''"), UnorderedElementsAre("on", "off"));
+  EXPECT_THAT(Offered("openr poke default hold ''"), IsEmpty());
+  EXPECT_THAT(Offered("openr poke default break neck_pan ja"), UnorderedElementsAre("jammed"));
+  for (const std::string& usage : UsagesOfInputs()) {
+    const std::string verb = usage.substr(0, usage.find(' '));
+    const std::vector<std::string> offered = Offered("openr poke default " + verb + " ''");
+    const std::set<std::string> words = WordsInUsage(usage);
+    for (const std::string& word : words) {
+      if (std::islower(static_cast<unsigned char>(word[0])) == 0) continue;
+      EXPECT_THAT(offered, Contains(word)) << usage;
+    }
+    const auto offers = [&offered](const char* word) {
+      return std::find(offered.begin(), offered.end(), word) != offered.end();
+    };
+    EXPECT_EQ(offers("LF_j1"), words.contains("JOINT")) << usage;
+    EXPECT_EQ(offers("chin"), words.contains("SENSOR")) << usage;
+    EXPECT_EQ(offers("jammed"), words.contains("FAULT")) << usage;
+  }
 }
 
 TEST_F(CompletionTest, FilesAreOfferedWhereACommandTakesOne) {
