@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -21,7 +22,9 @@ constexpr char kToStart[] = "\r\x1b[K";    // moves to the start of the line and
 
 constexpr int64_t kSecondUs = 1'000'000;
 
-int g_drawn_on = -1;  // descriptor of the terminal that shows a line; -1: no terminal shows a line
+// Descriptor of the terminal that shows a line; -1: no terminal shows a line.  Atomic, because each
+// write to standard error calls ClearProgressLine(), and threads of Cyclone DDS write there, too.
+std::atomic<int> g_drawn_on = -1;
 
 std::string TimeLeft(double left_s) {
   constexpr double kInMinutes_s = 180;
@@ -81,7 +84,7 @@ void RunProgressLine::Show(int64_t now_us) {
 }
 
 void ClearProgressLine() {
-  const int descriptor = std::exchange(g_drawn_on, -1);
+  const int descriptor = g_drawn_on.exchange(-1);
   if (descriptor >= 0) WriteAll(descriptor, kToStart);
 }
 

@@ -3,6 +3,7 @@
 //
 // usage: planted_races NAME
 #include <dds/dds.h>
+#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,6 +15,7 @@
 #include <string_view>
 #include <thread>
 
+#include "cli/standard_streams.h"
 #include "forgetful_outbox.h"  // made by CMakeLists.txt: the outbox whose Close() takes no lock
 #include "openr/panel/outbox.h"
 #include "runtime/core/fiber.h"
@@ -173,6 +175,15 @@ void CallInDds(void (*function)()) {
   dds_delete(domain);
 }
 
+// Writes to standard error in two threads.  The lock of the stream is part of the C library, so
+// ThreadSanitizer does not see this lock.
+void WriteErrors() {
+  const int nowhere = open("/dev/null", O_WRONLY);
+  if (nowhere < 0 || dup2(nowhere, STDERR_FILENO) < 0) std::abort();
+  PrepareStandardStreams();
+  CallInTwoThreads([] { std::fputs("error\n", stderr); });
+}
+
 struct Planted {
   std::string_view name;
   void (*run)();
@@ -188,6 +199,7 @@ constexpr Planted kPlanted[] = {
     {"dds-good", [] { CallInDds(&AddWithLock); }},
     {"outbox", &CloseOutbox<forgetful::Outbox>},
     {"outbox-good", &CloseOutbox<Outbox>},
+    {"errors-good", &WriteErrors},
 };
 
 }  // namespace

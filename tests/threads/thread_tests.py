@@ -30,7 +30,8 @@ PLANTED_LIMIT_S = 300
 PLANTED = {"threads": "AddWithoutLock", "threads-good": None,
            "fibers": "GoHomeFromDepth", "fibers-good": None, "fibers-of-copy-good": None,
            "dds": "TakeLine", "dds-good": None,
-           "outbox": "forgetful_outbox.h", "outbox-good": None}
+           "outbox": "forgetful_outbox.h", "outbox-good": None,
+           "errors-good": None}
 
 LINE = "=" * 18 + "\n"  # stands before and after each report
 SUMMARY = re.compile(r"^SUMMARY: ThreadSanitizer: (.*)$", re.MULTILINE)
