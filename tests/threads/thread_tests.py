@@ -35,7 +35,9 @@ PLANTED = {"threads": "AddWithoutLock", "threads-good": None,
 
 LINE = "=" * 18 + "\n"  # stands before and after each report
 SUMMARY = re.compile(r"^SUMMARY: ThreadSanitizer: (.*)$", re.MULTILINE)
-CRASH = re.compile(r"^(?:==\d+==ERROR|FATAL): ThreadSanitizer:? .*$", re.MULTILINE)
+# A crash, or an error for which ThreadSanitizer itself has ended the program.
+CRASH = re.compile(r"^(?:==\d+==(?:ERROR: )?|FATAL: |(?=ThreadSanitizer: CHECK))"
+                   r"(ThreadSanitizer:? .*)$", re.MULTILINE)
 MATCHED = re.compile(r"^ *(\d+) ([a-z_]+:\S+)$", re.MULTILINE)
 
 
@@ -91,7 +93,8 @@ def check_planted(program, folder):
     for name, place in PLANTED.items():
         reports = folder / name
         reports.mkdir(parents=True)
-        done = subprocess.run([program, name], stdout=subprocess.DEVNULL,
+        # Cyclone DDS leaves its cyclonedds.log in the folder where the program runs.
+        done = subprocess.run([program, name], cwd=reports, stdout=subprocess.DEVNULL,
                               env={**os.environ, "TSAN_OPTIONS": options(reports)},
                               timeout=PLANTED_LIMIT_S)
         found, _ = reports_in(reports)

@@ -21,6 +21,8 @@ def race(place):
 
 CRASH = ("==9==ERROR: ThreadSanitizer: SEGV on unknown address 0x000000000008\n    #0 main\n"
          "SUMMARY: ThreadSanitizer: SEGV in main\n")
+ENDED = ("==9==ThreadSanitizer: library 'libx.so' that was matched against called_from_lib "
+         "suppression 'libx.so' is unloaded\n")
 USED = "ThreadSanitizer: Matched 3 suppressions (pid=7):\n2 race:libx.so\n1 mutex:Later\n"
 
 with tempfile.TemporaryDirectory() as name:
@@ -38,6 +40,11 @@ with tempfile.TemporaryDirectory() as name:
     verdict("suppressions are counted", used == {"race:libx.so": 2, "mutex:Later": 1}, str(used))
     (folder / "report.9").write_text(CRASH)
     verdict("a crash is found", any("SEGV" in key for key in thread_tests.reports_in(folder)[0]))
+    (folder / "report.9").write_text(USED + ENDED)
+    found, _ = thread_tests.reports_in(folder)
+    verdict("an end by ThreadSanitizer itself is found",
+            any("is unloaded" in key for key in found), str(list(found)))
+    verdict("the count of suppressions is no crash", len(found) == 3, str(list(found)))
 
     program = folder / "some_tests"
     program.write_text("#!/bin/sh\nprintf 'ATest.\\n  One\\n  Two  # comment\\nBTest/0.\\n  One\\n'\n"
