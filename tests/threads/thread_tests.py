@@ -72,9 +72,8 @@ def reports_in(folder):
     return found, used
 
 
-def tests_of(program, watched, pattern):
-    """Returns the names of the tests of `program` that run."""
-    chosen = ":".join(watched["tests"]) + "-" + ":".join(watched.get("without", {}))
+def list_tests(program, chosen):
+    """Returns the names of the tests of `program` that the filter `chosen` lets run."""
     listed = subprocess.run([program, "--gtest_list_tests", f"--gtest_filter={chosen}"],
                             check=True, stdout=subprocess.PIPE, text=True).stdout
     names, suite = [], ""
@@ -84,7 +83,19 @@ def tests_of(program, watched, pattern):
             suite = name
         elif name.startswith("  "):
             names.append(suite + name.strip())
-    return [name for name in names if pattern in name]
+    return names
+
+
+def tests_of(program, watched, pattern):
+    """Returns the names of the tests of `program` that run."""
+    chosen = ":".join(watched["tests"]) + "-" + ":".join(watched.get("without", {}))
+    return [name for name in list_tests(program, chosen) if pattern in name]
+
+
+def names_without_test(program, watched):
+    """Returns the names in watched.json that name no test of `program`, such as a renamed test."""
+    return [name for name in [*watched["tests"], *watched.get("without", {})]
+            if not list_tests(program, name)]
 
 
 def check_planted(program, folder):
@@ -125,6 +136,9 @@ def main():
     races, used, jobs = {}, collections.Counter(), []
     for name, watched in json.loads((HERE / "watched.json").read_text()).items():
         program = str(build / "bin" / name)
+        for missing in [] if arguments.filter else names_without_test(program, watched):
+            print(f"FAILED: watched.json names {missing}, and {name} has no such test")
+            failed += 1
         tests = tests_of(program, watched, arguments.filter)
         if not tests:
             continue

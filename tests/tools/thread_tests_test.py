@@ -47,14 +47,17 @@ with tempfile.TemporaryDirectory() as name:
     verdict("the count of suppressions is no crash", len(found) == 3, str(list(found)))
 
     program = folder / "some_tests"
-    program.write_text("#!/bin/sh\nprintf 'ATest.\\n  One\\n  Two  # comment\\nBTest/0.\\n  One\\n'\n"
-                       f"echo \"$2\" >{folder}/filter\n")
+    program.write_text(f"#!/bin/sh\necho \"$2\" >{folder}/filter\n"
+                       "case $2 in *=DTest*) ;; *) printf 'ATest.\\n  One\\n  Two  # comment\\n"
+                       "BTest/0.\\n  One\\n' ;; esac\n")
     program.chmod(0o755)
     watched = {"tests": ["*"], "without": {"CTest.*": "a reason", "DTest.One": "a reason"}}
     tests = thread_tests.tests_of(str(program), watched, "One")
     verdict("the word chooses tests", tests == ["ATest.One", "BTest/0.One"], str(tests))
     verdict("tests are left out by name",
             (folder / "filter").read_text() == "--gtest_filter=*-CTest.*:DTest.One\n")
+    missing = thread_tests.names_without_test(str(program), watched)
+    verdict("a name that names no test is found", missing == ["DTest.One"], str(missing))
 
 lines = (ROOT / "tests/threads/suppressions.txt").read_text().splitlines()
 bare = [line for before, line in zip([""] + lines, lines)
