@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <unordered_map>
 
@@ -17,6 +18,9 @@
 
 // Functions of libFuzzer, which has no header for them.
 extern "C" size_t LLVMFuzzerMutate(uint8_t* data, size_t size, size_t size_max);
+
+// Counters that libFuzzer reads like those of branches, because they are in this section.
+__attribute__((section("__libfuzzer_extra_counters"))) static uint8_t reached_states[4096];
 
 namespace {
 
@@ -138,6 +142,8 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
     std::exit(2);
   }
   TakeArgument(argc, *argv);
+  openr_host::NoteFuzzStates(
+      [](uint64_t state) { reached_states[state % std::size(reached_states)] = 1; });
   if (*argc > 2 && std::strcmp((*argv)[1], "--words") == 0) {
     std::ifstream file((*argv)[2]);
     for (std::string word; std::getline(file, word);) words.push_back(word);

@@ -15,6 +15,7 @@ namespace openr_host {
 namespace {
 
 std::vector<size_t>* noted_steps = nullptr;
+void (*note_state)(uint64_t state) = nullptr;
 
 }  // namespace
 
@@ -79,5 +80,11 @@ void BeginFuzzStep(size_t at) {
 }
 
 void NoteFuzzSteps(std::vector<size_t>* steps) { noted_steps = steps; }
+
+void ReachFuzzState(uint64_t state) {
+  if (note_state != nullptr) note_state(state);
+}
+
+void NoteFuzzStates(void (*note)(uint64_t state)) { note_state = note; }
 
 }  // namespace openr_host

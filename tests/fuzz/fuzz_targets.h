@@ -76,4 +76,13 @@ void BeginFuzzStep(size_t at);
 // Puts the steps of the next inputs behind `*steps`.  Null: steps are not noted, as at first.
 void NoteFuzzSteps(std::vector<size_t>* steps);
 
+// Notes a state that the product has reached, such as a command that was accepted or the files that
+// are on a stick.  The fuzzer keeps an input that reaches a new state, as it keeps an input that
+// reaches a new branch, because readers that work through a table have the same branches for all
+// rows of the table.  `state` is a hash; a target must have no more than some hundred states.
+void ReachFuzzState(uint64_t state);
+
+// Calls `note` with each state of the next inputs.  Null: states are not noted, as at first.
+void NoteFuzzStates(void (*note)(uint64_t state));
+
 }  // namespace openr_host

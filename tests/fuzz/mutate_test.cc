@@ -170,6 +170,40 @@ TEST(MutateStepsTest, ATargetNotesItsSteps) {
   EXPECT_EQ(starts.size(), 2u);
 }
 
+uint64_t noted_state = 0;
+
+// Returns the state that the target `name` notes for `input`; 0 if it notes none.
+uint64_t StateOf(const char* name, const std::string& input) {
+  noted_state = 0;
+  NoteFuzzStates([](uint64_t state) { noted_state = state; });
+  FindFuzzTarget(name)->run(input);
+  NoteFuzzStates(nullptr);
+  return noted_state;
+}
+
+TEST(FuzzStatesTest, EachCommandThatServeAcceptsIsAState) {
+  const uint64_t run = StateOf("serve", R"({"do":"run","for_s":1.5})");
+  EXPECT_NE(run, 0u);
+  EXPECT_NE(StateOf("serve", R"({"do":"step","count":2})"), run);
+  EXPECT_EQ(StateOf("serve", R"({"do":"step","frames":2})"), 0u);
+}
+
+TEST(FuzzStatesTest, FilesOnTheStickOfTheRemoteControlAreAState) {
+  const uint64_t before = StateOf("remote_control", "");
+  const std::string begin("\x40\0", 2), data("\x40\1"), end("\x40\5");
+  std::string upload = begin;
+  for (int part = 0; part < 8; ++part) upload += data;
+  EXPECT_EQ(StateOf("remote_control", upload), before);
+  EXPECT_NE(StateOf("remote_control", upload + end), before);
+  EXPECT_EQ(StateOf("remote_control", ""), before);
+}
+
+TEST(FuzzStatesTest, StatesAreNotNotedWithoutAListener) {
+  noted_state = 0;
+  FindFuzzTarget("remote_control")->run("");
+  EXPECT_EQ(noted_state, 0u);
+}
+
 TEST(MutateJsonTest, JsonStaysJson) {
   std::set<std::string> found;
   FuzzRandom random(1);

@@ -3,8 +3,10 @@
 
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include "ByteOrder.h"
+#include "runtime/base/hasher.h"
 #include "tests/fuzz/remote_driver.h"
 
 namespace openr_host {
@@ -173,6 +175,18 @@ void FuzzStick::Check() const {
   if (!std::filesystem::exists(root_ / (std::string(kImages) + "CONTROLL.BIN"))) {
     throw Violation("the image of the controller is gone");
   }
+}
+
+uint64_t FuzzStick::State() const {
+  std::set<std::string> names;
+  for (const char* const folder : {kMotions, kImages}) {
+    for (const auto& entry : std::filesystem::directory_iterator(root_ / folder)) {
+      names.insert(entry.path().filename().string());
+    }
+  }
+  std::string all;
+  for (const std::string& name : names) all += name + '\n';
+  return HashBytes(all.data(), all.size());
 }
 
 void FuzzStick::Restore() const {

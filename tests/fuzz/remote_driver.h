@@ -41,6 +41,9 @@ class FuzzStick {
   // these folders have files that no client may have put there.
   void Check() const;
 
+  // Returns a hash of the names of all files in the folders of motions and images.
+  uint64_t State() const;
+
   // Makes all files as they were.
   void Restore() const;
 

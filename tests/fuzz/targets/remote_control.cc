@@ -14,6 +14,7 @@ bool fuzz::remote_control(std::string_view bytes) {
     const std::string folder = stick.root() + "/MS/OPEN-R/MW/";
     const bool has_uploaded = std::filesystem::exists(folder + "DATA/P/F0.MTN") &&
                               std::filesystem::exists(folder + "OBJS/CONTROLL.OLD");
+    ReachFuzzState(stick.State());
     stick.Restore();
     return has_uploaded;
   } catch (const Violation& violation) {

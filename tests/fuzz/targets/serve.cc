@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "openr/serve/command_table.h"
+#include "runtime/base/hasher.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/target_list.h"
 
@@ -9,8 +10,10 @@ namespace openr_host {
 
 bool fuzz::serve(std::string_view bytes) {
   nlohmann::json request = nlohmann::json::parse(bytes, nullptr, false);
-  return !request.is_discarded() && CompleteRequest(&request).empty() &&
-         request.value("frames", nlohmann::json()) > 70;
+  if (request.is_discarded() || !CompleteRequest(&request).empty()) return false;
+  const auto command = request["do"].get<std::string>();
+  ReachFuzzState(HashBytes(command.data(), command.size()));
+  return request.value("frames", nlohmann::json()) > 70;
 }
 
 }  // namespace openr_host
