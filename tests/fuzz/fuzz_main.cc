@@ -76,6 +76,17 @@ std::string MutateAnyhow(std::string bytes, size_t size_max) {
   return bytes;
 }
 
+// Makes a change that knows nothing of JSON or steps.
+std::string MutateTextOrBytes(const std::string& bytes, size_t size_max,
+                              openr_host::FuzzRandom* random) {
+  const bool is_text = openr_host::IsText(bytes);
+  if (!is_text && (*random)() % 3 == 0) return openr_host::MutateNumber(bytes, random);
+  if (is_text ? (*random)() % 3 != 0 : (*random)() % 16 == 0) {
+    return openr_host::MutateText(bytes, words, random);
+  }
+  return MutateAnyhow(bytes, size_max);
+}
+
 std::string MutateBytes(const std::string& bytes, size_t size_max, openr_host::FuzzRandom* random) {
   if (IsTarget("panel_websocket") && (*random)() % 2 == 0) {
     return openr_host::MutateParts(bytes, words, random);
@@ -84,16 +95,13 @@ std::string MutateBytes(const std::string& bytes, size_t size_max, openr_host::F
     return openr_host::MutateSteps(bytes, StartsOf(bytes), random);
   }
   const bool is_json = !bytes.empty() && (bytes[0] == '{' || bytes[0] == '[');
-  if (is_json && (*random)() % 2 == 0) {
-    const std::string changed = openr_host::MutateJson(bytes, words, random);
-    if (!changed.empty()) return changed;
+  if (!is_json) return MutateTextOrBytes(bytes, size_max, random);
+  if ((*random)() % 4 == 0) {
+    const std::string changed = MutateTextOrBytes(bytes, size_max, random);
+    if (openr_host::IsJson(changed) || (*random)() % 8 == 0) return changed;
   }
-  const bool is_text = openr_host::IsText(bytes);
-  if (!is_text && (*random)() % 3 == 0) return openr_host::MutateNumber(bytes, random);
-  if (is_text ? (*random)() % 3 != 0 : (*random)() % 16 == 0) {
-    return openr_host::MutateText(bytes, words, random);
-  }
-  return MutateAnyhow(bytes, size_max);
+  const std::string changed = openr_host::MutateJson(bytes, words, random);
+  return changed.empty() ? MutateTextOrBytes(bytes, size_max, random) : changed;
 }
 
 }  // namespace

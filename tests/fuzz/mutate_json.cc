@@ -90,6 +90,8 @@ void ChangeElements(Json* json, const std::vector<Json*>& values, const FuzzWord
 
 }  // namespace
 
+bool IsJson(std::string_view text) { return IsFlat(text) && Json::accept(text); }
+
 std::string MutateJson(std::string_view text, const FuzzWords& words, FuzzRandom* random) {
   if (!IsFlat(text)) return "";
   Json json = Json::parse(text, nullptr, false);

@@ -219,6 +219,12 @@ TEST(MutateJsonTest, JsonStaysJson) {
   EXPECT_TRUE(found.contains("{\"list\":[2,true]}"));
 }
 
+TEST(MutateJsonTest, OnlyWholeJsonThatIsFlatIsJson) {
+  EXPECT_TRUE(IsJson("{\"do\": [1, \"step\"]}"));
+  EXPECT_FALSE(IsJson("{\"do\": [1"));
+  EXPECT_FALSE(IsJson(std::string(60, '[') + std::string(60, ']')));
+}
+
 TEST(MutateJsonTest, OtherBytesAreLeftToOthers) {
   FuzzRandom random(1);
   EXPECT_EQ(MutateJson("{\"do\"", {}, &random), "");
