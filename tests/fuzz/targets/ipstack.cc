@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstring>
 #include <map>
+#include <set>
 
 #include "runtime/core/system.h"
 #include "runtime/ipstack/ant_message.h"
@@ -88,7 +89,8 @@ class AnyNetwork : public Network {
       event->kind = Kind::kResolved;
       event->host.name = std::string(input->Text(input->U8()));
       event->host.addresses.assign(input->U8() % 40, event->remote.ip);
-      event->host.aliases.assign(input->U8() % 40, std::string(input->Text(input->U8())));
+      const size_t aliases = input->U8() % 40;
+      event->host.aliases.assign(aliases, std::string(input->Text(input->U8())));
     } else if (what % 8 == 5 && asked->closes && asked->sends == 0) {
       asked->closes = false;
       event->kind = Kind::kClosed;
@@ -117,20 +119,17 @@ class Sender : public CodeObject {
     system().RunFor(1);
   }
 
-  bool has_received = false;  // TCP bytes with '!' at their end
-  bool has_resolved = false;  // a DNS query has succeeded
+  std::set<std::string> succeeded;  // names of the messages that were answered with success
 
  private:
   void Reply(antEnvMsg* message) {
+    if (!AntMessageText(*message, true).ends_with("_SUCCESS")) return;
     const std::string name = AntMessageName(*message);
     if (name == "TCP Receive") {
       const auto& receive = *static_cast<TCPEndpointReceiveMsg*>(message);
-      if (receive.error != TCP_SUCCESS || receive.sizeMax < 1) return;
       FuzzCheck(receive.sizeMax <= static_cast<int>(kBufferBytes), "bytes beyond the buffer");
-      has_received |= receive.buffer[receive.sizeMax - 1] == '!' && receive.sizeMax == 3;
-    } else if (name == "DNS GetHostByName") {
-      has_resolved |= static_cast<DNSEndpointGetHostByNameMsg*>(message)->error == DNS_SUCCESS;
     }
+    succeeded.insert(name);
   }
 
   // Returns an endpoint, or once in a while a reference that no stack has made.
@@ -164,7 +163,8 @@ class Sender : public CodeObject {
   void NewEndpoint() {
     constexpr int32 kTypes[] = {EndpointType_TCP, EndpointType_UDP, EndpointType_DNS};
     const uint8_t type = input_->U8();
-    antEnvCreateEndpointMsg create(type < 0xf0 ? kTypes[type % 3] : Number(), Number());
+    const int32_t protocol = type < 0xf0 ? kTypes[type % 3] : Number();
+    antEnvCreateEndpointMsg create(protocol, Number());
     create.Call(antStackRef(IpStack::kName), sizeof create);
     if (create.error == ANT_SUCCESS) endpoints_.push_back(create.moduleRef);
   }
@@ -177,6 +177,8 @@ class Sender : public CodeObject {
     }
   }
 
+  // Takes the bytes of the input in the order of its statements, because compilers differ in the
+  // order in which they evaluate the arguments of a call.
   void Act() {
     const uint8_t what = input_->U8() % 24;
     if (what < 2) return NewEndpoint();
@@ -191,8 +193,10 @@ class Sender : public CodeObject {
       case 5:
       case 6:
         return Send(TCPEndpointConnectMsg(endpoint, 0, static_cast<Port>(Number()), ip, port));
-      case 7:
-        return Send(TCPEndpointSendMsg(endpoint, Place(), Number()));
+      case 7: {
+        byte* const place = Place();
+        return Send(TCPEndpointSendMsg(endpoint, place, Number()));
+      }
       case 8:
       case 9: {
         byte* const place = Place();
@@ -209,10 +213,14 @@ class Sender : public CodeObject {
         return Send(UDPEndpointBindMsg(endpoint, ip, port));
       case 14:
         return Send(UDPEndpointConnectMsg(endpoint, ip, port));
-      case 15:
-        return Send(UDPEndpointSendMsg(endpoint, ip, port, Place(), Number()));
-      case 16:
-        return Send(UDPEndpointReceiveMsg(endpoint, Place(), Number()));
+      case 15: {
+        byte* const place = Place();
+        return Send(UDPEndpointSendMsg(endpoint, ip, port, place, Number()));
+      }
+      case 16: {
+        byte* const place = Place();
+        return Send(UDPEndpointReceiveMsg(endpoint, place, Number()));
+      }
       case 17:
         return Send(UDPEndpointCloseMsg(endpoint, ip % 2 != 0, 0));
       case 18:
@@ -263,7 +271,10 @@ bool fuzz::ipstack(std::string_view bytes) {
     }
     FuzzCheck(stack->endpoint_count() <= IpStack::kEndpointsMax, "the number of endpoints");
   }
-  return sender->has_received && sender->has_resolved;
+  ReachFuzzState(sender->succeeded.size());
+  return sender->succeeded.contains("TCP Send") && sender->succeeded.contains("TCP Receive") &&
+         sender->succeeded.contains("UDP Receive") &&
+         sender->succeeded.contains("DNS GetHostByName");
 }
 
 }  // namespace openr_host
