@@ -132,7 +132,10 @@ std::string JoinSteps(const std::string& first, const FuzzStarts& first_starts,
   std::vector<std::string> steps = StepsOf(first, first_starts);
   const std::vector<std::string> others = StepsOf(second, second_starts);
   if (others.empty()) return first;
-  Insert(Copy(others, ChooseRow(others.size(), random)), &steps, random);
+  // Takes the whole second program every second time, because a long deed, such as an upload, is
+  // rarely in a part of a program.
+  const Row row = Any(2, random) == 0 ? Row{0, others.size()} : ChooseRow(others.size(), random);
+  Insert(Copy(others, row), &steps, random);
   return ProgramOf(steps);
 }
 

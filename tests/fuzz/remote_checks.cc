@@ -99,7 +99,8 @@ void RemoteDriver::HearPacket(Client* client, const std::string& packet) {
   }
 }
 
-// Lets one client ask for INFO after each step of the others.  It must get its answer at once.
+// Lets one client ask for INFO after each step in which bytes of the others arrive or time passes.
+// It must get its answer at once.
 void RemoteDriver::AskWitness() {
   constexpr int kIndex = RC_PLACES - 1;
   Client* const witness = clients_[kIndex].get();

@@ -81,6 +81,7 @@ class RemoteDriver : private RequestPort {
     std::string sent;                // copy of the bytes that are being sent
     size_t events = 0;               // that were heard
     uint32_t upload_offset = 0;      // of the upload that the steps make
+    bool is_image = false;           // the upload is one of an image, not of a motion
     uint8_t buffer[ClientSession::SEND_SIZE] = {};
   };
 

@@ -83,17 +83,30 @@ TEST(RemoteFuzzTest, TheHeapDoesNotGrowWithTheLengthOfASession) {
 }
 #endif
 
-// Programs get through to the places where files change.
-TEST(RemoteFuzzTest, AProgramUploadsAMotion) {
-  FuzzStick stick;
+// Returns a program that uploads a file whose packet of UPLOAD_BEGIN is made by `begin`.
+Program UploadProgram(uint8_t begin) {
   Program program;
-  const std::vector<uint8_t> kinds = {0, 1, 1, 1, 1, 1, 1, 1, 1, 5};  // begin, data, end
+  const std::vector<uint8_t> kinds = {begin, 1, 1, 1, 1, 1, 1, 1, 1, 5};  // begin, data, end
   for (const uint8_t kind : kinds) {
     const Program packet = {0x40, kind, 0xa0, 0xc0, 0xa0, 0xc0};
     program.insert(program.end(), packet.begin(), packet.end());
   }
+  return program;
+}
+
+// Programs get through to the places where files change.
+TEST(RemoteFuzzTest, AProgramUploadsAMotion) {
+  FuzzStick stick;
+  const Program program = UploadProgram(0);
   EXPECT_NO_THROW(RemoteDriver(&stick).Run(program.data(), program.size()));
   EXPECT_TRUE(std::filesystem::exists(stick.root() + "/MS/OPEN-R/MW/DATA/P/F0.MTN"));
+}
+
+TEST(RemoteFuzzTest, AProgramUploadsAnImage) {
+  FuzzStick stick;
+  const Program program = UploadProgram(8);
+  EXPECT_NO_THROW(RemoteDriver(&stick).Run(program.data(), program.size()));
+  EXPECT_TRUE(std::filesystem::exists(stick.root() + "/MS/OPEN-R/MW/OBJS/CONTROLL.OLD"));
 }
 
 // A check that finds nothing would let every session pass.
