@@ -52,6 +52,16 @@ if(OPENR_FUZZ)
   add_compile_options(-fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/cmake/clang-unchecked.txt
     -fsanitize-coverage-ignorelist=${PROJECT_SOURCE_DIR}/cmake/clang-uncounted.txt
     -Wno-unused-command-line-argument)  # the tests have no counters
+  # Neither ninja nor ccache reads these lists, so each object has their hash in its command.
+  set(lists ${PROJECT_SOURCE_DIR}/cmake/clang-unchecked.txt ${PROJECT_SOURCE_DIR}/cmake/clang-uncounted.txt)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${lists})
+  set(hashes)
+  foreach(list IN LISTS lists)
+    file(SHA256 ${list} hash)
+    string(SUBSTRING ${hash} 0 8 hash)
+    string(APPEND hashes ${hash})
+  endforeach()
+  add_compile_definitions(OPENR_CLANG_LISTS=0x${hashes})
 endif()
 if(OPENR_COVERAGE)
   add_compile_options(--coverage)
