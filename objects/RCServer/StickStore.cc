@@ -164,6 +164,16 @@ StickStore::Replace(const std::string& from, const std::string& to)
     return isReplaced;
 }
 
+// Returns whether the file `path` can be opened for reading; if not, `errno` has the reason.
+static bool
+CanOpen(const std::string& path)
+{
+    FILE* file = fopen(path.c_str(), "rb");
+    if (file == 0) return false;
+    fclose(file);
+    return true;
+}
+
 // Gives the spare file of `path`, if there is one, the name `path` again.  Removes the spare file
 // instead if there is a file `path`, because this is the new file, or the old one with its name
 // back.  Returns whether no spare file is left.
@@ -172,8 +182,8 @@ PutBackOne(const std::string& path)
 {
     const std::string spare = SpareName(path);
     // Usually there is no spare file.  Any other error may hide a file, so nothing is renamed then.
-    if (StickStore::SizeOf(spare) < 0) return errno == ENOENT;
-    if (StickStore::SizeOf(path) >= 0) return remove(spare.c_str()) == 0;
+    if (!CanOpen(spare)) return errno == ENOENT;
+    if (CanOpen(path)) return remove(spare.c_str()) == 0;
     return errno == ENOENT && rename(spare.c_str(), path.c_str()) == 0;
 }
 
