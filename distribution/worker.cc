@@ -102,8 +102,9 @@ std::string Worker::NoRunFound() const {
                      options_.bus.run, options_.process, options_.master_wait_ms / 1000);
 }
 
-// Asks the run for a session, the name of the channel to the master.  A worker that the master has
-// started has the session from the command line.  Returns "" or why there is no session.
+// Asks the master for a session (one life of this worker), whose name is also the name of the
+// channel to the master.  A worker that the master has started has the session from the command
+// line.  Returns "" or why there is no session.
 std::string Worker::RequestSession() {
   session_ = options_.session;
   if (!session_.empty()) return "";
@@ -211,7 +212,8 @@ void Worker::SayGoodbye(const std::string& text) {
     channel_->Send(to_master);
     channel_->WaitForAcks(kGoodbyeFlushMs);
   } catch (const std::exception&) {
-    // Ignores the error, because the master notices the end without a goodbye, too.
+    // Ignores that the message "goodbye" could not be sent, because the master also notices without
+    // it that this worker has ended.
   }
 }
 

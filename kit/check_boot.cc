@@ -270,8 +270,8 @@ void BootCheck::CheckUploads() {
                  "over the network, so the stick has to be taken out for each change");
 }
 
-// Notes configuration files that nobody may write.  A program of the robot cannot replace them, and
-// TinyFTPD answers 553 to such an upload (field-notes.md 5.10).
+// Adds a note if nobody may write configuration files.  A program of the robot cannot replace them,
+// and TinyFTPD answers 553 when somebody uploads such a file by FTP (field-notes.md 5.10).
 void BootCheck::CheckWriteProtection() {
   constexpr auto kAnyWrite =
       fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;

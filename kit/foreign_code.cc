@@ -76,7 +76,7 @@ std::vector<Member> MembersOf(std::string_view archive) {
     const size_t size = std::strtoul(digits.c_str(), nullptr, 10);
     at += kMemberHeaderSize;
     members.push_back({name, archive.substr(at, size)});
-    // Skips a filling byte, because each member begins at an even position.
+    // Skips a padding byte, because each member of an archive (ar) begins at an even position.
     at += size + size % 2;
   }
   return members;

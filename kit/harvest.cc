@@ -293,9 +293,10 @@ class StickCompletion {
     listed_.emplace_back(name, kNone);
   }
 
-  // Returns the reason why OBJECT.CFG must not list an image in OBJS that this build has not
-  // linked; "" if OBJECT.CFG may list it.  `is_of_make` is true if a rule of a Makefile has copied
-  // the image to the stick in this build; false if the image lay on the user's stick before.
+  // Returns the reason why OBJECT.CFG must not list `image`, an image in the stick's folder OBJS
+  // that this build has not linked; "" if OBJECT.CFG may list it.  `is_of_make` is true if a rule
+  // of a Makefile has copied the image to the stick in this build; false if the image lay on the
+  // user's stick before.
   std::string WhyUnlisted(const std::string& name, const ImageFile& image, bool is_of_make) const {
     if (image.is_for_robot) return "it is an image for the robot (MIPS), not for this machine";
     if (!image.problem.empty()) return "it " + image.problem;

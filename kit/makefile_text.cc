@@ -76,8 +76,8 @@ std::string AdaptMakefile(const std::string& text, const std::string& sdk_root) 
   static const std::regex kUsual(
       "(^|[^\\w./)}-]|-[ILB])((?:/[\\w.+-]+)+/OPEN_R_SDK)(?=[^\\w.+-]|$)");
   for (const std::string& root : AllMatches(result, kUsual, 2)) AddOnce(root, &roots);
-  // Sorts longer roots first.  A root may be the beginning of another root, so the longer root must
-  // be replaced before the shorter root.
+  // Sorts the folders of SDKs so that longer paths come first.  A path may be the beginning of
+  // another, so the longer path must be replaced in the Makefile before the shorter one.
   std::sort(roots.begin(), roots.end(),
             [](const std::string& a, const std::string& b) { return a.size() > b.size(); });
   for (const std::string& root : roots) {

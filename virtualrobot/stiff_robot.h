@@ -36,7 +36,8 @@ class StiffRobot {
   // changed in place, so that its memory is used again.
   void PlaceOnFloor(RestingPose* pose) const;
 
-  // Returns the height over z = 0 of the lowest point of all boxes and paws, at `X_WB`.
+  // Returns the height over z = 0 of the lowest point of the robot, which is a point of a box (the
+  // shape of a part) or of a paw, when the trunk is at `X_WB`.
   double LowestPoint(const Eigen::Isometry3d& X_WB) const;
 
  private:

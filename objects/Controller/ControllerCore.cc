@@ -197,8 +197,8 @@ ControllerCore::SendBuffers()
     port_->SendLeds(ledOn_, stepFrames_);
 }
 
-// Sends the states of the ears (on or off) if they have changed.  When the effector is not ready,
-// the change is kept and sent by a later call.
+// Sends the states of the ears (on or off) if they have changed.  When OVirtualRobotComm is not
+// ready for a vector, the change is kept and sent by a later call.
 void
 ControllerCore::SendEarsIfChanged()
 {

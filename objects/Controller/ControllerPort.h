@@ -18,7 +18,7 @@ public:
     // Returns whether the effector is ready for the next LED vector.
     virtual bool IsLedReady() = 0;
 
-    // Returns whether the effector is ready for the next ear vector.
+    // Returns whether OVirtualRobotComm is ready for the next ear vector.
     virtual bool IsEarReady() = 0;
 
     // Returns whether JointMover is ready for the next batch command (the buffer of joint

@@ -6,9 +6,9 @@
 
 #include "TextFormat.h"
 
-// Writes as many records as there is room for, from the record number in the request on.  If older
-// records are not kept any more, begins with the oldest record; the client sees this by the number
-// of the first record.
+// Writes as many records of the log as there is room for, from the number in the request on.  The
+// log keeps only the newest records.  If it has lost the record that was asked for, begins with the
+// oldest record that is kept; the client sees this by the number of the first record.
 int
 RequestHandler::TellLog(RcReader* in, RcWriter* out)
 {

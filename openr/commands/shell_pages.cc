@@ -69,8 +69,9 @@ constexpr const char* kInputs[] = {"battery",
                                    "turn JOINT for",
                                    "type"};
 
-// Returns an input for completion.  `usage` is one of kInputs; JOINT, SENSOR and FAULT in it become
-// the names that they stand for.
+// Returns an input of `openr poke` as the completion of the shell offers it: its first word, and
+// all words that may follow.  `usage` is one of kInputs; for JOINT, SENSOR and FAULT in it, all
+// names of joints, sensors and faults are added.
 InputInfo MakeInput(const std::string& usage, const std::set<std::string>& joints,
                     const std::set<std::string>& sensors) {
   InputInfo input{usage.substr(0, usage.find(' ')), {}};

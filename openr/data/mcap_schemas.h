@@ -15,8 +15,8 @@ extern const char kImageSchema[];  // schema of foxglove.CompressedImage
 // Levels of a message of the type foxglove.Log.
 constexpr int kLogInfo = 2, kLogWarning = 3, kLogError = 4;
 
-// Returns the schema of a topic with values.  `keys` are the names of the members of the topic's
-// messages, written as JSON.
+// Returns the schema (JSON Schema, as text) of a topic of an MCAP file.  Each message of the topic
+// has a number for each of `keys`, which are names with their quotes.
 std::string ValueSchema(const std::string& topic, const std::vector<std::string>& keys);
 
 }  // namespace openr_host

@@ -116,8 +116,8 @@ std::string LiveEvents::Line(std::string_view name, EventCursor* cursor) {
     return line(FindingsJson(context_));
   }
   uint64_t& shown = cursor->versions[std::string(name)];
-  // Adds 1, so that no version is 0: a client that has got no event yet has version 0 in its
-  // cursor.
+  // `shown` is the version of the run's state that the client has got last; 0 if it has got none
+  // yet.  Adds 1, so that no state has version 0.
   if (const uint64_t version = Version() + 1; std::exchange(shown, version) == version) return "";
   if (name == "pose") return begin + "," + PoseText(context_.simulation) + "}";
   return line(name == "values" ? ValuesJson(context_.simulation) : Graph());

@@ -17,7 +17,7 @@ class ConsoleFeed {
   explicit ConsoleFeed(const std::string& file);
 
   // Gives every robot of `system` the console input since the last call: lines from standard input,
-  // or in the first call the content of the file.
+  // or, in the first call, the content of the file that the constructor got.
   void Feed(System* system);
 
  private:

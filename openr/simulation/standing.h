@@ -49,9 +49,9 @@ class StandingMonitor {
 
   const RobotModel* model_;
   std::optional<Stance> posture_;
-  // The last sample of a robot that moved slowly. standing() compares it with the posture only when
-  // somebody asks, because computing the poses of all parts costs more time than a frame of the
-  // ideal body.
+  // Angles and position of the robot when it last moved slowly.  standing() compares them with the
+  // posture of a standing robot only when somebody asks, because computing the poses of all parts
+  // costs more time than a frame of the ideal body.
   std::vector<double> angles_rad_;
   Eigen::Matrix3d R_WB_ = Eigen::Matrix3d::Identity();
   bool all_paws_touch_ = false;

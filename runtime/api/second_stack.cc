@@ -61,9 +61,9 @@ struct OpenrSecondStack {
     home.SwitchFrom(&fiber);
   }
 
-  // Switches to `stack` and returns when the function `body` has left or ended.  Afterwards records
-  // how many bytes of stack this function has used, because on the robot it would run on the only
-  // stack of the object.
+  // Switches to `stack` and returns when the function `body` has ended, or has left this stack to
+  // be continued later.  Afterwards records how many bytes of stack this function has used, because
+  // on the robot it would run on the only stack of the object.
   void GoThere() {
     ArithmeticWatch* const outer = t_current.watch;
     if (watch) t_current.watch = &*watch;

@@ -333,7 +333,8 @@ void ObjectManager::ReportUnknown(const Connection& connection, const std::strin
   const auto wanted = ParseServiceName(service, nullptr);
   for (const auto& [name, entry] : system().robot(connection.robot).directory) {
     known.push_back(name);
-    // The object has other services, so the cause is only that this service is missing.
+    // The object has other services, so the line cannot be connected because this service is
+    // missing, and not because the object is missing.
     if (name.starts_with(object)) cause = service;
     const auto registered = ParseServiceName(name, nullptr);
     if (!wanted || !registered || !DifferInDataOnly(*wanted, *registered)) continue;

@@ -29,8 +29,8 @@ struct EtherDriverGetWLANStatisticsMsg {
 
 // ---- messages to the driver
 //
-// The messages change the settings of WLANCONF.TXT.  Applications cannot send them to the driver;
-// they are declared because sources name them.
+// The messages change the settings of WLANCONF.TXT.  Objects of users cannot send them to the
+// driver of the wireless card.  They are declared because sources of old programs name them.
 
 struct EtherDriverSetWLANModeMsg {
   longword port;

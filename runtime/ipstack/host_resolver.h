@@ -13,7 +13,8 @@ namespace openr_host {
 // time stands still during the wait.  Returns kNone if there was an answer; an answer without
 // addresses means that there is no such host.
 NetError ResolveOnHost(const std::string& name, HostInfo* host);
-// Asks the host's resolver for an address.  Waits and returns as ResolveOnHost() does.
+// Asks the host's resolver for the name of the host with the address `ip`.  Waits and returns as
+// ResolveOnHost() does.
 NetError ResolveAddressOnHost(uint32_t ip, HostInfo* host);
 
 }  // namespace openr_host

@@ -131,8 +131,9 @@ void JointTree::BeginStep(const std::vector<TorqueLine>& lines, double gravity_m
 }
 
 // Fills the lower triangle of the matrix M + h B of joint_tree.h (M: inertia, h: length of the
-// step, B: slopes of the torque lines).  A part and all parts behind it are taken as one body with
-// their common inertia, because all of them move when the hinge of the part turns.
+// step, B: by how much the torque of each servo falls when its hinge turns faster).  A part and all
+// parts behind it are taken as one body with their common inertia, because all of them move when
+// the hinge of the part turns.
 void JointTree::FillMatrix(const std::vector<TorqueLine>& lines, double step_s) {
   for (int i = 0; i < parts(); ++i) {
     const Vector3d r = now_[i].centre_W - centre_W_;

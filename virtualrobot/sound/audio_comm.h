@@ -2,8 +2,8 @@
 //
 // This object has no clock of its own.  OVirtualRobotComm runs the frames of the robot (8 ms each).
 // In each frame in which sound is to be played or recorded, it sends a message to this object after
-// command vectors have started.  So sound and motion with parts of one synchronisation key begin in
-// the same frame, and a robot without sound costs nothing.
+// command vectors have started.  So a sound and a motion whose vectors have the same
+// synchronisation key begin in the same frame, and a robot without sound costs nothing.
 #pragma once
 
 #include "runtime/core/code_object.h"
@@ -22,8 +22,9 @@ class OVirtualRobotAudioComm : public CodeObject {
   OStatus DoDestroy(const OSystemEvent& event) override;
   void HashState(Hasher* hasher) const override;
 
-  // Reports the first waiting sound vector to the robot's synchronisation keys (see
-  // SoundQueue::AnnounceFirst()).  OVirtualRobotComm calls this function in every frame.
+  // Tells the robot's SyncKeys that the first waiting sound vector could start now, so that vectors
+  // with the same synchronisation key start together (see SoundQueue::AnnounceFirst()).
+  // OVirtualRobotComm calls this function in every frame.
   void AnnounceFirst();
 
   // Posts the message that runs Frame(), if sound is to be played or recorded.  OVirtualRobotComm
