@@ -200,6 +200,15 @@ class CallCheck {
     return false;
   }
 
+  // Returns the position of the first character of the assignment operator, such as "^=", whose '='
+  // is at `at`; 0 if it is a comparison, which assigns nothing.
+  size_t BeginOfAssignment(size_t at) const {
+    const char before = at > 0 ? code_[at - 1] : ' ';
+    if (before == '=' || before == '!' || before == '<' || before == '>' || code_[at + 1] == '=')
+      return 0;
+    return std::string_view("+-*/%&|^").find(before) == std::string_view::npos ? at : at - 1;
+  }
+
   // Returns the names of the variables that get the value of this call: "seed" for
   // "unsigned seed = time(0)" and for "unsigned seed(time(0))", "now" for "time(&now)".
   std::vector<std::string> NamesOfValue(size_t at, size_t end) const {
@@ -207,7 +216,8 @@ class CallCheck {
     const std::string_view code = code_;
     for (size_t i = at; i > 0 && code[i - 1] != ';' && code[i - 1] != '{' && code[i - 1] != '}';
          --i) {
-      if (code[i - 1] == '=' || code[i - 1] == '(') names.emplace_back(WordBefore(code, i - 1));
+      if (code[i - 1] == '(') names.emplace_back(WordBefore(code, i - 1));
+      if (code[i - 1] == '=') names.emplace_back(WordBefore(code, BeginOfAssignment(i - 1)));
     }
     for (size_t i = code.find('&', at); i < end; i = code.find('&', i + 1)) {
       const size_t next = NextOf(code, i + 1);

@@ -14,7 +14,8 @@ rename, a removal.  After each of these ends must hold:
 
 The same again on a file system that refuses to rename a file to a name that exists: strace lets these
 renames fail, and both uploads replace a file.  There the old file may be without its name after a
-kill, until the next start, or until the one after that if it is the image.
+kill, until the next start, or until the one after that if it is the image.  The stick has no
+CONTROLL.OLD before, so no upload renames one here.
 
 Then one run that is not killed: its bytes before each rename of an upload, and the folder directly
 after it, are written through to the disk (fsync), as a cut of the host's power demands.  The client

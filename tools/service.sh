@@ -70,8 +70,11 @@ done
 in_container() { nsenter --target "$first" --all --root --wd "$@"; }
 
 # systemctl can talk to systemd only some time after the container has started.
+state=
 for ((i = 0; i < 150; i++)); do
-  if in_container systemctl is-system-running 2>/dev/null | grep -qE 'running|degraded'; then break; fi
+  state=$(in_container systemctl is-system-running 2>/dev/null) || true
+  if [ "$state" = running ] || [ "$state" = degraded ]; then break; fi
   sleep 0.2
 done
+[ "$state" = running ] || [ "$state" = degraded ] || give_up "systemd is not ready after 30 s: $state"
 in_container env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 bash /packages/service_in_root.sh

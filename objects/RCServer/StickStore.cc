@@ -171,7 +171,12 @@ CanOpen(const std::string& path)
     FILE* file = fopen(path.c_str(), "rb");
     if (file == 0) return false;
     fclose(file);
-    return true;
+    // Refuses a folder, which some systems open as a file.
+    DIR* folder = opendir(path.c_str());
+    if (folder == 0) return true;
+    closedir(folder);
+    errno = EINVAL;
+    return false;
 }
 
 // Gives the spare file of `path`, if there is one, the name `path` again.  Removes the spare file

@@ -30,7 +30,8 @@ constexpr char kAfterCommands[] = R"()
         path+=" ${COMP_WORDS[i]}"; given=() ;;
       *)
         # Collects the words after the command, without flags and their values.
-        [[ ${COMP_WORDS[i]} == -* || ${COMP_WORDS[i-1]} == -* ]] || given+=("${COMP_WORDS[i]}") ;;
+        # --flag=value is three words for bash.
+        [[ ${COMP_WORDS[i]} == [-=]* || ${COMP_WORDS[i-1]} == [-=]* ]] || given+=("${COMP_WORDS[i]}") ;;
     esac
   done
   case "$path $prev" in

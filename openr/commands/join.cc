@@ -1,12 +1,14 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <limits.h>
 #include <signal.h>
 #include <string.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -46,8 +48,9 @@ std::string WhyNoStick(const std::string& folder) {
 }
 
 // Exit codes of a child process that runs a worker for --restart.
-constexpr int kRefused = 3;  // the run refuses this version or stick; a restart cannot help
-constexpr int kOffline = 4;  // the worker threw an exception, usually without a network
+constexpr int kRefused = 3;         // the run refuses this version or stick; a restart cannot help
+constexpr int kOffline = 4;         // the worker threw an exception, usually without a network
+constexpr int kNeedsSanitizer = 5;  // the run's objects need the library of AddressSanitizer
 
 // Makes this worker process end when its parent process `parent` ends, even by a crash.  The parent
 // is the run that has started the worker.  Ignores Ctrl-C and the closing of the terminal, because
@@ -159,7 +162,10 @@ std::string OwnStick(std::optional<RunStick>* stick) {
   }
 }
 
-int Join(JoinFlags flags, bool is_known = false) {
+// Runs a worker in this process.  Returns the exit code.  If the run's objects need the library of
+// AddressSanitizer, starts this program again; with `sanitized_stick`, sets it to the path of their
+// stick instead, and returns kNeedsSanitizer.
+int Join(JoinFlags flags, bool is_known = false, std::string* sanitized_stick = nullptr) {
   if (flags.parent != 0) {
     BecomeChild(flags.parent);
   } else {
@@ -174,11 +180,11 @@ int Join(JoinFlags flags, bool is_known = false) {
     fmt::print(stderr, "openr: process '{}': {}\n", name, line);
   };
   // Stick whose images need the library of AddressSanitizer, which this process lacks; "": none.
-  std::string sanitized_stick;
+  std::string found_stick;
   if (flags.parent == 0) {
-    flags.worker.why_unfit = [&sanitized_stick](const std::string& stick) -> std::string {
+    flags.worker.why_unfit = [&found_stick](const std::string& stick) -> std::string {
       if (MissingSanitizer(stick).empty()) return "";
-      sanitized_stick = stick;
+      found_stick = stick;
       return fmt::format(
           "{}: its objects were built with --sanitize, so the process starts again "
           "with the library of AddressSanitizer",
@@ -205,22 +211,30 @@ int Join(JoinFlags flags, bool is_known = false) {
   };
   const Outcome outcome = Work(flags.worker, is_known);
   if (outcome.problem.empty()) return kExitGood;
-  if (!sanitized_stick.empty()) {
-    own_stick.reset();
-    StartWithSanitizerOf(sanitized_stick);
-  }
   if (g_ended_by != 0) EndBySignal();
+  if (!found_stick.empty()) {
+    own_stick.reset();
+    if (sanitized_stick == nullptr) StartWithSanitizerOf(found_stick);
+    *sanitized_stick = found_stick;
+    return kNeedsSanitizer;
+  }
   flags.worker.say(outcome.problem);
   return outcome.is_refused ? kRefused : kExitWrong;
 }
 
 // Runs a worker in this child process.  The kernel kills the process when its parent process ends.
 // Returns the exit code, which is kOffline after an exception.  If `is_known`, an earlier worker
-// has printed the same error already, so it is not printed again.
-int JoinHere(const JoinFlags& flags, bool is_known) {
+// has printed the same error already, so it is not printed again.  If the exit code is
+// kNeedsSanitizer, writes the path of the stick to the pipe `stick_pipe`.
+int JoinHere(const JoinFlags& flags, bool is_known, int stick_pipe) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   try {
-    return Join(flags, is_known);
+    std::string stick;
+    const int code = Join(flags, is_known, &stick);
+    if (code == kNeedsSanitizer &&
+        write(stick_pipe, stick.data(), stick.size()) != static_cast<ssize_t>(stick.size()))
+      return kExitWrong;
+    return code;
   } catch (const std::exception& error) {
     if (!is_known) fmt::print(stderr, "openr: {}\n", error.what());
     return kOffline;
@@ -228,16 +242,25 @@ int JoinHere(const JoinFlags& flags, bool is_known) {
 }
 
 // Runs JoinHere() in a child process and waits until the child process ends.  Returns the status
-// that waitpid() gives.  Sets `*child` to the child's process id, which the caller prints.
-int JoinInChild(const JoinFlags& flags, bool is_known, pid_t* child) {
+// that waitpid() gives.  Sets `*child` to the child's process id, which the caller prints, and
+// `stick` to the path that the child has written to its pipe.
+int JoinInChild(const JoinFlags& flags, bool is_known, pid_t* child, std::string* stick) {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0)
+    throw std::runtime_error(fmt::format("pipe: {}", strerror(errno)));
   *child = fork();
   if (*child < 0) throw std::runtime_error(fmt::format("fork: {}", strerror(errno)));
-  if (*child == 0) exit(JoinHere(flags, is_known));
+  if (*child == 0) exit(JoinHere(flags, is_known, ends[1]));
+  close(ends[1]);
   g_child = *child;
   // Passes on a signal that came before g_child was set, because it has not reached the child.
   if (g_ended_by != 0) kill(*child, SIGTERM);
   const int status = WaitForEnd(*child);
   g_child = 0;
+  char path[PATH_MAX];  // the path of a folder, which fits into a pipe as well
+  const ssize_t size = read(ends[0], path, sizeof path);
+  stick->assign(path, static_cast<size_t>(std::max<ssize_t>(size, 0)));
+  close(ends[0]);
   return status;
 }
 
@@ -251,9 +274,12 @@ int JoinAgainAndAgain(const JoinFlags& flags) {
   bool is_offline = false;
   for (bool is_first = true;; is_first = false) {
     pid_t child = 0;
-    const int status = JoinInChild(flags, is_offline, &child);
+    std::string stick;
+    const int status = JoinInChild(flags, is_offline, &child, &stick);
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : kExitWrong;
     if (code == kExitGood) return kExitGood;
+    // This process starts again and not its child, so that it goes on to start workers.
+    if (code == kNeedsSanitizer) StartWithSanitizerOf(stick);
     if (code == kRefused || (code == kOffline && is_first)) return kExitWrong;
     if (g_ended_by != 0) EndBySignal();
     if (code != kOffline) {

@@ -2,7 +2,6 @@
 
 #include <dlfcn.h>
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <cstdio>
 
@@ -75,18 +74,6 @@ std::string ParsePictureRequest(std::string_view text, PictureRequest* plan) {
   return "";
 }
 
-namespace {
-
-// Loads the library that draws.  Makes Mesa draw without threads of its own: without memory for a
-// thread it would wait without end, and a copy of this process, made by fork(), would not have the
-// threads.  The pictures are the same.
-void* LoadRenderer(const std::string& library) {
-  setenv("LP_NUM_THREADS", "0", 0);
-  return dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
-}
-
-}  // namespace
-
 std::string TakePicture(const PictureRequest& plan, VirtualRobot* robot,
                         const std::vector<VirtualRobot*>& company) {
   if (plan.view == View::kCamera) {
@@ -96,7 +83,7 @@ std::string TakePicture(const PictureRequest& plan, VirtualRobot* robot,
     return WriteFile(plan.file, render::EncodePng(seen.width, seen.height, seen.rgb));
   }
   const std::string library = RenderLibrary();
-  static void* const handle = LoadRenderer(library);
+  static void* const handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) {
     return fmt::format("{}: no pictures: {} (Debian package libosmesa6)", plan.file, dlerror());
   }

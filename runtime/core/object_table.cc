@@ -150,7 +150,6 @@ void ObjectTable::RemoveAllOf(int robot) {
   std::vector<std::unique_ptr<Object>> absent;
   for (const auto& object : objects_) {
     if (object->robot != robot || object.get() == &system_->manager().host()) continue;
-    FlushStreams(object.get());
     absent.push_back(std::make_unique<AbsentObject>(*object));
   }
   Replace(std::move(absent));
@@ -253,7 +252,10 @@ ObjectTable::Readies ObjectTable::Replace(std::vector<std::unique_ptr<Object>> f
   // notification from one old object to another is not delivered any more.  Because its sender is
   // marked, SendDeassert() gives the regions of such a notification back by a direct call: a
   // message to the sender would be lost.
-  for (const auto& object : fresh) Get(object->id)->is_leaving = true;
+  for (const auto& object : fresh) {
+    FlushStreams(Get(object->id));
+    Get(object->id)->is_leaving = true;
+  }
   for (const auto& object : fresh) readies[object->id] = EndMessagesTo(Get(object->id));
   for (auto& object : fresh) Place(std::move(object));
   return readies;

@@ -69,8 +69,10 @@ TEST(BuildTest, TheCurrentFolderIsBuiltAndCheckedIfNoneIsNamed) {
   const ProcessResult built = run_there({OPENR_PROGRAM, "build", "--coverage"});
   ASSERT_EQ(built.status, 0) << built.output;
   EXPECT_THAT(folder.Say(), HasSubstr("heard: greeting 3\n"));
-  EXPECT_EQ(run_there({OPENR_PROGRAM, "check"}).output,
-            run_there({OPENR_PROGRAM, "check", "."}).output);
+  const ProcessResult checked = run_there({OPENR_PROGRAM, "check"});
+  EXPECT_EQ(checked.status, 0);
+  EXPECT_THAT(checked.output, HasSubstr("notes\n"));
+  EXPECT_EQ(checked.output, run_there({OPENR_PROGRAM, "check", "."}).output);
   EXPECT_EQ(run_there({OPENR_PROGRAM, "coverage"}).status, 0);
   EXPECT_EQ(run_there({OPENR_PROGRAM, "editor"}).status, 0);
   EXPECT_TRUE(std::filesystem::exists(folder.File(".vscode")));

@@ -368,7 +368,8 @@ TEST(CheckTest, ClocksThatTheRobotLacksAreNamed) {
        {"    gettimeofday(&tv, 0); long s = tv.tv_sec;", "    srand(time(NULL));",
         "    unsigned seed = time(0); srand(seed);", "    unsigned seed(time(0)); srand(seed + 1);",
         "    gettimeofday(&tv, 0); srandom(tv.tv_usec);", "    timer.clock(); timer->time(0);",
-        "    MyTimer::clock();", "    long (*clock)() = Ticks; clock();"}) {
+        "    MyTimer::clock();", "    long (*clock)() = Ticks; clock();",
+        "    seed ^= time(0); srand(seed);", "    seed += clock(); srand(seed);"}) {
     EXPECT_THAT(check("", good), HasSubstr("0 warnings")) << good;
   }
   // Only the seed may be a clock.
@@ -377,6 +378,8 @@ TEST(CheckTest, ClocksThatTheRobotLacksAreNamed) {
                     HasSubstr("1 warning")));
   EXPECT_THAT(check("", "    srand(seed); long begin = clock();"),
               HasSubstr("clock(): the robot has no such"));
+  EXPECT_THAT(check("", "    if (last == time(0)) srand(last);"),
+              HasSubstr("time(): the robot has no such"));
   EXPECT_THAT(check("static long time(long* t) { return 0; }\n", "    time(0);"),
               HasSubstr("0 warnings"));
   EXPECT_THAT(check("struct Probe {\n  int ticks, clock;\n  Probe() : ticks(0), clock() {}\n};\n"

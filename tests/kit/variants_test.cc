@@ -60,7 +60,8 @@ TEST(VariantsTest, AnExternalWorkerIsStartedAgainWithTheLibraryThatItsImagesNeed
   const std::string stick = program.folder().File("MS"), name = fmt::format("far-{}", getpid());
   program.folder().Write("where.cfg", "greeter far\n@far 127.0.0.1\n");
   for (const std::vector<std::string>& flags :
-       {std::vector<std::string>{}, std::vector<std::string>{"--stick", stick}}) {
+       {std::vector<std::string>{}, std::vector<std::string>{"--restart"},
+        std::vector<std::string>{"--stick", stick}}) {
     std::vector<std::string> words = {"join", "--process", "far", "--run-name", name};
     words.insert(words.end(), flags.begin(), flags.end());
     ProgramRun join(words);

@@ -106,6 +106,7 @@ TEST_F(CompletionTest, AnInputFollowsTheNameOfARun) {
   EXPECT_THAT(Offered("openr poke ''"), IsEmpty());
   EXPECT_THAT(Offered("openr poke default pu"), UnorderedElementsAre("push", "put"));
   EXPECT_THAT(Offered("openr poke --robot 1 default pu"), UnorderedElementsAre("push", "put"));
+  EXPECT_THAT(Offered("openr poke --robot = 1 default pu"), UnorderedElementsAre("push", "put"));
   EXPECT_THAT(Offered("openr poke --ro"), UnorderedElementsAre("--robot"));
 }
 

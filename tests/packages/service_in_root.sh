@@ -33,12 +33,14 @@ is_confined() {
   cat "/proc/$pid/status"
   [ "$(stat -c %u "/proc/$pid")" -ne 0 ] && grep -qE '^CapEff:\s*0+$' "/proc/$pid/status" &&
     grep -qE '^NoNewPrivs:\s*1$' "/proc/$pid/status" && grep -qE '^Seccomp:\s*2$' "/proc/$pid/status" &&
-    ! nsenter --target "$pid" --mount touch /usr/made-by-the-service
+    nsenter --target "$pid" --mount touch "$state/made-by-the-test" &&
+    ! nsenter --target "$pid" --mount touch /usr/made-by-the-test
 }
 
 token_is_secret() {
   ls -lL "$state/token"
   [ "$(stat -L -c %a "$state/token")" = 600 ] && [ "$(stat -L -c %a "$state")" = 700 ] &&
+    journalctl -u openr-host --no-pager | grep -F "$state/token" &&
     ! journalctl -u openr-host --no-pager | grep -F "$(head -n 1 "$state/token")"
 }
 
@@ -72,10 +74,12 @@ comes_back() {
 is_another() { [ "$(property MainPID)" != 0 ] && [ "$(property MainPID)" != "$1" ]; }
 
 stops() {
+  local invocation
+  invocation=$(property InvocationID)
   systemctl stop openr-host
-  journalctl -u openr-host --no-pager | tail -n 20
+  journalctl "_SYSTEMD_INVOCATION_ID=$invocation" --no-pager | tail -n 20
   [ "$(property Result)" = success ] && [ "$(property ExecMainStatus)" = 0 ] &&
-    journalctl -u openr-host --no-pager | grep 'ended by pause' && ! pgrep -x openr
+    journalctl "_SYSTEMD_INVOCATION_ID=$invocation" --no-pager | grep 'ended by pause' && ! pgrep -x openr
 }
 
 reads_its_settings() {
