@@ -197,8 +197,9 @@ def follows_in_both_directions(dogs, delay_ms, loss):
         lag = dogs.page.wait_for("pair", lambda e: e["lag_ms"] is not None, "no lag is measured")
         need(lag["lag_ms"] >= delay_ms * 0.5, f"the lag is {lag['lag_ms']} ms")
         dogs.wait_for_angles("neck_pan", 0)
-        trip = dogs.page.wait_for("pair", lambda e: e["round_trip_ms"] is not None, "no round trip")
-        need(trip["round_trip_ms"] >= 2 * delay_ms - 1, f"the round trip is {trip}")
+        # A server that has waited for a processor takes an old time for that of the answer.
+        dogs.page.wait_for("pair", lambda e: (e["round_trip_ms"] or 0) >= 2 * delay_ms - 1,
+                           "no round trip is as long as the link")
     refused = dogs.page.pair("set", follow="simulation", simulation=False)
     need("not controlled" in refused.get("error", ""), f"follows without control: {refused}")
     dogs.disconnect()

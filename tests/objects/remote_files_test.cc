@@ -245,6 +245,7 @@ TEST_F(FilesTest, FilesThatAnUploadHasRenamedGetTheirNamesBackAtTheStart) {
   Write(Motion("UPLOAD0.TMP"), {4});
   Write(ImagePath("CONTROLL.~IN"), {5});
   Write(ImagePath("CONTROLL.~LD"), {6});
+  if (!CanList(Motion(""))) GTEST_SKIP() << "readdir() fails here";
   Boot();
   EXPECT_EQ(kept_, "");
   EXPECT_EQ(Files(),
