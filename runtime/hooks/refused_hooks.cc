@@ -83,8 +83,8 @@ OPENR_REFUSE(int, truncate, -1, (const char* path, off_t size) noexcept, (path, 
 OPENR_REFUSE(int, chmod, -1, (const char* path, mode_t mode) noexcept, (path, mode))
 OPENR_REFUSE(int, dup, -1, (int descriptor) noexcept, (descriptor))
 OPENR_REFUSE(int, dup2, -1, (int from, int to) noexcept, (from, to))
-// Not in a build with a sanitizer, because a sanitizer itself calls pipe() to test whether memory
-// is readable.
+// pipe() is not refused in a build with a sanitizer, because the sanitizer itself calls pipe() to
+// test whether memory is readable.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 OPENR_REFUSE(int, pipe, -1, (int* ends) noexcept, (ends))
 #endif

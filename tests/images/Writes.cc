@@ -95,7 +95,7 @@ LeaveStreams()
     // Never closed.
     FILE* file = fopen(WRITES_FOLDER "LEFT.TXT", "w");
     if (file != 0) fputs("left", file);
-    // In each of these, the stream forgets that a write has failed.
+    // Each of these streams forgets that a write has failed, because of another call.
     file = fopen(WRITES_FOLDER "REWIND.TXT", "w");
     if (file != 0) {
         fputs("rewind", file);

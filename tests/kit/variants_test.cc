@@ -54,7 +54,7 @@ TEST(VariantsTest, ARecordingIsReplayedWithTheLibraryThatItsImagesNeed) {
   EXPECT_EQ(plotted.status, 0) << plotted.err;
 }
 
-// It learns from the run which stick it is, unless --stick says so.
+// An external worker learns from the run which stick it needs, unless --stick says so.
 TEST(VariantsTest, AnExternalWorkerIsStartedAgainWithTheLibraryThatItsImagesNeed) {
   const Variant program("--sanitize", KitFolder::Printing("far away"));
   const std::string stick = program.folder().File("MS"), name = fmt::format("far-{}", getpid());
