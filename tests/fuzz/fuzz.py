@@ -9,6 +9,7 @@
   fuzz.py TARGET --show FILE         one input again
 """
 import argparse
+import base64
 import concurrent.futures
 import json
 import os
@@ -28,6 +29,7 @@ WORD_BYTES = 40  # of a word of a dictionary
 PLANTED_SECONDS = 60  # of processor time
 PLANTED_WAIT = 10  # times as long a busy machine may take for it
 MIN_BYTES, MAX_BYTES = 512, 2048  # limits for the bytes of an input (bytes_limit())
+SHOWN_BYTES = 4096  # a larger input is not printed
 OPTIONS = ["-timeout=10", "-rss_limit_mb=1536", "-malloc_limit_mb=600", "-print_final_stats=1",
            "-mutate_depth=3",  # an input with more changes is hardly ever valid
            "-len_control=0",  # else no input is longer than the longest seed for a long time
@@ -192,8 +194,14 @@ def report(name, result):
     for crash in result["crashes"]:
         LINE.say(f"  {os.path.relpath(crash, ROOT)}")
         LINE.say(f"  again: ./dev fuzz {name} --show {os.path.relpath(crash, ROOT)}")
+        with open(crash, "rb") as file:
+            content = file.read()
+        if len(content) <= SHOWN_BYTES:
+            LINE.say(f"  its content, for base64 -d: {base64.b64encode(content).decode()}")
     if not result["crashes"]:
         LINE.say(f"  openr_fuzz ended with status {result['status']}")
+    for line in re.findall(r"(?m)^.*(?:runtime error|ERROR|what\(\)).*$", result["text"])[:5]:
+        LINE.say(f"  {line}")
     LINE.say(f"  its output: build/fuzz/{name}.log")
     return False
 

@@ -70,8 +70,10 @@ RobotTables TablesOf(const RobotModel& model) {
     if (sensor.kind == SensorKind::kJoint) continue;
     tables.sensors.push_back({sensor.name, sensor.locator, sensor.kind, index, TouchLimit(sensor)});
   }
-  const auto& [width, height] = model.camera.layers.at(0);
-  tables.camera = {model.camera.locator, width, height, UradOf(model.camera.fov_h_rad)};
+  const Camera& camera = model.camera;
+  // The largest picture that programs get, layer H, is half of the camera's picture.
+  tables.camera = {camera.locator, camera.width_px / 2, camera.height_px / 2,
+                   UradOf(camera.fov_h_rad)};
   for (const Posture& posture : model.postures)
     tables.postures.push_back(RowOf(posture, tables.joints));
   tables.min_acceleration_cdeg = CdegOf(model.accel_min_rad_s2);

@@ -1,7 +1,8 @@
 // Reads model files (model/*.json) into a RobotModel.  Converts units to SI and names to indices,
 // and refuses impossible values.
 #include <cmath>
-#include <set>
+#include <tuple>
+#include <utility>
 
 #include "runtime/base/hasher.h"
 #include "runtime/base/read_file.h"
@@ -13,6 +14,8 @@ namespace openr_host {
 namespace {
 
 using Eigen::Vector3d;
+
+constexpr int kCameraPixelsMax = 4096;  // limit for the width and the height of a picture
 
 std::vector<JsonReader> Rows(const JsonReader& root, const char* table) {
   return root.At(table).At("rows").Elements();
@@ -151,9 +154,10 @@ void ReadSensor(const JsonReader& row, RobotModel* model) {
   sensor.kind = KindOf(row.At("kind"));
   sensor.has_range = row.Has("range");
   if (sensor.has_range) {
-    const Range range = Span(row.At("range"), 1);
-    sensor.min = static_cast<int64_t>(range.min);
-    sensor.max = static_cast<int64_t>(range.max);
+    Span(row.At("range"), 1);  // refuses a pair that does not rise
+    const std::vector<JsonReader> limits = row.At("range").Elements();
+    sensor.min = limits[0].Whole(INT32_MIN, INT32_MAX);  // a sensor value of OPEN-R has 32 bits
+    sensor.max = limits[1].Whole(INT32_MIN, INT32_MAX);
   }
   if (row.Has("body")) sensor.body = BodyNamed(*model, row.At("body"));
   if (row.Has("place")) sensor.place_m = Metres(row.At("place"));
@@ -226,15 +230,21 @@ void ReadLights(const JsonReader& root, RobotModel* model) {
   }
 }
 
+// Reads the width and the height of a picture.
+std::pair<int, int> PixelsOf(const JsonReader& size) {
+  const std::vector<JsonReader> v = size.Elements();
+  if (v.size() != 2) size.Fail("must be [width, height]");
+  const auto pixels = [&](int i) { return static_cast<int>(v[i].Whole(1, kCameraPixelsMax)); };
+  return {pixels(0), pixels(1)};
+}
+
 void ReadCamera(const JsonReader& camera, RobotModel* model) {
   Camera& c = model->camera;
   c.locator = camera.At("locator").Text();
   c.body = BodyNamed(*model, camera.At("body"));
   c.place_m = Metres(camera.At("place"));
   c.direction = Unit(camera.At("direction"));
-  const std::vector<double> pixels = camera.At("pixels").Numbers(2);
-  c.width_px = static_cast<int>(pixels[0]);
-  c.height_px = static_cast<int>(pixels[1]);
+  std::tie(c.width_px, c.height_px) = PixelsOf(camera.At("pixels"));
   c.frames_per_s = camera.At("fps").NumberAbove(0);
   const std::vector<double> fov = camera.At("fov").Numbers(2);
   c.fov_h_rad = Radians(fov[0]);
@@ -243,13 +253,14 @@ void ReadCamera(const JsonReader& camera, RobotModel* model) {
     camera.At("pixels").Fail("{} x {} cannot be halved three times", c.width_px, c.height_px);
   // Checks that the sizes in the file are equal to the computed sizes, because the program computes
   // the size of each layer from the size of the previous layer.
-  for (const JsonReader& layer : camera.At("layers").Elements()) {
-    const std::vector<double> size = layer.Numbers(2);
-    c.layers.emplace_back(static_cast<int>(size[0]), static_cast<int>(size[1]));
-    const int half = 2 << (c.layers.size() - 1);
-    if (c.layers.back() != std::pair(c.width_px / half, c.height_px / half)) {
-      layer.Fail("is {} x {}; every layer is half of the one above it, here {} x {}", size[0],
-                 size[1], c.width_px / half, c.height_px / half);
+  const std::vector<JsonReader> layers = camera.At("layers").Elements();
+  if (layers.size() > 3) camera.At("layers").Fail("has {} layers, at most 3", layers.size());
+  for (size_t i = 0; i < layers.size(); ++i) {
+    const auto [width_px, height_px] = PixelsOf(layers[i]);
+    const int half = 2 << i;
+    if (width_px != c.width_px / half || height_px != c.height_px / half) {
+      layers[i].Fail("is {} x {}; every layer is half of the one above it, here {} x {}", width_px,
+                     height_px, c.width_px / half, c.height_px / half);
     }
   }
 }

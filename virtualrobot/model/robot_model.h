@@ -134,7 +134,6 @@ struct Camera {
   int width_px = 0, height_px = 0;
   double frames_per_s = 0;
   double fov_h_rad = 0, fov_v_rad = 0;
-  std::vector<std::pair<int, int>> layers;  // width and height of the layers H, M and L, in pixels
 };
 
 struct Posture {

@@ -186,6 +186,20 @@ TEST(RobotModelTest, PostureOfTheWrongLengthIsRefused) {
             "m.json: postures.rows[0].degrees: must have 18 numbers, has 17");
 }
 
+TEST(RobotModelTest, RangeBeyond32BitsIsRefused) {
+  EXPECT_EQ(ErrorWith("\"range\": [0, 980665]", "\"range\": [0, 2147483648]"),
+            "m.json: sensors.rows[3].range[1]: is 2147483648, must be -2147483648 to 2147483647");
+}
+
+TEST(RobotModelTest, CameraBeyondItsLimitsIsRefused) {
+  EXPECT_EQ(ErrorWith("\"pixels\": [352, 288]", "\"pixels\": [352, 2147483648]"),
+            "m.json: camera.pixels[1]: is 2147483648, must be 1 to 4096");
+  EXPECT_EQ(ErrorWith("\"pixels\": [352, 288]", "\"pixels\": [352]"),
+            "m.json: camera.pixels: must be [width, height]");
+  EXPECT_EQ(ErrorWith("[44, 36]]", "[44, 36], [22, 18]]"),
+            "m.json: camera.layers: has 4 layers, at most 3");
+}
+
 TEST(RobotModelTest, ModelWithoutSleepingPostureIsRefused) {
   EXPECT_THAT(ErrorWith("{\"name\": \"sleep\"", "{\"name\": \"nap\""),
               testing::StartsWith("m.json: postures: 'sleep' is missing"));
