@@ -58,9 +58,10 @@ uint32_t RegionTable::New(size_t size, ObjectId owner) {
   fresh.owner = fresh.maker = owner;
   fresh.generation = static_cast<uint16_t>(slot.generation + 1);
   fresh.live = fresh.is_reusable = true;
+  fresh.id = IdOf(index, fresh.generation);
   slot = fresh;
   ++live_count_;
-  return static_cast<uint32_t>(slot.generation) << 16 | (index + 1);
+  return slot.id;
 }
 
 // Makes the slot that `id` names empty, for a new block with this id, which the master process has
@@ -86,6 +87,7 @@ RegionTable::Slot* RegionTable::SlotFor(uint32_t id) {
 char* RegionTable::AdoptOwn(uint32_t id, size_t size, ObjectId owner) {
   Slot* const slot = SlotFor(id);
   if (slot == nullptr || Fill(slot, IndexOf(slot), size) == nullptr) return nullptr;
+  slot->id = id;
   slot->owner = owner;
   slot->live = true;
   ++live_count_;
@@ -99,6 +101,7 @@ char* RegionTable::AdoptCopy(uint32_t id, size_t size) {
   Slot* slot = FindMemory(id);
   if (slot != nullptr && slot->is_idle && slot->capacity == size) {
     slot->is_idle = false;
+    slot->id = id;
     slot->size = size;
     // Writes the guard bytes again, because a program that wrote beyond the end of the last copy
     // may have changed them.
@@ -108,6 +111,7 @@ char* RegionTable::AdoptCopy(uint32_t id, size_t size) {
   slot = SlotFor(id);
   if (slot == nullptr || Fill(slot, IndexOf(slot), size) == nullptr) return nullptr;
   slot->is_copy = true;
+  slot->id = id;
   return slot->base;
 }
 
@@ -121,11 +125,10 @@ void RegionTable::Lose(uint32_t id) {
 
 bool RegionTable::Locate(const void* address, uint32_t* id, size_t* offset) const {
   const auto at = reinterpret_cast<uintptr_t>(address);
-  for (size_t i = 0; i < slots_.size(); ++i) {
-    const Slot& slot = slots_[i];
+  for (const Slot& slot : slots_) {
     const auto base = reinterpret_cast<uintptr_t>(slot.base);
     if (base == 0 || slot.is_idle || at < base || at - base >= slot.size) continue;
-    *id = static_cast<uint32_t>(slot.generation) << 16 | static_cast<uint32_t>(i + 1);
+    *id = slot.id;
     *offset = at - base;
     return true;
   }
@@ -135,6 +138,7 @@ bool RegionTable::Locate(const void* address, uint32_t* id, size_t* offset) cons
 void RegionTable::FreeIfUnused(Slot* slot) {
   ASSERT(live_count_ >= 0 && slot->pins >= 0, "{} live blocks, {} pins", live_count_, slot->pins);
   if (slot->live || slot->pins > 0) return;
+  slot->id = kNoRegion;
   if (kReusesCopies && slot->is_copy) {
     slot->is_idle = true;
     return;
@@ -261,11 +265,9 @@ int RegionTable::CountOf(ObjectId owner) const {
 
 void RegionTable::ForEachOf(ObjectId owner,
                             const std::function<void(uint32_t, char*, size_t)>& visit) const {
-  for (size_t i = 0; i < slots_.size(); ++i) {
-    const Slot& slot = slots_[i];
+  for (const Slot& slot : slots_) {
     if (!slot.live || slot.owner != owner) continue;
-    visit(static_cast<uint32_t>(slot.generation) << 16 | static_cast<uint32_t>(i + 1), slot.base,
-          slot.size);
+    visit(slot.id, slot.base, slot.size);
   }
 }
 

@@ -130,12 +130,14 @@ class RegionTable {
  private:
   // A slot fills one cache line, so that finding a region reads memory once.
   struct alignas(64) Slot {
+    // The id by which Find() finds the block; kNoRegion if the slot has no memory or `is_idle`.
+    uint32_t id = kNoRegion;
+    int pins = 0;
     char* base = nullptr;
     size_t size = 0;
     ObjectId owner = kNoObject;
     ObjectId maker = kNoObject;
     const void* made_at = nullptr;  // the instruction that NotePlace() has recorded
-    int pins = 0;
     uint16_t generation = 0;
     bool live = false;         // true until the block is deleted; false for copies
     size_t capacity = 0;       // the size with which the block was made
@@ -157,13 +159,18 @@ class RegionTable {
   // for a block that AdoptCopy() has made and that no observer reads at present (is_idle): its
   // bytes may be out of date, and only its memory is kept for the next copy.
   Slot* Find(uint32_t id) {
-    Slot* const slot = FindMemory(id);
-    return slot == nullptr || slot->is_idle ? nullptr : slot;
+    const uint32_t index = (id & 0xffff) - 1;
+    if (index >= slots_.size() || slots_[index].id != id) return nullptr;
+    return &slots_[index];
   }
   const Slot* Find(uint32_t id) const { return const_cast<RegionTable*>(this)->Find(id); }
   void FreeIfUnused(Slot* slot);
   char* Fill(Slot* slot, uint32_t index, size_t size);
   uint32_t IndexOf(const Slot* slot) const { return static_cast<uint32_t>(slot - slots_.data()); }
+  // Returns the id of the block in a slot with this index and generation.
+  static uint32_t IdOf(uint32_t index, uint16_t generation) {
+    return static_cast<uint32_t>(generation) << 16 | (index + 1);
+  }
   Slot* SlotFor(uint32_t id);
 
   RegionMemory memory_;
