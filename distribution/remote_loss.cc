@@ -60,7 +60,7 @@ void RemoteProcess::ReleaseAll() {
     // Ends the wait of a RemoteObject, the master's stand-in for an object of the worker, if its
     // handler in the worker had not returned.  The lost worker will never report the end of this
     // handler.
-    if (object->handler.blocked != nullptr) WakeHandler(id, object->handler.blocked_box);
+    if (object->delivery.blocked() != nullptr) WakeHandler(id, object->wait.box);
   }
   calls_->ReleasePins();
   // Removes the lost process's counts of dropped notifications and its heap use, because the next

@@ -80,7 +80,7 @@ bool RemoteProcess::WillSendMore() const {
   const Message* const next = system_->queue().First();
   if (next == nullptr || next->is_reply) return false;
   const auto* const target = dynamic_cast<const RemoteObject*>(system_->object(next->target));
-  return target != nullptr && target->handler.blocked == nullptr && !target->processor.is_busy;
+  return target != nullptr && target->delivery.blocked() == nullptr && !target->delivery.is_busy();
 }
 
 // Waits for the next sample of the worker.  Throws ProcessLost if the worker is lost.

@@ -41,9 +41,9 @@ size_t WorkerCalls::ReadLine(char* buffer, size_t size) {
   Object* const self = t_current.object;
   const uint64_t box = system_->requests().OpenBox();
   master_->WaitsForLine(box, size);
-  self->handler.blocked_why = ConsoleInput::kWhy;
+  self->wait.why = ConsoleInput::kWhy;
   const OwnedMessage line = system_->dispatcher().WaitFor(box);
-  self->handler.blocked_why.clear();
+  self->wait.why.clear();
   self->boxes.open.erase(box);
   const size_t count = std::min<size_t>(line->size, size);
   std::memcpy(buffer, line->payload, count);

@@ -99,7 +99,7 @@ Json AnswerObjects(const Asked& asked) {
                        {"state", object->state},
                        {"messages", object->message_count},
                        {"waiting", object->waiting},
-                       {"waits_for", object->handler.blocked_why}});
+                       {"waits_for", object->wait.why}});
   }
   return {{"time_s", TimeOf(asked)}, {"objects", objects}};
 }
@@ -152,7 +152,7 @@ Json AnswerObject(const Asked& asked) {
           {"messages", object->message_count},
           {"dropped", object->dropped_count},
           {"waiting", object->waiting},
-          {"waits_for", object->handler.blocked_why},
+          {"waits_for", object->wait.why},
           {"subjects", subjects},
           {"observers", observers},
           {"findings", findings}};

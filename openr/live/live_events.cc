@@ -225,12 +225,12 @@ Json LiveEvents::Graph() {
   for (const auto& object : system.objects()) {
     objects.push_back({{"robot", object->robot},
                        {"name", object->name},
-                       {"state", object->is_off ? "off" : object->state},
+                       {"state", object->delivery.is_off() ? "off" : object->state},
                        {"messages", object->message_count},
                        {"per_s", objects_[object->id].per_s},
                        {"waiting", object->waiting},
                        {"dropped", object->dropped_count},
-                       {"waits_for", object->handler.blocked_why},
+                       {"waits_for", object->wait.why},
                        {"cost_us", static_cast<double>(object->handler_ns_max) / 1000},
                        {"findings", findings[{object->robot, object->name}]}});
   }

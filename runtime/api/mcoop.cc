@@ -150,9 +150,8 @@ sError Reply(void* msg, size_t size) {
   // If the observer and the subject of a connection belong to one object, the object calls its own
   // entry directly, without a request.  In this case the reply is copied to the memory that the
   // caller of the entry has given.
-  if (object->handler.self_reply != nullptr) {
-    std::memcpy(object->handler.self_reply->data, msg,
-                std::min(size, object->handler.self_reply->size));
+  if (object->self_reply != nullptr) {
+    std::memcpy(object->self_reply->data, msg, std::min(size, object->self_reply->size));
     return sSUCCESS;
   }
   return t_current.system->requests().Reply(t_current.system->requests().TakeTicket(), msg, size);

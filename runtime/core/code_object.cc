@@ -57,15 +57,12 @@ bool CodeHost::HasEntry(uint32_t selector) const {
 }
 
 bool CodeHost::Dispatch(uint32_t selector, void* payload) {
-  // For a selector below oentryBASE (DoInit, DoStart, DoStop or DoDestroy), the subtraction gives a
-  // very large number, so the comparison below sees that it is no index.
-  const uint32_t index = selector - oentryBASE;
-  if (code != nullptr && index < code->entries_.size()) [[likely]] {
-    code->entries_[index]->Handle(payload);
-    return true;
+  if (selector >= entry_count && !HasEntry(selector)) return false;
+  if (selector < oentryBASE) [[unlikely]] {
+    CallSystemEntry(selector, payload);
+  } else {
+    code->entries_[selector - oentryBASE]->Handle(payload);
   }
-  if (!HasEntry(selector)) return false;
-  CallSystemEntry(selector, payload);
   return true;
 }
 

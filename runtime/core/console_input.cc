@@ -26,8 +26,7 @@ void ConsoleInput::WakeNext(Terminal* terminal) {
     const auto [id, box] = terminal->readers.front();
     terminal->readers.pop_front();
     const Object* const object = system_->object(id);
-    if (object == nullptr || object->handler.blocked == nullptr ||
-        object->handler.blocked_box != box)
+    if (object == nullptr || object->delivery.blocked() == nullptr || object->wait.box != box)
       continue;
     // The message that wakes the reader also holds the line, so that the trace shows it.  The
     // reader takes the line from the terminal and not from this message.

@@ -42,7 +42,7 @@ void Cpu::Grant(Object* object, int64_t now_us) {
 }
 
 void Cpu::Begin(Object* object, uint32_t selector, int64_t cost_us, int64_t now_us) {
-  ASSERT(cost_us > 0 && IsFreeFor(*object) && !object->processor.is_busy,
+  ASSERT(cost_us > 0 && IsFreeFor(*object) && !object->delivery.is_busy(),
          "{} begins a handler of {} us", object->name, cost_us);
   // Adds no finding about DoInit, DoStart, DoStop and DoDestroy, even if they take long, because
   // they run only when the robot starts or ends.
@@ -58,8 +58,7 @@ void Cpu::Begin(Object* object, uint32_t selector, int64_t cost_us, int64_t now_
   // processor, because the new handler interrupts it.
   if (!jobs_.empty()) jobs_.back().left_us -= now_us - jobs_.back().since_us;
   jobs_.push_back({object, cost_us, now_us});
-  object->processor.is_busy = true;
-  object->is_free = false;
+  object->delivery.set_busy(true);
 }
 
 int64_t Cpu::EndUs() const {
@@ -71,7 +70,7 @@ void Cpu::End(int64_t now_us) {
   Object* const object = jobs_.back().object;
   jobs_.pop_back();
   if (!jobs_.empty()) jobs_.back().since_us = now_us;
-  object->processor.is_busy = false;
+  object->delivery.set_busy(false);
   // Clears the current object, because otherwise Post() would put the messages into the outbox of
   // this object again, where they wait while its handler takes processor time.
   const CurrentScope nobody(system_, nullptr);

@@ -16,15 +16,21 @@ namespace openr_host {
 thread_local constinit Current t_current;
 
 Dispatcher::Dispatcher(System* system)
-    : system_(system), free_deliveries_(system->options().free_deliveries) {}
+    : system_(system),
+      free_deliveries_(
+          static_cast<uint64_t>(std::max<int64_t>(system->options().free_deliveries, 0))),
+      many_at_(free_deliveries_) {}
 
 Dispatcher::~Dispatcher() = default;
 
 uint64_t Dispatcher::Run(const Limits& limits) {
   ASSERT(running_ == nullptr, "a handler must not run the system it belongs to");
   limits_ = limits;
+  run_began_at_ = delivered_;
+  // A predicate is called before every message, so MayContinue() is asked from the beginning.
+  stop_at_ =
+      limits.until != nullptr ? 0 : delivered_ + std::min(limits.messages, UINT64_MAX - delivered_);
   if (system_->powered_off()) Stop();
-  delivered_ = 0;
   const Current saved = t_current;
   t_current.system = system_;
   Fiber* const fiber = TakeFiber();
@@ -32,7 +38,7 @@ uint64_t Dispatcher::Run(const Limits& limits) {
   fiber->SwitchFrom(&caller_);
   running_ = nullptr;
   t_current = saved;
-  return delivered_;
+  return delivered_ - run_began_at_;
 }
 
 Fiber* Dispatcher::TakeFiber() {
@@ -75,8 +81,10 @@ void Dispatcher::Recycle() {
   abandoned_ = nullptr;
 }
 
-[[gnu::always_inline]] inline bool Dispatcher::MayContinue() const {
-  return delivered_ < limits_.messages && (limits_.until == nullptr || !(*limits_.until)());
+// Returns whether the limits of Run() allow one more message.
+bool Dispatcher::MayContinue() const {
+  return delivered_ - run_began_at_ < limits_.messages &&
+         (limits_.until == nullptr || !(*limits_.until)());
 }
 
 // The functions from here to Loop() are inline, so that the compiler joins them into one function.
@@ -88,8 +96,7 @@ void Dispatcher::Recycle() {
     FinishImage(object);
   t_current.object = nullptr;
   object->handler.running.reset();
-  if (!object->is_free && !object->processor.is_busy && !object->handler.held.empty()) [[unlikely]]
-    object->ReturnHeld();
+  if (!object->delivery.is_busy()) object->ReturnHeld();
 }
 
 // Ends what is measured of a handler of an image: floating-point faults and the use of its stack.
@@ -134,13 +141,15 @@ void Dispatcher::RunMeasured(Object* object) {
   FinishHandler(object);
 }
 
-// Runs the handler of `object` for `message`, and records the message in the trace first.  Takes
+// Counts `message`, records it in the trace and makes it the running message of `object`.  Takes
 // over the message.
-[[gnu::always_inline]] inline void Dispatcher::RunHandler(Object* object, Message* message) {
+[[gnu::always_inline]] inline void Dispatcher::BeginDelivery(Object* object, Message* message) {
+  --object->waiting;
+  ASSERT(object->waiting >= 0, "{} gets a message, none was counted as waiting", object->name);
+  if (++delivered_ >= many_at_) [[unlikely]]
+    NoteManyDeliveries(object);
   system_->trace_.Deliver(*message, system_->now_us_);
   ++object->message_count;
-  if (message->selector == oentryINIT) [[unlikely]]
-    system_->manager_->Begins(object->id);
   ASSERT(object->handler.running == nullptr, "{} runs one handler at a time", object->name);
   // The message belongs to the object's state and not to a local variable, because this stack is
   // given up if the handler is abandoned.
@@ -150,31 +159,22 @@ void Dispatcher::RunMeasured(Object* object) {
   // string functions of the C library, has left bits in the upper halves of the vector registers
   // (upper_registers.h).
   ClearUpperRegisters();
-  if (object->is_image || system_->options_.wall_clock_ns != nullptr) [[unlikely]]
-    return RunMeasured(object);
-  // Sets all members of t_current except `system`, which Run() has set.
-  t_current.object = object;
-  t_current.image_code = false;
-  t_current.watch = nullptr;
-  CallEntry(object);
-  FinishHandler(object);
 }
 
 // Returns `message` if `object`, its receiver, can handle it now.  Otherwise returns null, because
 // the message was dropped, was delivered as a reply (which needs no new handler), or is kept for
 // later.
-[[gnu::noinline]] OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
-  if (object->is_off) {
+OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
+  if (object->delivery.is_off()) {
     if (!message->is_reply) --object->waiting;
     return nullptr;
   }
   // Holds the message if the receiver cannot handle it now: the receiver's last handler waits or
   // still has the processor, or the receiver is still in its boot.  A reply is never held, because
   // the handler that waits needs it.
-  const bool is_in_handler = object->handler.blocked != nullptr || object->processor.is_busy;
+  const bool is_in_handler = object->delivery.blocked() != nullptr || object->delivery.is_busy();
   if (!message->is_reply && (is_in_handler || system_->manager_->IsTooEarly(*message))) {
-    object->handler.held.push_back(std::move(message));
-    object->is_free = false;
+    object->delivery.Hold(std::move(message));
     return nullptr;
   }
   // A gate (schedule.h), which a test has set, may keep the message and put it back into the queue
@@ -194,10 +194,21 @@ void Dispatcher::RunMeasured(Object* object) {
     cpu->Wait(object, std::move(message), system_->now_us_);
     return nullptr;
   }
-  object->is_free = object->handler.held.empty() && !object->processor.is_busy;
-  system_->are_deliveries_free_ =
-      system_->gate_ == nullptr && system_->cpus_.empty() && !system_->manager_->KeepsBack();
+  system_->are_deliveries_free_ = system_->gate_ == nullptr && system_->cpus_.empty() &&
+                                  system_->options_.wall_clock_ns == nullptr &&
+                                  !system_->manager_->KeepsBack();
   return message;
+}
+
+// Delivers `message` to `object` if the object can handle it now, and does for its handler what
+// only images, the boot and SystemOptions demand.
+[[gnu::noinline]] void Dispatcher::DeliverChecked(Object* object, OwnedMessage message) {
+  message = Admit(object, std::move(message));
+  if (message == nullptr) return;
+  const bool begins = message->selector == oentryINIT;
+  BeginDelivery(object, message.release());
+  if (begins) system_->manager_->Begins(object->id);
+  RunMeasured(object);
 }
 
 // Delivers `message` to its receiver, and takes it over.
@@ -210,9 +221,8 @@ void Dispatcher::RunMeasured(Object* object) {
   if (const Message* const second = next == nullptr ? nullptr : next->next) {
     constexpr int kCacheLine = 64;
     const Object* const object = system_->table_.GetKnown(second->target);
-    const char* const hot = reinterpret_cast<const char*>(&object->entry_count);
     __builtin_prefetch(object);
-    for (int i = 0; i < 3; ++i) __builtin_prefetch(hot + kCacheLine * i);
+    __builtin_prefetch(&object->entry_count);
     // Computes the addresses as numbers and not as pointers, because the pointer is null if there
     // is no third message, and C++ does not define the sum of a null pointer and a number.
     const auto third = reinterpret_cast<uintptr_t>(second->next);
@@ -221,18 +231,20 @@ void Dispatcher::RunMeasured(Object* object) {
           reinterpret_cast<const void*>(third + kCacheLine * static_cast<unsigned>(i)));
   }
   Object* const object = system_->table_.GetKnown(message->target);
-  const bool needs_no_check =
-      object->is_free && system_->are_deliveries_free_ && !message->is_reply;
-  if (!needs_no_check) [[unlikely]] {
-    message = Admit(object, OwnedMessage(message)).release();
-    if (message == nullptr) return;
-  }
-  --object->waiting;
-  ASSERT(object->waiting >= 0, "{} gets a message, none was counted as waiting", object->name);
-  ++delivered_;
-  if (++deliveries_at_instant_ >= free_deliveries_) [[unlikely]]
-    NoteManyDeliveries(object);
-  RunHandler(object, message);
+  const bool is_plain = object->is_plain && system_->are_deliveries_free_ && !message->is_reply;
+  if (!is_plain) [[unlikely]]
+    return DeliverChecked(object, OwnedMessage(message));
+  BeginDelivery(object, message);
+  // Run() has set t_current.system.
+  t_current.object = object;
+  t_current.image_code = false;
+  t_current.watch = nullptr;
+  CallEntry(object);
+  t_current.object = nullptr;
+  object->handler.running.reset();
+  // The object may have got messages while its handler waited.
+  if (!object->is_plain) [[unlikely]]
+    FinishHandler(object);
 }
 
 void Dispatcher::ReportSelector(uint32_t selector) {
@@ -253,10 +265,10 @@ void Dispatcher::ReportException(const Object& object, const std::string& what) 
 }
 
 // Called when SystemOptions::free_deliveries messages or more were delivered at this instant.  Adds
-// a finding that each further message takes 1 us, and sets creep_us(), so that it does.
+// a finding that each further message takes 1 us, and sets System::creep_us(), so that it does.
 void Dispatcher::NoteManyDeliveries(const Object* object) {
-  if (deliveries_at_instant_ > free_deliveries_) {
-    creep_us_ = 1;
+  if (delivered_ > many_at_) {
+    system_->creep_us_ = 1;
     return;
   }
   system_->AddFindingAbout(object, Severity::kWarning,
@@ -268,7 +280,7 @@ void Dispatcher::NoteManyDeliveries(const Object* object) {
 void Dispatcher::Loop() {
   Recycle();
   for (;;) {
-    if (!MayContinue()) {
+    if (delivered_ >= stop_at_ && !MayContinue()) {
       ToCaller();
       continue;
     }
@@ -291,9 +303,12 @@ void Dispatcher::Loop() {
 
 void Dispatcher::AdvanceTo(int64_t time_us) {
   // Does not reset the count of messages at one instant after a step of 1 us.  Such a step may come
-  // from creep_us(), which delays the messages of objects that answer each other without waiting.
-  // With a reset, creep_us() would take these objects for normal ones again.
-  if (time_us > system_->now_us_ + 1) deliveries_at_instant_ = creep_us_ = 0;
+  // from System::creep_us_, which delays the messages of objects that answer each other without
+  // waiting.  After a reset these objects would count as normal ones again.
+  if (time_us > system_->now_us_ + 1) {
+    many_at_ = delivered_ + free_deliveries_;
+    system_->creep_us_ = 0;
+  }
   system_->queue_.Advance(time_us);
   system_->now_us_ = time_us;
 }
@@ -312,6 +327,7 @@ bool Dispatcher::MayRun(Object* object, const Message& message) {
 
 void Dispatcher::DeliverReply(Object* object, OwnedMessage message) {
   ++delivered_;
+  ++many_at_;  // a reply does not count for NoteManyDeliveries()
   system_->trace_.Deliver(*message, system_->now_us_);
   const uint64_t box = message->reply_box;
   // The reply box may have been closed since `message` was posted: by CleanRBox(), or because the
@@ -322,12 +338,12 @@ void Dispatcher::DeliverReply(Object* object, OwnedMessage message) {
   // If the handler does not wait for this reply, the reply stays in its box until the object asks
   // for it in a later call.  If the object has ordered messages for the arrival of this reply
   // (reply events), they are posted now.
-  if (object->handler.blocked == nullptr || object->handler.blocked_box != box) {
+  if (object->delivery.blocked() == nullptr || object->wait.box != box) {
     system_->time_events_.ReplyArrived(object->id, box);
     return;
   }
-  Fiber* const waiting = object->handler.blocked;
-  object->handler.blocked = nullptr;
+  Fiber* const waiting = object->delivery.blocked();
+  object->delivery.set_blocked(nullptr);
   t_current = {system_, object, object->is_image};
   idle_.push_back(running_);  // lets TakeFiber() continue the loop of this fiber later
   SwitchTo(waiting);
@@ -340,10 +356,9 @@ OwnedMessage Dispatcher::WaitFor(uint64_t box) {
     // The running fiber keeps the stack of the handler that waits.  Another fiber continues Loop(),
     // until DeliverReply() switches back to this fiber.
     const Current saved = t_current;
-    object->handler.blocked = running_;
-    object->is_free = false;
-    object->handler.blocked_box = box;
-    object->handler.blocked_since_us = system_->now_us_;
+    object->delivery.set_blocked(running_);
+    object->wait.box = box;
+    object->wait.since_us = system_->now_us_;
     SwitchTo(TakeFiber());
     t_current = saved;
   }

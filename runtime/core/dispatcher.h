@@ -37,7 +37,10 @@ class Dispatcher {
   uint64_t Run(const Limits& limits);
 
   // Makes Run() return when the running handler has ended.  Called when all robots are off.
-  void Stop() { limits_.messages = 0; }
+  void Stop() {
+    limits_.messages = 0;
+    stop_at_ = 0;
+  }
 
   // Suspends the running handler until a reply arrives in the object's reply box `box`, and returns
   // the reply.  REQUIRES: called in a handler.
@@ -46,10 +49,6 @@ class Dispatcher {
   // Does the work of System::AbandonHandler(): ends the running handler without returning to it.
   [[noreturn]] void Abandon();
 
-  // Returns the time to add to a message posted now: 1 us if more messages were delivered at this
-  // instant than SystemOptions::free_deliveries, otherwise 0.
-  int64_t creep_us() const { return creep_us_; }
-
  private:
   static void FiberMain(void* dispatcher);
   void Loop();
@@ -57,13 +56,14 @@ class Dispatcher {
   void ToCaller();
   void AdvanceTo(int64_t time_us);
   void Deliver(Message* message);
+  void DeliverChecked(Object* object, OwnedMessage message);
   OwnedMessage Admit(Object* object, OwnedMessage message);
+  void BeginDelivery(Object* object, Message* message);
   void NoteManyDeliveries(const Object* object);
   void ReportSelector(uint32_t selector);
   void ReportException(const Object& object, const std::string& what);
   bool MayRun(Object* object, const Message& message);
   void DeliverReply(Object* object, OwnedMessage message);
-  void RunHandler(Object* object, Message* message);
   void RunMeasured(Object* object);
   void CallEntry(Object* object);
   void FinishHandler(Object* object);
@@ -82,10 +82,13 @@ class Dispatcher {
   Fiber* running_ = nullptr;
   Fiber* abandoned_ = nullptr;  // the fiber that Abandon() left; the next fiber puts it into idle_
   Limits limits_;
-  uint64_t delivered_ = 0;  // messages delivered in the current Run()
-  const int64_t free_deliveries_;
-  int64_t deliveries_at_instant_ = 0;
-  int64_t creep_us_ = 0;
+  uint64_t delivered_ = 0;     // messages delivered in all calls of Run()
+  uint64_t run_began_at_ = 0;  // value of delivered_ when the current Run() began
+  // The value of delivered_ from which on Loop() asks MayContinue() before each message.
+  uint64_t stop_at_ = 0;
+  const uint64_t free_deliveries_;
+  // The value of delivered_ from which on NoteManyDeliveries() is called for each message.
+  uint64_t many_at_;
 };
 
 }  // namespace openr_host

@@ -76,7 +76,6 @@ ImageObject::~ImageObject() {
 }
 
 std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
-  is_image = true;
   std::string copy, original, problem;
   {
     const ImageFile image = ReadImageFile(file);

@@ -41,7 +41,8 @@ class RunFolder {
 
 class ImageObject : public Object {
  public:
-  using Object::Object;
+  ImageObject(System* the_system, ObjectId the_id, int the_robot)
+      : Object(the_system, the_id, the_robot, true) {}
   ~ImageObject() override;  // unloads the image
 
   // Loads a copy of the image `file` and runs the constructors of its global objects as code of

@@ -12,8 +12,12 @@
 
 namespace openr_host {
 
-Object::Object(System* the_system, ObjectId the_id, int the_robot)
-    : system(the_system), id(the_id), robot(the_robot) {}
+Object::Object(System* the_system, ObjectId the_id, int the_robot, bool the_is_image)
+    : system(the_system),
+      id(the_id),
+      robot(the_robot),
+      delivery(&is_plain, the_is_image),
+      is_image(the_is_image) {}
 
 Object::~Object() {
   files.CloseAll();
@@ -54,9 +58,9 @@ std::string Object::EntryName(uint32_t selector) const {
 std::string Object::NameService(uint32_t selector, const char* kind) {
   // Takes the entry that the object has called itself, if there is one, and otherwise the entry of
   // the running message.  Either is the Control or Connect entry of the service.
-  const uint32_t entry = handler.self_reply != nullptr ? handler.self_reply->selector
-                         : handler.running != nullptr  ? handler.running->selector
-                                                       : UNDEF;
+  const uint32_t entry = self_reply != nullptr        ? self_reply->selector
+                         : handler.running != nullptr ? handler.running->selector
+                                                      : UNDEF;
   const auto found = services.find(entry);
   const std::string service = found == services.end() ? name : found->second;
   system->calls().NameEntry(selector, fmt::format("{} ({})", service, kind));
@@ -83,8 +87,7 @@ void Object::HandleUndelivered(const Message& message) {
 void Object::ReturnHeld() {
   // Puts the newest of the held messages back first, so that the oldest is at the front of the
   // queue at the end.
-  for (; !handler.held.empty(); handler.held.pop_back())
-    system->Readmit(std::move(handler.held.back()));
+  while (!delivery.held().empty()) system->Readmit(delivery.TakeNewestHeld());
 }
 
 }  // namespace openr_host

@@ -11,7 +11,7 @@
 
 #include "runtime/core/address_plan.h"
 #include "runtime/core/arena.h"
-#include "runtime/core/fiber.h"
+#include "runtime/core/delivery_state.h"
 #include "runtime/core/fp_flags.h"
 #include "runtime/core/message.h"
 
@@ -43,29 +43,28 @@ struct StandingReady {
   auto operator<=>(const StandingReady&) const = default;
 };
 
-// The state of an object's handler while the handler runs or waits.
+// The state of an object's handler while the handler runs.
 struct HandlerState {
   OwnedMessage running;  // the message being handled; null if no handler runs
   // The number of calls of GetSystemTime() in this handler.  Each call adds 1 us to the time, so
   // that a loop that waits for a certain time ends.
   uint64_t time_calls = 0;
-  // Messages that the object cannot handle yet, oldest first, because its handler waits or has the
-  // processor, or because it is in its boot (ObjectManager::IsTooEarly()).
-  std::vector<OwnedMessage> held;
-  // The stack of the handler while the handler waits; null if no handler waits.
-  Fiber* blocked = nullptr;
-  uint64_t blocked_box = 0;      // the reply box for which the handler waits
-  int64_t blocked_since_us = 0;  // virtual time when the wait began
+};
+
+// For what a handler waits.  The members have a meaning while DeliveryState::blocked() is not null.
+struct WaitState {
+  uint64_t box = 0;      // the reply box for which the handler waits
+  int64_t since_us = 0;  // virtual time when the wait began
   // The text that tells users what the handler waits for: "the answer of IPStack (Send)".
-  std::string blocked_why;
-  // The place where an object receives the reply when it calls an entry of its own.  An object does
-  // this if one of its subjects is connected with one of its observers.
-  struct SelfReply {
-    void* data;
-    size_t size;
-    uint32_t selector;  // the entry that is called
-  };
-  SelfReply* self_reply = nullptr;  // null if the object calls no entry of its own now
+  std::string why;
+};
+
+// The place where an object receives the reply when it calls an entry of its own.  An object does
+// this if one of its subjects is connected with one of its observers.
+struct SelfReply {
+  void* data;
+  size_t size;
+  uint32_t selector;  // the entry that is called
 };
 
 // The numbered boxes in which an object receives replies; see requests.h.
@@ -77,7 +76,6 @@ struct ReplyBoxes {
 
 // The object's use of the robot's processor, if handlers take time; see cpu.h.
 struct ProcessorState {
-  bool is_busy = false;  // whether a handler of the object has the processor
   // The virtual time since when a message has waited for the processor; -1 if none waits.
   int64_t starving_since_us = -1;
   struct Outgoing {
@@ -109,7 +107,7 @@ class OpenFiles {
 
 class Object {
  public:
-  Object(System* system, ObjectId id, int robot);
+  Object(System* system, ObjectId id, int robot, bool is_image = false);
   virtual ~Object();
   Object(const Object&) = delete;
   Object& operator=(const Object&) = delete;
@@ -203,6 +201,10 @@ class Object {
 
   OpenFiles files;
   ReplyBoxes boxes;
+  WaitState wait;
+  SelfReply* self_reply = nullptr;  // null if the object calls no entry of its own now
+  ProcessorState processor;
+  DeliveryState delivery;
 
   // The part of the address plan that belongs to the object.  Null for objects that are no images,
   // and where addresses are not planned (address_plan.h).
@@ -217,9 +219,9 @@ class Object {
   // selector.
   std::map<uint32_t, std::string> services;
 
-  // ---- The members that the delivery of every message reads.  They lie on two cache lines,
-  // because with thousands of objects a delivery spends most of its time waiting for memory.  They
-  // come last, so that the members of the derived classes lie next to them.
+  // ---- The members that the delivery of every message reads.  They lie on one cache line, because
+  // with thousands of objects a delivery spends most of its time waiting for memory.  They come
+  // last and leave 8 bytes of the line, so that CodeHost::code lies on this line, too.
 
   // The object has the entries 0 to entry_count - 1.  For all other entries, HasEntry() is called.
   alignas(64) uint32_t entry_count = 0;
@@ -231,14 +233,9 @@ class Object {
   // The class of the messages that the object posts, which comes before priorities in the order of
   // delivery.
   MessageClass post_class = MessageClass::kObject;
-  bool is_image = false;  // whether the object was loaded from a file (an image)
-  bool is_off = false;    // whether the robot is off; messages to the object are then dropped
-  // True if nothing keeps a message from being handled at once: the robot is on, no handler of the
-  // object waits or has the processor, and no message is held.  Set to false where one of these
-  // begins.  Only Dispatcher::Admit() sets it to true, when it finds that all of them have ended.
-  bool is_free = false;
-  uint64_t message_count = 0;  // number of messages delivered to the object
-  ProcessorState processor;
+  const bool is_image;  // whether the object was loaded from a file (an image)
+  DeliveryState::PlainFlag is_plain{delivery};  // whether a delivery only calls the handler
+  uint64_t message_count = 0;                   // number of messages delivered to the object
   HandlerState handler;
 };
 

@@ -135,7 +135,7 @@ void ObjectManager::ReleaseEarlyMessages() {
     if (!starting->second) continue;
     Object* const object = system().object(starting->first);
     starting_.erase(starting);
-    if (object->handler.blocked == nullptr && !object->processor.is_busy) object->ReturnHeld();
+    if (object->delivery.blocked() == nullptr && !object->delivery.is_busy()) object->ReturnHeld();
   }
 }
 
@@ -270,8 +270,8 @@ void ObjectManager::SendToAll(Selector entry, OReason reason, bool system_object
 void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
   if (entry == oentryINIT) uninitialised_.erase(object->id);
   if (uninitialised_.contains(object->id))
-    return;                    // an object that had no DoInit has no subjects or observers
-  if (object->is_off) return;  // the robot of `object` was switched off meanwhile
+    return;  // an object that had no DoInit has no subjects or observers
+  if (object->delivery.is_off()) return;  // the robot of `object` was switched off meanwhile
   OReasonMessage message = MessageOf(*object, reason);
   OStatusMessage reply;
   const sError error = system().requests().Call(object->id, entry, &message, sizeof message, &reply,

@@ -81,7 +81,8 @@ class AbsentObject : public Object {
     path = gone.path;
     limits = gone.limits;
     is_system = gone.is_system;
-    is_off = is_absent = true;
+    is_absent = true;
+    delivery.set_off(true);
   }
 
   // Accepts messages to all entries.  They are dropped, because the object is off.
@@ -178,8 +179,8 @@ void ObjectTable::Return(std::vector<std::unique_ptr<Object>> fresh) {
 // returned, because the handler that waits for them ends with its object.
 std::vector<OwnedMessage> ObjectTable::TakeMessagesTo(Object* object) {
   std::vector<OwnedMessage> messages;
-  for (OwnedMessage& message : object->handler.held) messages.push_back(std::move(message));
-  object->handler.held.clear();
+  while (!object->delivery.held().empty()) messages.push_back(object->delivery.TakeNewestHeld());
+  std::reverse(messages.begin(), messages.end());
   for (const auto& cpu : system_->cpus()) {
     for (OwnedMessage& message : cpu->TakeMessagesTo(object->id))
       messages.push_back(std::move(message));
@@ -238,10 +239,10 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
   if (old->is_image || fresh->is_absent) EndAllOf(id);
   for (const Listener& listener : replace_listeners_) listener(id);
   PassStatistics(*old, fresh.get());
-  fresh->is_off = old->is_off;
+  fresh->delivery.set_off(old->delivery.is_off());
   // Keeps an old object whose handler waits or still has the processor, because that handler needs
   // its object until it ends.
-  if (old->handler.running != nullptr || old->processor.is_busy)
+  if (old->handler.running != nullptr || old->delivery.is_busy())
     outlived_.push_back(std::move(objects_[static_cast<size_t>(id)]));
   objects_[static_cast<size_t>(id)] = std::move(fresh);
 }

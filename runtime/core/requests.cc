@@ -33,10 +33,10 @@ OwnedMessage Requests::Await(uint64_t box, int64_t timeout_us, std::string_view 
                              bool* timed_out) {
   Object* const self = t_current.object;
   ASSERT(self != nullptr && box != 0, "only an object waits, and for a box");
-  self->handler.blocked_why = why;
+  self->wait.why = why;
   const Message* const wake = system_->calls().BeginWait(box, timeout_us, why);
   OwnedMessage message = system_->dispatcher().WaitFor(box);
-  self->handler.blocked_why.clear();
+  self->wait.why.clear();
   // If the wait has timed out, `message` is the empty reply that LocalCalls::BeginWait() has posted
   // from the object to itself.
   *timed_out = message->kind == PayloadKind::kHashed && message->sender == self->id;

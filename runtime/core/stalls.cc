@@ -41,12 +41,12 @@ void FindInLink(const Object& object, const SubjectState& subject, const Observe
 }
 
 void FindIn(const Object& object, int64_t now_us, std::vector<Stall>* stalls) {
-  if (object.handler.blocked != nullptr) {
+  if (object.delivery.blocked() != nullptr) {
     stalls->push_back(
-        {object.id, object.handler.blocked_since_us,
-         fmt::format("{} waits for {} since t={:.3f} s", object.name, object.handler.blocked_why,
-                     Seconds(object.handler.blocked_since_us)),
-         object.handler.blocked_why == ConsoleInput::kWhy
+        {object.id, object.wait.since_us,
+         fmt::format("{} waits for {} since t={:.3f} s", object.name, object.wait.why,
+                     Seconds(object.wait.since_us)),
+         object.wait.why == ConsoleInput::kWhy
              ? "nobody has typed one: openr run --stdin FILE"
              : "two objects that Call() each other wait for ever; with --cost, a handler "
                "may take that long"});
@@ -67,7 +67,7 @@ void FindIn(const Object& object, int64_t now_us, std::vector<Stall>* stalls) {
 std::vector<Stall> FindStalls(const System& system, int64_t least_us) {
   std::vector<Stall> stalls;
   for (const auto& object : system.objects()) {
-    if (object != nullptr && !object->is_off) FindIn(*object, system.now_us(), &stalls);
+    if (object != nullptr && !object->delivery.is_off()) FindIn(*object, system.now_us(), &stalls);
   }
   std::erase_if(stalls, [latest_us = system.now_us() - least_us](const Stall& stall) {
     return stall.since_us > latest_us;

@@ -159,8 +159,7 @@ void System::CutPower(int index, const RunEnd& why) {
   for (const auto& object : objects()) {
     // Leaves the object manager on, because it serves all robots of the System.
     if (object == nullptr || object->robot != index || object.get() == &manager_->host()) continue;
-    object->is_off = true;
-    object->is_free = false;
+    object->delivery.set_off(true);
   }
   if (index >= robot_count()) return NoteWhetherAllAreOff(why);
   robot(index).powered_off = true;
@@ -267,7 +266,7 @@ int32_t System::ReportFullQueue(const Message& message, Object* target) {
 // Gives `message` its number and its due time.
 [[gnu::always_inline]] inline void System::Number(Message* message, int64_t delay_us) {
   message->number = ++last_number_;
-  message->due_us = now_us_ + delay_us + dispatcher_->creep_us();
+  message->due_us = now_us_ + delay_us + creep_us_;
 }
 
 int32_t System::Enqueue(OwnedMessage&& message, int64_t delay_us) {
@@ -276,7 +275,7 @@ int32_t System::Enqueue(OwnedMessage&& message, int64_t delay_us) {
   const bool is_common = target != nullptr && delay_us >= 0 && schedule_ == nullptr &&
                          !message->is_reply && message->selector < target->entry_count &&
                          target->waiting < target->queue_max &&
-                         (self == nullptr || !self->processor.is_busy);
+                         (self == nullptr || !self->delivery.is_busy());
   if (!is_common) [[unlikely]]
     return EnqueueChecked(std::move(message), delay_us);
   target->waiting_max = std::max(target->waiting_max, ++target->waiting);
@@ -293,7 +292,7 @@ int32_t System::EnqueueChecked(OwnedMessage&& message, int64_t delay_us) {
   ASSERT(delay_us >= 0, "message to {} in {} us", target->name, delay_us);
   // While the sender's handler still takes processor time, the message waits in the sender's
   // outbox.  Cpu::End() posts it when that time is over.
-  if (Object* const self = t_current.object; self != nullptr && self->processor.is_busy) {
+  if (Object* const self = t_current.object; self != nullptr && self->delivery.is_busy()) {
     self->processor.outbox.push_back({std::move(message), delay_us});
     return sSUCCESS;
   }
@@ -406,7 +405,7 @@ uint64_t System::state_hash() {
     hasher.Add(object->waiting);
     for (const auto& subject : object->subjects) subject->HashState(&hasher);
     object->HashState(&hasher);
-    for (const OwnedMessage& message : object->handler.held) hasher.Add(message->number);
+    for (const OwnedMessage& message : object->delivery.held()) hasher.Add(message->number);
     for (const ProcessorState::Outgoing& outgoing : object->processor.outbox)
       // Hashes the number of the message that caused this message, because a message in an outbox
       // (posted by a handler whose processor time is not over) has no number of its own yet.

@@ -250,6 +250,10 @@ class System {
                             : calls_->Post(std::move(message), delay_us);
   }
 
+  // Returns the time to add to a message posted now: 1 us if more messages were delivered at this
+  // instant than SystemOptions::free_deliveries, otherwise 0.
+  int64_t creep_us() const { return creep_us_; }
+
   // Queues a message in the queue of this process.  Called by LocalCalls::Post().  Returns an
   // sError as Post() does.  REQUIRES: delay_us >= 0.
   int32_t Enqueue(OwnedMessage&& message, int64_t delay_us);
@@ -275,7 +279,8 @@ class System {
   // Makes the dispatcher ask for each message again whether the receiver can handle it now.  Called
   // when something begins that may hold messages to any object back: a gate, a model of the
   // processor, or the boot of an object.  Dispatcher::Admit() makes the dispatcher stop asking when
-  // nothing can hold messages back any more.
+  // nothing can hold messages back any more and the time of handlers is not measured
+  // (SystemOptions::wall_clock_ns).
   void CheckDeliveries() { are_deliveries_free_ = false; }
   // Puts into the queue again a message that a gate or the processor (cpu.h) has held.  The message
   // is due now and comes before all others of its class and priority.
@@ -401,6 +406,7 @@ class System {
   bool are_deliveries_free_ = false;  // false if CheckDeliveries() was called
   ObjectManager* manager_ = nullptr;
   // The table is the last member, so it is destroyed first: objects use the other members until
+  int64_t creep_us_ = 0;
   // they are destroyed.
   ObjectTable table_{this};
 };

@@ -63,7 +63,7 @@ int64_t TimeEvents::NextUs() const {
 bool TimeEvents::IsOff(const Event& event) const {
   for (const ObjectId id : {event.letter.owner, event.letter.target}) {
     const Object* const object = system_->object(id);
-    if (object == nullptr || object->is_off) return true;
+    if (object == nullptr || object->delivery.is_off()) return true;
   }
   return false;
 }

@@ -10,7 +10,6 @@
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "runtime/core/api.h"
-#include "runtime/core/dispatcher.h"
 #include "runtime/ipstack/ant_message.h"
 #include "runtime/ipstack/dns_endpoint.h"
 #include "runtime/ipstack/tcp_endpoint.h"
@@ -297,7 +296,7 @@ void IpStack::KeepPolling() {
   // Post() adds creep_us() to the delay. creep_us() is 1 us while very many messages are delivered
   // at one instant; it makes time go on.
   const int64_t now_us = system().now_us();
-  const int64_t delay_us = kFrameUs - now_us % kFrameUs - system().dispatcher().creep_us();
+  const int64_t delay_us = kFrameUs - now_us % kFrameUs - system().creep_us();
   system().Post(system().NewMessage(host().id, poll_entry_), delay_us);
   poll_posted_ = true;
 }

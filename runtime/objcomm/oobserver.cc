@@ -107,14 +107,14 @@ std::optional<OControlReplyMessage> AskSubject(ObserverState* state, const OServ
   control->command = control->command == objcommCMD_ADDOBSERVER_V22
                          ? objcommCMD_ADDOBSERVER_SELF
                          : objcommCMD_REMOVEOBSERVER_SELF;
-  openr_host::HandlerState::SelfReply self{&reply, sizeof reply, entry.GetSelector()};
-  state->object->handler.self_reply = &self;
+  SelfReply self{&reply, sizeof reply, entry.GetSelector()};
+  state->object->self_reply = &self;
   // Sets image_code, because the entry is code of the object and must use the object's heap and
   // files, not the host's.
   t_current.image_code = state->object->is_image;
   state->object->Dispatch(entry.GetSelector(), control);
   t_current.image_code = false;
-  state->object->handler.self_reply = nullptr;
+  state->object->self_reply = nullptr;
   return reply;
 }
 

@@ -109,8 +109,8 @@ TEST_F(PowerOffTest, AnObjectThatWasOffIsNotStarted) {
   Run(20);
   EXPECT_THAT(said_, HasSubstr("process 'payee' is back"));
   EXPECT_EQ(StartCount(), 3);
-  EXPECT_TRUE(payee(1).is_off);
-  EXPECT_FALSE(payee(0).is_off);
+  EXPECT_TRUE(payee(1).delivery.is_off());
+  EXPECT_FALSE(payee(0).delivery.is_off());
 }
 
 TEST_F(PowerOffTest, ARunThatIsOverRestartsNoWorker) {

@@ -205,6 +205,45 @@ TEST_F(DispatcherTest, ObjectsThatAnswerEachOtherWithoutWaitingDoNotStopTheClock
             std::string::npos);
 }
 
+TEST_F(DispatcherTest, DeliveriesAtOneInstantAreCountedOverSeveralRuns) {
+  System limited({.free_deliveries = 3});
+  Recorder* a = limited.AddObject<Recorder>(0, "a", &log);
+  a->on_message = [&](int) { PostTo(a, 1); };
+  PostTo(a, 1);
+  for (int i = 0; i < 6; ++i) limited.Step();
+  EXPECT_EQ(log, (Log{"a:1@0", "a:1@0", "a:1@0", "a:1@0", "a:1@1", "a:1@2"}));
+  EXPECT_EQ(limited.findings().all().size(), 1u);
+
+  // A step of more than 1 us begins the count anew.
+  a->on_message = nullptr;
+  limited.RunFor(10);
+  a->on_message = [&](int) { PostTo(a, 2); };
+  PostTo(a, 2);
+  log.clear();
+  for (int i = 0; i < 5; ++i) limited.Step();
+  EXPECT_EQ(log, (Log{"a:2@12", "a:2@12", "a:2@12", "a:2@12", "a:2@13"}));
+}
+
+TEST_F(DispatcherTest, AReplyDoesNotCountAsADeliveryAtOneInstant) {
+  System limited({.free_deliveries = 4});
+  Recorder* asks = limited.AddObject<Recorder>(0, "asks", &log);
+  Recorder* answers = limited.AddObject<Recorder>(0, "answers", &log);
+  answers->on_message = [&](int value) {
+    limited.requests().Reply(limited.requests().TakeTicket(), &value, sizeof value);
+  };
+  asks->on_message = [&](int value) {
+    if (value != 1) return;
+    int answer = 0;
+    limited.requests().Call(answers->host().id, answers->entry, &value, sizeof value, &answer,
+                            sizeof answer);
+    PostTo(asks, 2);
+  };
+  PostTo(asks, 1);
+  limited.RunFor(0);
+  EXPECT_EQ(log, (Log{"asks:1@0", "answers:1@0", "asks:2@0"}));
+  EXPECT_TRUE(limited.findings().all().empty());
+}
+
 TEST_F(DispatcherTest, TheThirtyThirdWaitingMessageIsReportedAndRefusedWhenStrict) {
   Recorder* a = Add("a");
   for (int i = 0; i < 32; ++i) EXPECT_EQ(Post(a, i), sSUCCESS);

@@ -1,0 +1,87 @@
+// DeliveryState: everything that makes the delivery of a message to an object more than a call of
+// the object's handler.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "runtime/core/message.h"
+
+namespace openr_host {
+
+class Fiber;
+
+class DeliveryState {
+ public:
+  // Whether a delivery is only a call of the handler.  Every delivery reads this flag, so it lies
+  // apart from the DeliveryState, on a cache line of the object that every delivery reads anyway.
+  // Only its DeliveryState can change the flag.
+  class PlainFlag {
+   public:
+    explicit PlainFlag(const DeliveryState& state) : is_plain_(state.IsPlain()) {}
+    explicit operator bool() const { return is_plain_; }
+
+   private:
+    friend class DeliveryState;
+    bool is_plain_;
+  };
+
+  // `flag` is made after this DeliveryState and from it.  `is_image` tells whether the object was
+  // loaded from a file: the handlers of such objects are measured, so their deliveries are never
+  // plain.
+  DeliveryState(PlainFlag* flag, bool is_image) : flag_(flag), is_image_(is_image) {}
+  DeliveryState(const DeliveryState&) = delete;
+  DeliveryState& operator=(const DeliveryState&) = delete;
+
+  // Whether the robot is off; messages to the object are then dropped.
+  bool is_off() const { return is_off_; }
+  void set_off(bool is_off) {
+    is_off_ = is_off;
+    SetFlag();
+  }
+
+  // Whether a handler of the object has the processor (cpu.h).
+  bool is_busy() const { return is_busy_; }
+  void set_busy(bool is_busy) {
+    is_busy_ = is_busy;
+    SetFlag();
+  }
+
+  // The stack of the handler while the handler waits; null if no handler waits.
+  Fiber* blocked() const { return blocked_; }
+  void set_blocked(Fiber* blocked) {
+    blocked_ = blocked;
+    SetFlag();
+  }
+
+  // Messages that the object cannot handle yet, oldest first, because its handler waits or has the
+  // processor, or because it is in its boot (ObjectManager::IsTooEarly()).
+  const std::vector<OwnedMessage>& held() const { return held_; }
+  void Hold(OwnedMessage message) {
+    held_.push_back(std::move(message));
+    SetFlag();
+  }
+  // Takes the newest held message.  REQUIRES: held() is not empty.
+  OwnedMessage TakeNewestHeld() {
+    OwnedMessage message = std::move(held_.back());
+    held_.pop_back();
+    SetFlag();
+    return message;
+  }
+
+ private:
+  bool IsPlain() const {
+    return !is_image_ && !is_off_ && !is_busy_ && blocked_ == nullptr && held_.empty();
+  }
+  // Sets the flag anew.  Every function that changes a member calls this function at its end.
+  void SetFlag() { flag_->is_plain_ = IsPlain(); }
+
+  PlainFlag* const flag_;
+  const bool is_image_;
+  bool is_off_ = false;
+  bool is_busy_ = false;
+  Fiber* blocked_ = nullptr;
+  std::vector<OwnedMessage> held_;
+};
+
+}  // namespace openr_host
