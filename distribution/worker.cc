@@ -366,7 +366,7 @@ void Worker::SendStopped(Object* object) {
   if (object->arena != nullptr) stopped.heap_max = object->arena->bytes_in_use_max();
   stopped.heap_here = HeapHere(object->robot);
   for (const auto& subject : object->subjects) {
-    for (const auto& link : subject->links) stopped.pending += link->units.size();
+    for (const ObserverLink& link : subject->links) stopped.pending += link.units.size();
   }
   MoveEffectsTo(&to_master);
   // In a free run, keeps the sample for a moment, so that it shares a packet with the sample of the

@@ -59,7 +59,7 @@ GraphView CollectGraph(System* system_pointer) {
     if (subject != nullptr && robot.directory.contains(wire.observer)) {
       const size_t link = links_used[{wire.robot, wire.subject}]++;
       seen.connected = link < subject->links.size();
-      if (seen.connected) seen.events = subject->links[link]->sent;
+      if (seen.connected) seen.events = subject->links[link].sent;
     }
     graph.connections.push_back(std::move(seen));
   }

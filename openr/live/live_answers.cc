@@ -124,13 +124,12 @@ Json AnswerObject(const Asked& asked) {
   }
   Json subjects = Json::array(), observers = Json::array(), findings = Json::array();
   for (const auto& subject : object->subjects) {
-    for (const auto& link : subject->links) {
-      const ObjectId observer = ObjectIdOf(link->observer.GetOID());
+    for (const ObserverLink& link : subject->links) {
       subjects.push_back({{"service", subject->service},
-                          {"observer", ServiceAt(system, link->observer, observer)},
-                          {"ready", link->ready > 0},
-                          {"waiting", link->units.size()},
-                          {"sent", link->sent}});
+                          {"observer", ServiceAt(system, link.observer, link.target)},
+                          {"ready", link.ready > 0},
+                          {"waiting", link.units.size()},
+                          {"sent", link.sent}});
     }
   }
   for (const auto& observer : object->observers) {

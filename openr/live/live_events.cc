@@ -16,7 +16,6 @@
 #include "openr/simulation/known_run.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/base/wall_clock.h"
-#include "runtime/core/api.h"
 #include "runtime/core/connection_state.h"
 
 namespace openr_host {
@@ -45,11 +44,11 @@ const ObserverLink* LinkOf(System* system, const Connection& connection) {
   if (object == nullptr) return nullptr;
   for (const auto& subject : object->subjects) {
     if (subject->service != connection.subject) continue;
-    for (const auto& link : subject->links) {
-      const Object* const observer = system->object(ObjectIdOf(link->observer.GetOID()));
+    for (const ObserverLink& link : subject->links) {
+      const Object* const observer = system->object(link.target);
       if (observer != nullptr && observer->id == to->second.first &&
-          ServiceOfEntry(*observer, link->observer.GetSelector()) == connection.observer)
-        return link.get();
+          ServiceOfEntry(*observer, link.observer.GetSelector()) == connection.observer)
+        return &link;
     }
   }
   return nullptr;

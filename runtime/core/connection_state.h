@@ -26,12 +26,16 @@ class System;
 // Operations on RCRegions (references to shared memory) that the runtime may do and objects may
 // not.
 struct RegionAccess {
-  // Makes an RCRegion for an observer, with one reference.  `data` is the part of the notification
-  // that describes the subject's RCRegion.  Both RCRegions refer to the same memory, unless the
-  // observer gets a read-only copy (guard_pages.h).
-  static RCRegion* Receive(const TransferedData& data);
-  // Deletes an RCRegion that Receive() has made.
-  static void GiveBack(RCRegion* received);
+  // Returns the description of `region` for a notification.
+  static TransferedData Describe(RCRegion* region) {
+    return {region, region->id_, region->offset_, region->size_};
+  }
+  // Makes an RCRegion for an observer of `system`, with one reference.  `data` is the part of the
+  // notification that describes the subject's RCRegion.  Both RCRegions refer to the same memory,
+  // unless the observer gets a read-only copy (guard_pages.h).
+  static RCRegion* Receive(System* system, const TransferedData& data);
+  // Deletes an RCRegion of `system` that Receive() has made.
+  static void GiveBack(System* system, RCRegion* received);
   // Visits the pool from which this thread takes the memory of its RCRegions.  Calls `memory` for
   // each piece of memory that belongs to the pool, and `used` for every RCRegion of the pool that
   // was made and has not been deleted.
@@ -111,43 +115,47 @@ class RegionList {
   RCRegion* regions_[MAX_NUM_DATA];  // only the first size_ elements have values
 };
 
-// A subject's record of one observer.
+// A subject's record of one observer.  The members up to `fresh`, which every notification reads,
+// come first, so that they lie on few cache lines.
 struct ObserverLink {
-  ObserverID observer;
-
-  // The readiness of the observer for data: 1 if it is ready; 0 if it has not asserted ready since
-  // the last data were sent to it, or not at all; -1 if it has deasserted ready.  Two asserts in a
-  // row count as one, as on the robot.
-  int ready = 0;
-  bool is_lost = false;          // whether the runtime sent the last deassert (kDeassertOfLost)
-  bool told_deasserted = false;  // whether ReportDeasserted() has added its finding
-
-  struct Unit {
-    int data;  // number of regions in `pending` that belong to this notification
-  };
-  std::vector<Unit> units;  // notifications whose regions are in `pending`, oldest first
   size_t skip = 0;
   size_t min = 1;
   size_t max = 1;
   size_t skipped = 0;  // notifications skipped since one was kept (OObserver::SetSkip())
   // Virtual time since which a notification waits; -1 if no notification waits.
   int64_t waiting_since_us = -1;
-  uint64_t sent = 0;               // number of messages that were sent to the observer
-  int64_t sent_us = 0;             // virtual time of the newest message to the observer
-  RegionList fresh;                // the regions that SetData() has added since the last Notify()
+  uint64_t sent = 0;             // number of messages that were sent to the observer
+  int64_t sent_us = 0;           // virtual time of the newest message to the observer
+  bool is_lost = false;          // whether the runtime sent the last deassert (kDeassertOfLost)
+  bool told_deasserted = false;  // whether ReportDeasserted() has added its finding
+
+  ObserverID observer;
+  ObjectId target = kNoObject;  // the object of `observer`
+  // The readiness of the observer for data: 1 if it is ready; 0 if it has not asserted ready since
+  // the last data were sent to it, or not at all; -1 if it has deasserted ready.  Two asserts in a
+  // row count as one, as on the robot.
+  int ready = 0;
+  struct Unit {
+    int data;  // number of regions in `pending` that belong to this notification
+  };
+  std::vector<Unit> units;  // notifications whose regions are in `pending`, oldest first
+  RegionList fresh;         // the regions that SetData() has added since the last Notify()
+
   std::vector<RCRegion*> pending;  // regions that were notified but not sent yet, oldest first
   // Number of notifications that were dropped because newer notifications replaced them.
   uint64_t replaced = 0;
   std::string name;  // the name of the observer's object, for messages to the user
 };
 
+// The members that every ready and notification reads come first, so that they lie on few cache
+// lines.
 struct SubjectState {
   SubjectState(System* the_system, Object* the_object) : system(the_system), object(the_object) {}
 
   // Returns this subject's record of the observer `id`, or null if that observer is not connected.
   ObserverLink* Find(const ObserverID& id) {
-    for (const auto& link : links) {
-      if (link->observer == id) return link.get();
+    for (ObserverLink& link : links) {
+      if (link.observer == id) return &link;
     }
     return nullptr;
   }
@@ -191,13 +199,15 @@ struct SubjectState {
   System* const system;
   Object* const object;
   SubjectID id;
-  std::vector<std::unique_ptr<ObserverLink>> links;
+  std::vector<ObserverLink> links;
   std::string service;  // full name of the subject's service, for messages to the user
   size_t buffer_size = MAX_NUM_DATA + 1;
   size_t unit_size = 1;
   std::list<OObserverInfo> infos;  // the observers of `links`, as OSubject::begin() shows them
 };
 
+// The members that every ready and notification reads come first, so that they lie on few cache
+// lines.
 struct ObserverState {
   ObserverState(System* the_system, Object* the_object) : system(the_system), object(the_object) {}
 
@@ -213,6 +223,7 @@ struct ObserverState {
   // The observer's record of one subject.
   struct Held {
     SubjectID subject;
+    ObjectId target = kNoObject;  // the object of `subject`
     // The regions that this observer has received from the subject and has not given back yet,
     // oldest first.
     std::vector<RCRegion*> regions;
@@ -252,8 +263,9 @@ struct ObserverState {
       if (entry.subject == subject) [[likely]]
         return entry;
     }
-    return held.emplace_back(Held{subject, {}});
+    return AddHeld(subject);
   }
+  Held& AddHeld(const SubjectID& subject);
   // Sends `command`, ready or not ready, to all subjects.  Missing subjects get it when they are
   // connected.
   OStatus SendReadyToAll(ObjcommCommand command);

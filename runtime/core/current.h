@@ -30,7 +30,8 @@ extern thread_local constinit Current t_current;
 
 // While an ApiScope exists, malloc() and fopen() use the host's heap and files and not those of the
 // object.  The memory and files of the runtime must not be the object's.  The first statement of
-// every function of the SDK that may allocate memory or open files makes an ApiScope.
+// every function of the SDK that may allocate memory or open files makes an ApiScope or calls
+// InApi().
 class ApiScope {
  public:
   [[gnu::always_inline]] ApiScope() : image_code_(t_current.image_code) {
@@ -49,6 +50,21 @@ class ApiScope {
  private:
   const bool image_code_;
 };
+
+// Calls `work` with an ApiScope and returns its result.  The functions of the SDK that run for
+// every notification use InApi(): if no image calls them, they need no scope and have nothing to
+// restore at the end.
+template <typename Work>
+[[gnu::noinline]] auto InApiOfImage(const Work& work) {
+  const ApiScope scope;
+  return work();
+}
+template <typename Work>
+[[gnu::always_inline]] inline auto InApi(const Work& work) {
+  if (t_current.image_code) [[unlikely]]
+    return InApiOfImage(work);
+  return work();
+}
 
 // While a LibraryScope exists, floating-point operations raise no SIGFPE, because they are
 // operations of the library and not of the object.  Unlike with an ApiScope, malloc() and fopen()

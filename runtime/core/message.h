@@ -85,9 +85,12 @@ class MessageQueue {
   MessageQueue(const MessageQueue&) = delete;
   MessageQueue& operator=(const MessageQueue&) = delete;
 
-  // Returns a message from the pool.  The caller must set payload, sender, target, selector and due
-  // time; all other fields have their default values.
-  OwnedMessage Allocate() { return OwnedMessage(TakeFree()); }
+  // Returns a message from the pool.  The caller must set payload, target, selector and due time;
+  // all other fields have the values given or their default values.
+  OwnedMessage Allocate(ObjectId sender = kNoObject, uint64_t cause = 0,
+                        MessageClass message_class = MessageClass::kObject) {
+    return OwnedMessage(TakeFree(sender, cause, message_class));
+  }
 
   // Queues `message`, whose due time, class and number are set.  `priority` is the priority of the
   // receiver, 0 to 255.  REQUIRES: message->due_us is not before the queue's clock (Advance()).
@@ -156,7 +159,7 @@ class MessageQueue {
     message->next = free_;
     free_ = message;
   }
-  Message* TakeFree();
+  Message* TakeFree(ObjectId sender, uint64_t cause, MessageClass message_class);
   void AddChunk();
   void Insert(Message* message, int priority);
   void InsertLater(Message* message, uint32_t level);
@@ -191,18 +194,20 @@ class MessageQueue {
 
 // ---- Functions that are called for every message of a run; therefore they are inline.
 
-// Takes a message from the pool and gives its fields their default values.
-inline Message* MessageQueue::TakeFree() {
+// Takes a message from the pool and gives its fields the values given or their default values.
+inline Message* MessageQueue::TakeFree(ObjectId sender, uint64_t cause,
+                                       MessageClass message_class) {
   if (free_ == nullptr) [[unlikely]]
     AddChunk();
   Message* const message = free_;
   free_ = message->next;
   message->number = 0;
-  message->cause = 0;
+  message->cause = cause;
+  message->sender = sender;
   message->size = 0;
   message->reply_box = 0;
   message->payload_hash = 0;
-  message->message_class = MessageClass::kObject;
+  message->message_class = message_class;
   message->kind = PayloadKind::kBytes;
   message->is_reply = false;
   return message;

@@ -6,7 +6,6 @@
 
 #include <utility>
 
-#include "runtime/core/api.h"
 #include "runtime/core/connection_state.h"
 #include "runtime/core/system.h"
 
@@ -70,10 +69,9 @@ std::string Object::NameService(uint32_t selector, const char* kind) {
 std::vector<StandingReady> Object::StandingReadies() const {
   std::vector<StandingReady> readies;
   for (const auto& subject : subjects) {
-    for (const auto& link : subject->links) {
-      if (link->ready > 0)
-        readies.push_back({subject->id.GetSelector(), ObjectIdOf(link->observer.GetOID()),
-                           link->observer.GetSelector()});
+    for (const ObserverLink& link : subject->links) {
+      if (link.ready > 0)
+        readies.push_back({subject->id.GetSelector(), link.target, link.observer.GetSelector()});
     }
   }
   return readies;

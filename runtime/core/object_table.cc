@@ -28,7 +28,7 @@ void ReleaseHeld(ObserverState* observer, const std::function<bool(const Subject
     std::erase_if(held.regions, [&](RCRegion* region) {
       if (region->NumberOfReference() > 1) return false;  // the object still reads the region
       release(RegionAccess::SourceOf(region));
-      RegionAccess::GiveBack(region);
+      RegionAccess::GiveBack(observer->system, region);
       return true;
     });
   }
@@ -40,12 +40,12 @@ void Disconnect(Object* other, Object* gone) {
   const ObjectId id = gone->id;
   const CurrentScope scope(other->system, other);
   for (const auto& subject : other->subjects) {
-    std::erase_if(subject->links, [&](const auto& link) {
-      if (!IsOf(link->observer, id)) return false;
-      other->dropped_count += link->units.size();
-      subject->Clear(link.get());
-      return true;
-    });
+    for (ObserverLink& link : subject->links) {
+      if (link.target != id) continue;
+      other->dropped_count += link.units.size();
+      subject->Clear(&link);
+    }
+    std::erase_if(subject->links, [id](const ObserverLink& link) { return link.target == id; });
     subject->infos.remove_if(
         [&](const OObserverInfo& info) { return IsOf(info.GetObserverID(), id); });
   }

@@ -19,19 +19,22 @@ void ObserverState::ReportRepeatedReady(const Held& held) {
                   service, peer == nullptr ? "an unknown object" : peer->name, held.asserted));
 }
 
+ObserverState::Held& ObserverState::AddHeld(const SubjectID& subject) {
+  return held.emplace_back(Held{subject, ObjectIdOf(subject.GetOID()), {}});
+}
+
 OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand command) {
-  OwnedMessage message = system->NewMessage(ObjectIdOf(subject.GetOID()), subject.GetSelector());
-  const ObserverID self = id;
+  Held& entry = HeldOf(subject);
+  OwnedMessage message = system->NewMessage(entry.target, subject.GetSelector());
   auto& ready = *new (message->payload) OReadyMessage;
   ready.command = command;
-  ready.observerID = self;
+  ready.observerID = id;
   message->size = sizeof ready;
   message->kind = PayloadKind::kReady;
   // The ready gives back the regions that this object no longer uses, that is, to which it holds no
   // reference of its own.  A ready can give back MAX_NUM_DATA regions; the next ready gives back
   // the other regions.
   int count = 0;
-  Held& entry = HeldOf(subject);
   for (RCRegion* region : entry.regions) {
     if (region->NumberOfReference() > 1 || count == MAX_NUM_DATA) continue;
     ready.rcRegion[count++] = RegionAccess::SourceOf(region);
@@ -39,8 +42,9 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
   ready.numOfData = count;
   // The message is posted before this object gives up the regions, because the object keeps them if
   // the message is refused.
-  const sError error = system->Post(std::move(message));
-  if (error != sSUCCESS) return ReportRefusedReady(error);
+  const sError error = system->PostAtOnce(std::move(message));
+  if (error != sSUCCESS) [[unlikely]]
+    return ReportRefusedReady(error);
   // Repeated readies to one subject are counted, because on the robot they would fail: readies wait
   // in the message queue of the subject's object, and the robot refuses the 33rd message in a
   // queue.
@@ -54,7 +58,7 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
     if (region->NumberOfReference() > 1 || count == 0) {
       *kept++ = region;
     } else {
-      RegionAccess::GiveBack(region);
+      RegionAccess::GiveBack(system, region);
       --count;
     }
   }

@@ -176,11 +176,11 @@ void RegionAccess::VisitPool(const std::function<void(const void*, size_t)>& mem
   }
 }
 
-RCRegion* RegionAccess::Receive(const TransferedData& data) {
+RCRegion* RegionAccess::Receive(System* system, const TransferedData& data) {
   RCRegion* const region = new RCRegion(data.memID, data.offset, data.srcRCR->base_, data.size);
   region->source_ = data.srcRCR;
-  t_current.system->PinRegion(data.memID);
-  if (t_current.system->guard_pages() != nullptr) [[unlikely]]
+  system->PinRegion(data.memID);
+  if (system->guard_pages() != nullptr) [[unlikely]]
     UseReadOnlyCopy(region);
   return region;
 }
@@ -206,8 +206,7 @@ void RegionAccess::LookUp(RCRegion* region) {
   if (region->size_ == 0 && size > region->offset_) region->size_ = size - region->offset_;
 }
 
-void RegionAccess::GiveBack(RCRegion* received) {
-  System* const system = t_current.system;
+void RegionAccess::GiveBack(System* system, RCRegion* received) {
   if (GuardPages* const guard = system->guard_pages()) [[unlikely]]
     guard->Retire(received->base_);
   // Does the same as `delete received`, but does not test whether the region is a received region,

@@ -58,7 +58,8 @@ void FindIn(const Object& object, int64_t now_us, std::vector<Stall>* stalls) {
                        "others of the same or a higher priority leave it none"});
   }
   for (const auto& subject : object.subjects) {
-    for (const auto& link : subject->links) FindInLink(object, *subject, *link, now_us, stalls);
+    for (const ObserverLink& link : subject->links)
+      FindInLink(object, *subject, link, now_us, stalls);
   }
 }
 

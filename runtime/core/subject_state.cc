@@ -87,13 +87,12 @@ void ReportDeasserted(const SubjectState& subject, ObserverLink* link) {
 // Send() is inline, because it runs for every notification.
 [[gnu::always_inline]] inline bool SubjectState::Send(ObserverLink* link, RCRegion* const* data,
                                                       size_t data_count, size_t unit_count) {
-  OwnedMessage message =
-      system->NewMessage(ObjectIdOf(link->observer.GetOID()), link->observer.GetSelector());
-  const SubjectID self = id;
+  OwnedMessage message = system->NewMessage(link->target, link->observer.GetSelector());
   auto& notify = *new (message->payload) ONotifyMessage;
-  notify.subjectID = self;
+  notify.subjectID = id;
+  notify.numOfData = static_cast<short>(data_count);
   notify.numOfNotify = static_cast<short>(unit_count);
-  for (size_t i = 0; i < data_count; ++i) notify.Write(data[i]);
+  for (size_t i = 0; i < data_count; ++i) notify.data[i] = RegionAccess::Describe(data[i]);
   message->size = sizeof notify;
   message->kind = PayloadKind::kNotify;
   // Stores the hash of the data.  OObserver::NotifyHandler() compares it with the hash of the data
@@ -102,7 +101,9 @@ void ReportDeasserted(const SubjectState& subject, ObserverLink* link) {
     uint32_t bytes = 0;
     message->payload_hash = PayloadHash(*message, &bytes);
   }
-  if (system->Post(std::move(message)) != sSUCCESS) return false;
+  system->CheckHostAddresses(*message);
+  if (system->PostAtOnce(std::move(message)) != sSUCCESS) [[unlikely]]
+    return false;
   link->waiting_since_us = -1;
   // Clears the ready flag, because each ready is valid for one notification only (measured.md 1.7).
   link->ready = 0;
@@ -178,12 +179,12 @@ void SubjectState::Clear(ObserverLink* link) {
 
 void SubjectState::HashState(Hasher* hasher) const {
   hasher->AddText(service);
-  for (const auto& link : links) {
-    hasher->Add(link->ready);
-    hasher->Add(static_cast<uint64_t>(link->skipped));
-    hasher->Add(static_cast<uint64_t>(link->fresh.size()));
-    hasher->Add(static_cast<uint64_t>(link->pending.size()));
-    hasher->Add(static_cast<uint64_t>(link->units.size()));
+  for (const ObserverLink& link : links) {
+    hasher->Add(link.ready);
+    hasher->Add(static_cast<uint64_t>(link.skipped));
+    hasher->Add(static_cast<uint64_t>(link.fresh.size()));
+    hasher->Add(static_cast<uint64_t>(link.pending.size()));
+    hasher->Add(static_cast<uint64_t>(link.units.size()));
   }
 }
 

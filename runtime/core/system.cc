@@ -78,6 +78,7 @@ System::System(SystemOptions options)
     seed_schedule_ = std::make_unique<SeedSchedule>(options_.seed);
     schedule_ = seed_schedule_.get();
   }
+  CheckPosts();
 }
 
 System::~System() = default;
@@ -92,7 +93,12 @@ int System::AddRobot(const std::string& design, std::shared_ptr<MemoryStick> sti
   robots_.push_back(std::move(robot));
   if (options_.cost) cpus_.push_back(std::make_unique<Cpu>(this));
   CheckDeliveries();
+  CheckPosts();
   return robot_count() - 1;
+}
+
+void System::CheckPosts() {
+  are_posts_free_ = calls_are_local_ && schedule_ == nullptr && cpus_.empty();
 }
 
 Object* System::NewCodeHost(int robot, const std::string& name) {
@@ -263,30 +269,12 @@ int32_t System::ReportFullQueue(const Message& message, Object* target) {
   return sFULLMSGQENTRY;
 }
 
-// Gives `message` its number and its due time.
-[[gnu::always_inline]] inline void System::Number(Message* message, int64_t delay_us) {
-  message->number = ++last_number_;
-  message->due_us = now_us_ + delay_us + creep_us_;
+// Posts a notification or a ready that EnqueueAtOnce() has not taken.
+[[gnu::noinline]] int32_t System::PostByCalls(Message* message) {
+  return calls_->Post(OwnedMessage(message), 0);
 }
 
 int32_t System::Enqueue(OwnedMessage&& message, int64_t delay_us) {
-  Object* const target = object(message->target);
-  const Object* const self = t_current.object;
-  const bool is_common = target != nullptr && delay_us >= 0 && schedule_ == nullptr &&
-                         !message->is_reply && message->selector < target->entry_count &&
-                         target->waiting < target->queue_max &&
-                         (self == nullptr || !self->delivery.is_busy());
-  if (!is_common) [[unlikely]]
-    return EnqueueChecked(std::move(message), delay_us);
-  target->waiting_max = std::max(target->waiting_max, ++target->waiting);
-  Number(message.get(), delay_us);
-  queue_.Push(std::move(message), target->limits.priority);
-  return sSUCCESS;
-}
-
-// Does what Enqueue() does, for a message that may have to be refused, kept or delayed, and for a
-// reply.
-int32_t System::EnqueueChecked(OwnedMessage&& message, int64_t delay_us) {
   Object* const target = object(message->target);
   if (target == nullptr) return sINVALIDOID;
   ASSERT(delay_us >= 0, "message to {} in {} us", target->name, delay_us);
@@ -310,7 +298,7 @@ int32_t System::EnqueueChecked(OwnedMessage&& message, int64_t delay_us) {
       const int32_t error = ReportFullQueue(*message, target);
       if (error != sSUCCESS) return error;
     }
-    target->waiting_max = std::max(target->waiting_max, ++target->waiting);
+    CountWaiting(target);
   }
   Number(message.get(), delay_us);
   if (schedule_ != nullptr) message->due_us += schedule_->ExtraDelayUs(*message, now_us_, delay_us);

@@ -11,6 +11,7 @@
 //   system.RunFor(30'000'000);
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -228,15 +229,13 @@ class System {
   // Returns a message from the current object (or the system) with an empty payload, to be filled
   // and posted.
   [[gnu::always_inline]] OwnedMessage NewMessage(ObjectId target, uint32_t selector) {
-    OwnedMessage message = queue_.Allocate();
+    const Object* const sender = t_current.object;
+    const Message* const cause = sender == nullptr ? nullptr : sender->handler.running.get();
+    OwnedMessage message = queue_.Allocate(
+        sender == nullptr ? kNoObject : sender->id, cause == nullptr ? 0 : cause->number,
+        sender == nullptr ? MessageClass::kObject : sender->post_class);
     message->target = target;
     message->selector = selector;
-    const Object* const sender = t_current.object;
-    message->sender = sender == nullptr ? kNoObject : sender->id;
-    if (sender != nullptr) {
-      message->message_class = sender->post_class;
-      message->cause = sender->handler.running == nullptr ? 0 : sender->handler.running->number;
-    }
     return message;
   }
 
@@ -244,15 +243,24 @@ class System {
   // sINVALIDOID, or sFULLMSGQENTRY if the receiver's queue is full (only with
   // SystemOptions::strict) or if the schedule (schedule.h) makes the post fail.
   int32_t Post(OwnedMessage&& message, int64_t delay_us = 0) {
-    const Object* const sender = t_current.object;
-    if (sender != nullptr && sender->is_image) ReportHostAddresses(*message);
-    return calls_are_local_ ? Enqueue(std::move(message), delay_us)
-                            : calls_->Post(std::move(message), delay_us);
+    CheckHostAddresses(*message);
+    return calls_->Post(std::move(message), delay_us);
   }
-
+  // Does what Post() does for a notification or a ready, except CheckHostAddresses().  This
+  // function is inline, because most messages of a run are of these two kinds.
+  [[gnu::always_inline]] int32_t PostAtOnce(OwnedMessage message) {
+    Message* const posted = message.release();
+    return EnqueueAtOnce(posted) ? sSUCCESS : PostByCalls(posted);
+  }
   // Returns the time to add to a message posted now: 1 us if more messages were delivered at this
   // instant than SystemOptions::free_deliveries, otherwise 0.
   int64_t creep_us() const { return creep_us_; }
+  // Reports `message` if an image posts it and it holds an address of this process.
+  void CheckHostAddresses(const Message& message) {
+    const Object* const sender = t_current.object;
+    if (sender != nullptr && sender->is_image) [[unlikely]]
+      ReportHostAddresses(message);
+  }
 
   // Queues a message in the queue of this process.  Called by LocalCalls::Post().  Returns an
   // sError as Post() does.  REQUIRES: delay_us >= 0.
@@ -270,7 +278,10 @@ class System {
 
   // Replaces the schedule that the seed has chosen.  The schedule decides the order of messages.
   // REQUIRES: before Boot().
-  void set_schedule(Schedule* schedule) { schedule_ = schedule; }
+  void set_schedule(Schedule* schedule) {
+    schedule_ = schedule;
+    CheckPosts();
+  }
   // Sets the gate, which decides for each message whether it may be delivered now.
   void set_gate(Gate* gate) {
     gate_ = gate;
@@ -369,15 +380,29 @@ class System {
   int32_t RefuseAsFull(const Message& message, Object* target);
   int32_t ReportFullQueue(const Message& message, Object* target);
   void ReportHostAddresses(const Message& message);
-  void Number(Message* message, int64_t delay_us);
-  int32_t EnqueueChecked(OwnedMessage&& message, int64_t delay_us);
+  // Gives `message` its number and its due time.
+  void Number(Message* message, int64_t delay_us) {
+    message->number = ++last_number_;
+    message->due_us = now_us_ + delay_us + creep_us_;
+  }
+  // Counts a message that `target` will receive.
+  static void CountWaiting(Object* target) {
+    target->waiting_max = std::max(target->waiting_max, ++target->waiting);
+  }
+  bool EnqueueAtOnce(Message* message);
+  int32_t PostByCalls(Message* message);
+  void CheckPosts();
 
   SystemOptions options_;
-  // True if `calls_` is LocalCalls.  The functions that run for every message then do the work
+  // True if `calls_` is LocalCalls.  The functions that run for every notification then do the work
   // themselves, which saves a virtual call.
   const bool calls_are_local_;
+  // True if only its receiver may refuse or delay a message: `calls_` is LocalCalls, and there is
+  // no schedule and no processor.
+  bool are_posts_free_ = false;
   const std::unique_ptr<SystemCalls> calls_;
   int64_t now_us_ = 0;
+  int64_t creep_us_ = 0;
   uint64_t last_number_ = 0;
   bool booted_ = false;
   bool powered_off_ = false;
@@ -406,10 +431,24 @@ class System {
   bool are_deliveries_free_ = false;  // false if CheckDeliveries() was called
   ObjectManager* manager_ = nullptr;
   // The table is the last member, so it is destroyed first: objects use the other members until
-  int64_t creep_us_ = 0;
   // they are destroyed.
   ObjectTable table_{this};
 };
+
+// Queues `message`, which is no reply, for now and returns true.  Returns false and does nothing if
+// the message may have to be refused or delayed.
+[[gnu::always_inline]] inline bool System::EnqueueAtOnce(Message* message) {
+  Object* const target = object(message->target);
+  const bool is_common = are_posts_free_ && target != nullptr &&
+                         message->selector < target->entry_count &&
+                         target->waiting < target->queue_max;
+  if (!is_common) [[unlikely]]
+    return false;
+  CountWaiting(target);
+  Number(message, 0);
+  queue_.Push(OwnedMessage(message), target->limits.priority);
+  return true;
+}
 
 template <typename T, typename... Args>
 T* System::AddObject(int robot, const std::string& name, Args&&... args) {

@@ -50,8 +50,7 @@ void OObserver::SetBufCtrlParam(size_t skip, size_t min, size_t max) {
 }
 
 OStatus OObserver::AssertReady() {
-  const ApiScope scope;
-  return state_->SendReadyToAll(objcommCMD_ASSERT_READY);
+  return InApi([state = state_] { return state->SendReadyToAll(objcommCMD_ASSERT_READY); });
 }
 
 OStatus OObserver::AssertReady(const SubjectID& id) {
@@ -176,25 +175,25 @@ void CheckUnchanged(ObserverState* state, const ONotifyMessage& notify) {
                   state->object->name));
 }
 
-}  // namespace
-
-OStatus OObserver::NotifyHandler(const ONotifyMessage& msg, ONotifyEvent* event) {
-  const ApiScope scope;
+// Does the work of OObserver::NotifyHandler() for the observer of `state`.
+[[gnu::always_inline]] inline OStatus HandleNotification(ObserverState* state,
+                                                         const ONotifyMessage& msg,
+                                                         ONotifyEvent* event) {
   // Refuses bytes that are no notification, because the code below would take some of them for
   // addresses.
-  if (!IsRunningMessage(*state_->object, PayloadKind::kNotify)) return oUNKNOWN_COMMAND;
-  if (state_->system->options().guard_regions) CheckUnchanged(state_, msg);
+  if (!IsRunningMessage(*state->object, PayloadKind::kNotify)) return oUNKNOWN_COMMAND;
+  if (state->system->options().guard_regions) CheckUnchanged(state, msg);
   // Starts the count of readies anew.  The count shows how often the observer asserts ready without
   // getting a notification; a large count is probably a mistake in the program.  A notification of
   // any subject resets the count for all subjects, because AssertReady() without argument asserts
   // to all of them.
-  for (ObserverState::Held& each : state_->held) each.asserted = 0;
+  for (ObserverState::Held& each : state->held) each.asserted = 0;
   // Records from which subject the regions came, because the next ready to that subject gives them
   // back.
-  ObserverState::Held& held = state_->HeldOf(msg.subjectID);
+  ObserverState::Held& held = state->HeldOf(msg.subjectID);
   const int count = msg.numOfData;
   for (int i = 0; i < count; ++i) {
-    RCRegion* const region = RegionAccess::Receive(msg.data[i]);
+    RCRegion* const region = RegionAccess::Receive(state->system, msg.data[i]);
     held.regions.push_back(region);
     event->SetData(i, region);
   }
@@ -202,4 +201,10 @@ OStatus OObserver::NotifyHandler(const ONotifyMessage& msg, ONotifyEvent* event)
   event->SetNumOfData(msg.numOfData);
   event->SetNumOfNotify(msg.numOfNotify);
   return oSUCCESS;
+}
+
+}  // namespace
+
+OStatus OObserver::NotifyHandler(const ONotifyMessage& msg, ONotifyEvent* event) {
+  return InApi([state = state_, &msg, event] { return HandleNotification(state, msg, event); });
 }

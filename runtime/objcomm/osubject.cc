@@ -99,16 +99,17 @@ OStatus OSubject::SetData(const void* buf, size_t size) {
 }
 
 OStatus OSubject::SetData(RCRegion* region) {
-  const ApiScope scope;
   if (region == nullptr) return oINVALID_ARG;
-  OStatus status = oSUCCESS;
-  // If the notification of one observer fails, goes on with the next observer, so that all other
-  // observers get the data.  Returns the status of the last failure.
-  for (const auto& link : state_->links) {
-    const OStatus one = state_->SetData(link.get(), region);
-    if (one != oSUCCESS) status = one;
-  }
-  return status;
+  return InApi([state = state_, region] {
+    OStatus status = oSUCCESS;
+    // If the notification of one observer fails, goes on with the next observer, so that all other
+    // observers get the data.  Returns the status of the last failure.
+    for (ObserverLink& link : state->links) {
+      const OStatus one = state->SetData(&link, region);
+      if (one != oSUCCESS) status = one;
+    }
+    return status;
+  });
 }
 
 OStatus OSubject::SetData(const OShmPtrBase& ptr) { return SetData(ptr.RCRPtr()); }
@@ -164,9 +165,10 @@ OStatus OSubject::SetData(const ObserverID& id, const OMemoryLocator& locator) {
 }
 
 OStatus OSubject::NotifyObservers() {
-  const ApiScope scope;
-  for (const auto& link : state_->links) state_->Notify(link.get());
-  return oSUCCESS;
+  return InApi([state = state_] {
+    for (ObserverLink& link : state->links) state->Notify(&link);
+    return oSUCCESS;
+  });
 }
 
 OStatus OSubject::NotifyObserver(const OObserverInfo& info) {
@@ -195,7 +197,7 @@ size_t Remain(const SubjectState& state, const ObserverLink& link) {
 
 size_t OSubject::RemainBuffer() const {
   size_t remain = std::max<size_t>(state_->buffer_size, 1) - 1;
-  for (const auto& link : state_->links) remain = std::min(remain, Remain(*state_, *link));
+  for (const ObserverLink& link : state_->links) remain = std::min(remain, Remain(*state_, link));
   return remain;
 }
 
@@ -210,7 +212,7 @@ size_t OSubject::RemainBuffer(const ObserverID& id) const {
 
 OStatus OSubject::ClearBuffer() {
   const ApiScope scope;
-  for (const auto& link : state_->links) state_->Clear(link.get());
+  for (ObserverLink& link : state_->links) state_->Clear(&link);
   return oSUCCESS;
 }
 
@@ -239,14 +241,14 @@ OStatus OSubject::ControlHandler(const OControlMessage& msg, OStatus status) {
       // Adds nothing if the program refuses the observer or the observer is known already.  The
       // reply then has the program's status.
       if (status != oSUCCESS || state_->Find(msg.observerID) != nullptr) break;
-      auto link = std::make_unique<ObserverLink>();
-      link->observer = msg.observerID;
-      const openr_host::Object* const peer = system->object(ObjectIdOf(msg.observerID.GetOID()));
-      link->name = peer == nullptr ? "an unknown object" : peer->name;
-      link->skip = msg.d_skip;
-      link->min = std::max<size_t>(msg.d_min, 1);
-      link->max = std::max<size_t>(msg.d_max, link->min);
-      state_->links.push_back(std::move(link));
+      ObserverLink& link = state_->links.emplace_back();
+      link.observer = msg.observerID;
+      link.target = ObjectIdOf(msg.observerID.GetOID());
+      const openr_host::Object* const peer = system->object(link.target);
+      link.name = peer == nullptr ? "an unknown object" : peer->name;
+      link.skip = msg.d_skip;
+      link.min = std::max<size_t>(msg.d_min, 1);
+      link.max = std::max<size_t>(msg.d_max, link.min);
       state_->infos.push_back(OObserverInfo(msg.observerID));
       break;
     }
@@ -257,7 +259,8 @@ OStatus OSubject::ControlHandler(const OControlMessage& msg, OStatus status) {
       if (link == nullptr) break;
       // Drops the data that wait for this observer, because it will not receive them any more.
       state_->Clear(link);
-      std::erase_if(state_->links, [link](const auto& each) { return each.get() == link; });
+      std::erase_if(state_->links,
+                    [&](const ObserverLink& each) { return each.observer == msg.observerID; });
       state_->infos.remove_if(
           [&](const OObserverInfo& info) { return info.GetObserverID() == msg.observerID; });
       break;
@@ -275,15 +278,17 @@ OStatus OSubject::ControlHandler(const OControlMessage& msg, OStatus status) {
   return status;
 }
 
-OStatus OSubject::ReadyHandler(const OReadyMessage& msg) {
-  const ApiScope scope;
+namespace {
+
+// Does the work of OSubject::ReadyHandler() for the subject of `state`.
+[[gnu::always_inline]] inline OStatus HandleReady(SubjectState* state, const OReadyMessage& msg) {
   // Refuses bytes that are no ready, because the code below would take some of them for addresses.
-  if (!IsRunningMessage(*state_->object, PayloadKind::kReady)) return oUNKNOWN_COMMAND;
+  if (!IsRunningMessage(*state->object, PayloadKind::kReady)) return oUNKNOWN_COMMAND;
   // A ready also lists the regions of earlier notifications that the observer no longer uses.
   // Removes the subject's reference to each of these regions, so that the subject can write into
   // them again.
   for (int i = 0; i < msg.numOfData; ++i) RegionAccess::RemoveReference(msg.rcRegion[i]);
-  ObserverLink* const link = state_->Find(msg.observerID);
+  ObserverLink* const link = state->Find(msg.observerID);
   // Returns an error if the observer was removed after it had sent this message.  In this case too,
   // the loop above has given back the regions that the message lists.
   if (link == nullptr) return oNOT_FOUND;
@@ -295,8 +300,14 @@ OStatus OSubject::ReadyHandler(const OReadyMessage& msg) {
   if (msg.command != objcommCMD_ASSERT_READY) return oUNKNOWN_COMMAND;
   link->ready = 1;
   // Sends pending notifications now, before the program's Ready function runs (measured.md 1.9).
-  state_->Flush(link);
+  state->Flush(link);
   return oSUCCESS;
+}
+
+}  // namespace
+
+OStatus OSubject::ReadyHandler(const OReadyMessage& msg) {
+  return InApi([state = state_, &msg] { return HandleReady(state, msg); });
 }
 
 int OSubject::NumberOfObservers() const { return static_cast<int>(state_->links.size()); }
@@ -311,16 +322,16 @@ ObserverConstIterator OSubject::FindObserver(const ObserverID& id) const {
 int OSubject::IsAnyReady() const {
   // Returns the number of ready observers and not only 1, as measured (measured.md 1.16).
   int count = 0;
-  for (const auto& link : state_->links) count += link->ready > 0;
+  for (const ObserverLink& link : state_->links) count += link.ready > 0;
   return count;
 }
 
 int OSubject::IsAllReady() const {
-  for (const auto& link : state_->links) {
+  for (const ObserverLink& link : state_->links) {
     // The value 0 means that the observer has not asserted ready since the last notification.  An
     // observer that has deasserted ready (-1) wants no data, so the subject need not wait for it
     // (core.md 2.2).
-    if (link->ready == 0) return 0;
+    if (link.ready == 0) return 0;
   }
   return IsAnyReady();
 }
