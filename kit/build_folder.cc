@@ -22,7 +22,6 @@
 #include "cli/install_paths.h"
 #include "kit/build_progress.h"
 #include "kit/compile_database.h"
-#include "kit/controller_sources.h"
 #include "kit/convention_build.h"
 #include "kit/foreign_code.h"
 #include "kit/harvest.h"
@@ -167,8 +166,7 @@ void FolderBuild::PrepareWork() {
 }
 
 int FolderBuild::Run() {
-  if (const std::string problem = WhyUnreadable(folder_); !problem.empty())
-    throw std::runtime_error(fmt::format("{}: {}", folder_.string(), problem));
+  CheckHasProgram(folder_);
   PrepareWork();
   copy_.emplace(work_, sdk_root_);
   copy_->Add(folder_);
@@ -176,17 +174,6 @@ int FolderBuild::Run() {
   make_.copies = ToEnvironment(copies_);
   for (const SourceCopy& entry : copies_) copied_folders_.emplace_back(entry.copy);
   project_ = ScanProject(copied_folders_);
-  if (project_.objects.empty() && IsControllerFolder(folder_)) {
-    throw std::runtime_error(
-        fmt::format("{}: a controller, not an OPEN-R object; openr controller build {}",
-                    folder_.string(), ShellWord(folder_)));
-  }
-  if (project_.objects.empty() && project_.makefiles.empty()) {
-    throw std::runtime_error(fmt::format(
-        "{}: no stub.cfg, no entry table and no Makefile in it or below; 'openr new' makes an "
-        "object to begin with",
-        folder_.string()));
-  }
   Build();
   Deliver();
   if (options_.writes_database)

@@ -1,11 +1,17 @@
 #include "kit/project.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <regex>
 #include <set>
+#include <stdexcept>
 
+#include "kit/controller_sources.h"
 #include "kit/makefile_text.h"
+#include "kit/referred_places.h"
+#include "kit/shell_words.h"
 #include "kit/text_files.h"
 #include "runtime/config/line_file.h"
 #include "runtime/config/stub_config.h"
@@ -146,6 +152,24 @@ Project ScanProject(const std::vector<fs::path>& folders) {
     if (has_header && !object_folders.contains(folder)) project.header_folders.push_back(folder);
   }
   return project;
+}
+
+void CheckHasProgram(const fs::path& folder) {
+  if (const std::string problem = WhyUnreadable(folder); !problem.empty())
+    throw std::runtime_error(fmt::format("{}: {}", folder.string(), problem));
+  const Project project = ScanProject(FindReferredPlaces(folder).folders);
+  if (!project.objects.empty()) return;
+  if (IsControllerFolder(folder)) {
+    throw std::runtime_error(
+        fmt::format("{}: a controller, not an OPEN-R object; openr controller build {}",
+                    folder.string(), ShellWord(folder)));
+  }
+  if (project.makefiles.empty()) {
+    throw std::runtime_error(fmt::format(
+        "{}: no stub.cfg, no entry table and no Makefile in it or below; 'openr new' makes an "
+        "object to begin with",
+        folder.string()));
+  }
 }
 
 bool IsGeneratedDefinitions(const std::string& text) {

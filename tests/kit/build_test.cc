@@ -442,6 +442,7 @@ TEST(BuildTest, AFolderWithNothingToBuildIsSaidSo) {
   const ProgramResult result = folder.Build();
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.err, HasSubstr("no stub.cfg, no entry table and no Makefile"));
+  EXPECT_FALSE(std::filesystem::exists(folder.scratch().File("cache"))) << "the folder was copied";
 }
 
 }  // namespace
