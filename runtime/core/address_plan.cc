@@ -20,12 +20,12 @@ namespace {
 constexpr uintptr_t kTiB = uintptr_t{1} << 40;
 constexpr uintptr_t kAreaBytes = 12 * kTiB;
 constexpr uintptr_t kFirstArea = 2 * kTiB;
-// The first address of the plan if UseOtherAddresses() was called.  The addresses from here on may
-// overlap the addresses from kFirstArea on, because a process uses either the ones or the others.
+// The first address of the address plan if UseOtherAddresses() was called; otherwise the plan
+// begins at kFirstArea.  The two plans overlap, because a process uses only one of them.
 constexpr uintptr_t kOtherArea = 5 * kTiB;
 
-// Offsets of the ranges (heaps, images ...) from the first address of the plan, which is kFirstArea
-// or kOtherArea.
+// Offsets of the ranges (heaps, images ...) from the first address of the address plan, which is
+// kFirstArea or kOtherArea.
 constexpr uintptr_t kHeaps = 0;
 constexpr uintptr_t kImages = 4 * kTiB;
 constexpr uintptr_t kStacks = 4 * kTiB + kTiB / 2;
@@ -40,10 +40,10 @@ static_assert(kStacks + AddressPlace::kPlaces * 2 * AddressPlace::kStackBytes <=
 static_assert(kRegions + kRegionAreas * kRegionAreaBytes <= kCopies);
 static_assert(kCopies + AddressPlace::kPlaces * AddressPlace::kCopyBytes <= kAreaBytes);
 
-// The plan of this process: the plan's first address, and which places of objects and which region
-// areas are taken.  It has no lock, because only the thread that makes Systems uses it.
+// The address plan of this process: its first address, and which places of objects and which areas
+// for regions are taken.  It has no lock, because only the thread that makes Systems uses it.
 struct Plan {
-  uintptr_t area = 0;  // first address of the plan; 0 if addresses are not planned
+  uintptr_t area = 0;  // first address of the address plan; 0 if addresses are not planned
   std::array<bool, AddressPlace::kPlaces> taken = {};
   std::array<bool, kRegionAreas> regions_taken = {};
 };
@@ -56,8 +56,8 @@ constexpr bool kIsPlanned = true;
 
 // Returns whether no memory is mapped in the kAreaBytes from `area` on.  Linux leaves these
 // addresses empty, but a tool that runs this program, such as an emulator, may use them.  If such a
-// tool uses these addresses, this process works without the plan, and the kernel chooses all
-// addresses.
+// tool uses these addresses, this process works without the address plan, and the kernel chooses
+// all addresses.
 bool IsEmpty(uintptr_t area) {
   std::FILE* const maps = std::fopen("/proc/self/maps", "re");
   if (maps == nullptr) return true;
@@ -72,9 +72,9 @@ bool IsEmpty(uintptr_t area) {
   return is_empty;
 }
 
-// Returns whether the first and the last page of the area can be mapped.  On a machine whose
-// addresses have too few bits for the area, these pages cannot be mapped, and this process works
-// without the plan.
+// Returns whether the first and the last page of the kAreaBytes from `area` on can be mapped.  On a
+// machine whose addresses have too few bits for this area, these pages cannot be mapped, and this
+// process works without the address plan.
 bool IsReachable(uintptr_t area) {
   constexpr size_t kPage = 4096;
   for (const uintptr_t address : {area, area + kAreaBytes - kPage}) {
@@ -89,8 +89,8 @@ bool IsReachable(uintptr_t area) {
 // The copy is a plain variable because free() reads it for every block, so the access must be fast.
 constinit uintptr_t g_area = 0;
 
-// Returns the plan of this process.  The plan is never deleted, because a static object of the
-// program may hold a System, which gives its places back to the plan when the program ends.
+// Returns the address plan of this process.  The plan is never deleted, because a static object of
+// the program may hold a System, which gives its places back to the plan when the program ends.
 Plan& ThePlan() {
   static Plan* const plan = [] {
     auto* const made = new Plan;
@@ -142,7 +142,7 @@ char* AddressPlace::stack(int number) const {
 
 int AddressPlace::OfHeap(const void* address) {
   // An address below g_area, the first address of the plan, becomes a very large offset, so one
-  // comparison finds addresses on both sides of the heaps.
+  // comparison finds addresses below the heaps and addresses above them.
   const uintptr_t offset = reinterpret_cast<uintptr_t>(address) - g_area;
   if (g_area == 0 || offset >= kPlaces * kHeapBytes) return -1;
   return static_cast<int>(offset / kHeapBytes);

@@ -88,13 +88,13 @@ constexpr size_t kRegionAreaBytes = size_t{3} << 39;  // 1.5 TiB in bytes
 // memory or the addresses are in use.
 bool MapAt(char* address, size_t bytes);
 
-// Returns whether `address` lies in the addresses of the plan, so that it is the same in every
-// process.
+// Returns whether `address` lies in the addresses of the address plan, so that it is the same in
+// every process.
 bool IsPlanned(const void* address);
 
-// Makes the plan use other addresses.  The exploration of a program (openr/explore) runs the
-// program with the usual and with the other addresses: if the runs differ, the program depends on
-// addresses.  REQUIRES: no System has been made in this process.
+// Makes the address plan use other addresses.  The exploration of a program (openr/explore) runs
+// the program with the usual and with the other addresses: if the runs differ, the program depends
+// on addresses.  REQUIRES: no System has been made in this process.
 void UseOtherAddresses();
 
 }  // namespace openr_host

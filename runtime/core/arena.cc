@@ -14,7 +14,8 @@
 namespace openr_host {
 namespace {
 
-// Size of the largest small block in bytes; a larger block gets whole spans of 64 KiB.
+// Size in bytes of the largest block that shares a span (a piece of 64 KiB of the heap) with other
+// blocks.  A larger block gets whole spans.
 constexpr size_t kLargest = 32 << 10;
 constexpr size_t kMapBytes = 1 << 20;  // memory is mapped in steps of this size
 
@@ -56,8 +57,9 @@ Arena::~Arena() {
 bool Arena::MapUpTo(size_t span_end) {
   if (span_end <= mapped_spans_) return true;
   constexpr size_t kStep = kMapBytes / kSpanBytes;
-  // `end` is rounded up to a multiple of kStep, because memory is mapped in steps of 1 MiB.  `end`
-  // still lies in the heap area, because the area's size is a multiple of 1 MiB.
+  // The number of mapped spans (pieces of 64 KiB) is rounded up to a multiple of kStep, because
+  // memory is mapped in steps of 1 MiB.  The spans up to `end` still lie in the heap area, because
+  // the area's size is a multiple of 1 MiB.
   const size_t end = (span_end + kStep - 1) / kStep * kStep;
   if (!MapAt(base_ + mapped_spans_ * kSpanBytes, (end - mapped_spans_) * kSpanBytes)) return false;
   mapped_spans_ = end;
@@ -179,9 +181,9 @@ bool Arena::WasFreed(const void* block) {
   const auto offset =
       static_cast<size_t>(static_cast<const char*>(block) - arena.base_) % kSpanBytes;
   if (span.use < 0) return span.use == kFree && offset == 0;
-  // `unused` is the first block of the size class that was never allocated.  It lies in the newest
-  // span (piece of 64 KiB) of the class.  The blocks behind it were never allocated either, so none
-  // of them was freed.
+  // `unused` is the address of the first block of the size class that was never allocated.  It lies
+  // in the newest span (piece of 64 KiB) of the class.  The blocks behind it were never allocated
+  // either, so none of them was freed.
   const char* const unused = arena.bump_[span.use];
   const bool is_of_newest_span =
       unused != nullptr && arena.IndexOf(unused - 1) == arena.IndexOf(block);

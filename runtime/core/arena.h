@@ -21,7 +21,7 @@
 
 namespace openr_host {
 
-// The memory that all objects of one robot use together, and its limit.
+// The memory that all objects of one robot use together, and the limit of this memory.
 struct MemoryBudget {
   size_t limit_bytes = SIZE_MAX;
   size_t used_bytes = 0;
@@ -33,16 +33,16 @@ struct MemoryBudget {
 class Arena {
  public:
   // Makes an empty heap in the heap area of `place` (address_plan.h), which no other arena may use.
-  // If `budget` is null, the size of the area is the only limit; otherwise `budget` must outlive
-  // the arena.  REQUIRES: place.heap() is not null.
+  // If `budget`, the memory that all objects of the robot share, is null, the size of the area is
+  // the only limit; otherwise `budget` must outlive the arena.  REQUIRES: place.heap() is not null.
   explicit Arena(const AddressPlace& place, MemoryBudget* budget = nullptr);
   ~Arena();  // frees all blocks
   Arena(const Arena&) = delete;
   Arena& operator=(const Arena&) = delete;
 
-  // Returns a block of zeros, or null if the budget or the heap area is exhausted.  The address of
-  // the block is a multiple of 16, or of `alignment` (rounded up to a power of two) if that is
-  // larger.
+  // Returns a block of zeros, or null if the memory of the robot or the heap area is exhausted.
+  // The address of the block is a multiple of 16, or of `alignment` (rounded up to a power of two)
+  // if that is larger.
   void* Allocate(size_t size, size_t alignment = 16);
 
   size_t bytes_in_use() const { return in_use_; }
@@ -120,7 +120,8 @@ class Arena {
   FreeBlock* free_[kClasses] = {};
   char* bump_[kClasses] = {};  // for each size class, the next block that was never used
   char* bump_end_[kClasses] = {};
-  // Tells for each 16 bytes of mapped memory whether a block in use begins at these bytes.
+  // Tells for each 16 bytes of the heap's mapped memory whether a block in use begins at these
+  // bytes.
   std::vector<bool> begins_;
   // For each block, the calls that led to its allocation; the key is the result of PlaceOf().  Null
   // if calls are not kept.  The keys are no addresses, because ReportLeaks() searches the memory of

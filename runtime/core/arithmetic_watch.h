@@ -19,24 +19,27 @@ class ArithmeticWatch {
   // raises no SIGFPE.
   static bool Catches();
 
-  // Begins the watch at the beginning of a handler: from now on, operations that set one of the
-  // flags `kinds` (FpFlag) raise SIGFPE.
+  // Begins to watch a handler, at its beginning, for floating-point faults: from now on, operations
+  // that set one of the flags `kinds` (FpFlag) raise SIGFPE.
   void Begin(unsigned kinds);
   bool has_begun() const { return has_begun_; }
 
-  // Excludes the flag `kind` from the watch for the rest of the handler, because each kind of
-  // operation is reported only once.  Called by the handler of SIGFPE after it has recorded the
-  // instruction.  This handler also changes the interrupted code's MXCSR, the register that enables
-  // SIGFPE, so that the instruction does not raise SIGFPE again.
+  // Stops watching for operations that set the flag `kind` (FpFlag), for the rest of the handler,
+  // because each kind of operation is reported only once.  Called by the handler of SIGFPE after it
+  // has recorded the instruction.  This handler also changes the interrupted code's MXCSR, the
+  // register that enables SIGFPE, so that the instruction does not raise SIGFPE again.
   void GiveUpCatching(unsigned kind) { kinds_ &= ~kind; }
 
-  // Pauses the watch.  Called at the beginning of a function of the SDK or of the C library that
-  // the image's code has called.  Calls of Enter() and Leave() may be nested.
+  // Pauses the watch for floating-point faults.  Called at the beginning of a function of the SDK
+  // or of the C library that the image's code has called.  Calls of Enter() and Leave() may be
+  // nested.
   void Enter();
-  // Resumes the watch.  Called when a function for which Enter() was called has returned.
+  // Resumes the watch for floating-point faults.  Called when a function for which Enter() was
+  // called has returned.
   void Leave();
 
-  // Ends the watch at the end of the handler: operations raise no SIGFPE any more.
+  // Ends the watch for floating-point faults at the end of the handler: operations raise no SIGFPE
+  // any more.
   void End();
 
  private:

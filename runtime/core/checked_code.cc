@@ -27,8 +27,8 @@ namespace {
 struct SourcePlace {
   const char* file;
   uint32_t line;
-  // The column of the place.  After a fault at this place was reported, kSaid stands here instead
-  // of the column, so that each place is reported only once.
+  // The column of the place in the source where the check stands.  After a fault at this place was
+  // reported, kSaid stands here instead of the column, so that each place is reported only once.
   uint32_t column;
 };
 constexpr uint32_t kSaid = UINT32_MAX;
@@ -82,7 +82,7 @@ std::string Render(const SourcePlace& place) {
 // processor ("exception 15").  With --strict the object crashes.  Otherwise a finding is added,
 // once for each place in the source.
 void Report(SourcePlace* place, const std::string& what, const char* exception) {
-  // Does nothing if the failed check is not in code of an object.
+  // Does nothing if the check that found the fault is not in code of an object.
   if (t_current.system == nullptr || t_current.object == nullptr) return;
   if (t_current.system->options().strict)
     StopAsTheRobotDoes(fmt::format("{} at {} ({})", what, Render(*place), exception));
@@ -93,7 +93,7 @@ void Report(SourcePlace* place, const std::string& what, const char* exception) 
 }
 
 // Adds a finding about `what`, an operation that is undefined in C++, once for each place in the
-// source.  Only images of openr build --sanitize have the checks that call this function.
+// source.  Only images of openr build --sanitize have checks for such operations.
 void ReportUndefined(SourcePlace* place, const std::string& what) {
   if (t_current.system == nullptr || t_current.object == nullptr) return;
   if (std::exchange(place->column, kSaid) == kSaid) return;
@@ -104,8 +104,9 @@ void ReportUndefined(SourcePlace* place, const std::string& what) {
 
 const char* NameOf(const TypeText* type) { return static_cast<const char*>(type->name); }
 
-// Returns the text of the integer in the argument `value` of a check.  For an integer of more than
-// 64 bits `value` is only an address, so the text is "a number".
+// Returns the text of the integer in the argument `value` that a check of
+// UndefinedBehaviorSanitizer has passed.  For an integer of more than 64 bits `value` is only an
+// address, so the text is "a number".
 std::string TextOf(const TypeText& type, uintptr_t value) {
   if (!type.is_integer() || type.bits() > 64) return "a number";
   const unsigned unused = 64 - type.bits();
@@ -143,8 +144,8 @@ uintptr_t RobotAlignment(const AccessData& data) {
   return is_wide ? 8 : 4;
 }
 
-// Returns the number in the argument `value` of a check.  The argument holds the bits of a float or
-// double, or the address of a long double.
+// Returns the number in the argument `value` that a check of UndefinedBehaviorSanitizer has passed.
+// The argument holds the bits of a float or double, or the address of a long double.
 double ValueOf(const TypeText& type, uintptr_t value) {
   if (type.bits() == 32) {
     const auto bits = static_cast<uint32_t>(value);

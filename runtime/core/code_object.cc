@@ -66,7 +66,8 @@ bool CodeHost::Dispatch(uint32_t selector, void* payload) {
   return true;
 }
 
-// Calls DoInit, DoStart, DoStop or DoDestroy of the CodeObject, as `selector` demands.
+// Calls DoInit, DoStart, DoStop or DoDestroy of the CodeObject (an object that is a C++ class of
+// this program), as `selector` demands.
 void CodeHost::CallSystemEntry(uint32_t selector, void* payload) {
   auto& message = *static_cast<OReasonMessage*>(payload);
   const OSystemEvent event(message.reason, message.param, message.paramSize);

@@ -33,8 +33,8 @@ class CodeObject : public OObject {
   CodeObject();
   ~CodeObject() override;
 
-  // Adds to the hash all state of this object that can change what happens later in the run; see
-  // Object::HashState().
+  // Adds to the state hash all state of this object that can change what happens later in the run;
+  // see Object::HashState().
   virtual void HashState(Hasher*) const {}
 
   Object& host() const { return *host_; }
@@ -49,8 +49,9 @@ class CodeObject : public OObject {
   };
 
   // Adds a subject (the sending end of connections) and registers it as `service`, a full name such
-  // as "Blinker.Blink.OCommandVectorData.S".  `ready(const OReadyEvent&)` is called for each ready.
-  // This CodeObject owns the returned subject.  REQUIRES: called in the constructor.
+  // as "Blinker.Blink.OCommandVectorData.S".  `ready(const OReadyEvent&)` is called for each ready
+  // that the subject gets.  This CodeObject owns the returned subject.  REQUIRES: called in the
+  // constructor.
   template <typename Ready = Nothing>
   OSubject* AddSubject(const std::string& service, Ready ready = {});
   // Adds an observer (the receiving end of connections) and registers it as `service`.
@@ -69,8 +70,8 @@ class CodeObject : public OObject {
  private:
   friend class CodeHost;
 
-  // An entry of the object, which handles the messages to one selector.  The classes derived from
-  // Entry store the function that the object has given for the entry, so that a message reaches
+  // An entry of a CodeObject, which handles the messages to one selector.  The classes derived from
+  // Entry store the function that the CodeObject has given for the entry, so that a message reaches
   // this function by one virtual call.
   class Entry {
    public:

@@ -20,8 +20,8 @@ struct Search {
 
 _Unwind_Reason_Code LookAtFrame(_Unwind_Context* context, void* data) {
   Search* const search = static_cast<Search*>(data);
-  // The return address is the address of the instruction after the call, which may belong to
-  // another source line.  Therefore 1 is subtracted: the address is then inside the call.
+  // The address that _Unwind_GetIP() returns is that of the instruction after a call, which may
+  // belong to another source line.  Therefore 1 is subtracted: the address is then inside the call.
   const auto* const address = reinterpret_cast<const void*>(_Unwind_GetIP(context) - 1);
   if (!search->object->HasCode(address)) return _URC_NO_REASON;
   search->found = address;

@@ -26,7 +26,8 @@ class System;
 // Operations on RCRegions (references to shared memory) that the runtime may do and objects may
 // not.
 struct RegionAccess {
-  // Returns the description of `region` for a notification.
+  // Returns the part of a notification that describes `region`: its id, and the offset and size of
+  // its data.
   static TransferedData Describe(RCRegion* region) {
     return {region, region->id_, region->offset_, region->size_};
   }
@@ -68,8 +69,8 @@ void ReportForeignBytes(const Object& object);
 // subject or observer, adds an error finding and returns false.  Such bytes must not be read as a
 // notification or a ready.
 inline bool IsRunningMessage(const Object& object, PayloadKind kind) {
-  // Without a running message there is nothing to check.  This occurs only if a test calls the
-  // function of the entry directly.
+  // Without a running message the kind of message cannot be checked.  This occurs only if a test
+  // calls the function of the entry directly.
   if (object.handler.running == nullptr || object.handler.running->kind == kind) [[likely]]
     return true;
   ReportForeignBytes(object);
@@ -82,8 +83,8 @@ inline bool IsRunningMessage(const Object& object, PayloadKind kind) {
 constexpr OMessageType kDeassertOfLost = 0x10000;
 
 // Message type of a connect message for a subject whose process is lost.  The observer records that
-// the subject is missing (ObserverState::missing) and asks no subject.  No message type of the SDK
-// has this value.
+// the subject is missing (ObserverState::missing) and does not ask the subject for the connection.
+// No message type of the SDK has this value.
 constexpr OMessageType kConnectToLost = 0x10001;
 
 // Sends `subject` a deassert, which says that the observer at entry `selector` of `object` is not
@@ -122,7 +123,8 @@ struct ObserverLink {
   size_t min = 1;
   size_t max = 1;
   size_t skipped = 0;  // notifications skipped since one was kept (OObserver::SetSkip())
-  // Virtual time since which a notification waits; -1 if no notification waits.
+  // Virtual time since which a notification waits for the observer's ready; -1 if no notification
+  // waits.
   int64_t waiting_since_us = -1;
   uint64_t sent = 0;             // number of messages that were sent to the observer
   int64_t sent_us = 0;           // virtual time of the newest message to the observer
@@ -131,9 +133,9 @@ struct ObserverLink {
 
   ObserverID observer;
   ObjectId target = kNoObject;  // the object of `observer`
-  // The readiness of the observer for data: 1 if it is ready; 0 if it has not asserted ready since
-  // the last data were sent to it, or not at all; -1 if it has deasserted ready.  Two asserts in a
-  // row count as one, as on the robot.
+  // Whether the observer accepts the next notification: 1 if it is ready; 0 if it has not asserted
+  // ready since the last data were sent to it, or not at all; -1 if it has deasserted ready.  Two
+  // asserts in a row count as one, as on the robot.
   int ready = 0;
   struct Unit {
     int data;  // number of regions in `pending` that belong to this notification
@@ -147,8 +149,8 @@ struct ObserverLink {
   std::string name;  // the name of the observer's object, for messages to the user
 };
 
-// The members that every ready and notification reads come first, so that they lie on few cache
-// lines.
+// The runtime's record of a subject.  The members that every ready and notification reads come
+// first, so that they lie on few cache lines.
 struct SubjectState {
   SubjectState(System* the_system, Object* the_object) : system(the_system), object(the_object) {}
 
@@ -177,7 +179,7 @@ struct SubjectState {
   OStatus Notify(ObserverLink* link);
   // Posts a message with the `data_count` regions at `data`, which are the data of `unit_count`
   // notifications.  A subject may send several waiting notifications in one message.  Returns false
-  // if the message is refused.
+  // if the message is refused, for example because the queue of the observer's object is full.
   bool Send(ObserverLink* link, RCRegion* const* data, size_t data_count, size_t unit_count);
   // Sends pending notifications if the observer is ready and at least ObserverLink::min
   // notifications are pending.  The observer sets this number with SetBufCtrlParam().
@@ -206,16 +208,16 @@ struct SubjectState {
   std::list<OObserverInfo> infos;  // the observers of `links`, as OSubject::begin() shows them
 };
 
-// The members that every ready and notification reads come first, so that they lie on few cache
-// lines.
+// The runtime's record of an observer.  The members that every ready and notification reads come
+// first, so that they lie on few cache lines.
 struct ObserverState {
   ObserverState(System* the_system, Object* the_object) : system(the_system), object(the_object) {}
 
   // Sends `command`, ready or not ready, to `subject`.  The message also gives back the regions of
   // `subject` that this object no longer uses.
   OStatus SendReady(const SubjectID& subject, ObjcommCommand command);
-  // Prints, as the robot does, that a ready could not be posted because of `error`.  Returns the
-  // status for the caller of SendReady().
+  // Prints, as the robot does, that a ready could not be posted because of `error`.  Returns
+  // oSEND_FAIL, the result of SendReady() in this case.
   OStatus ReportRefusedReady(sError error);
   System* const system;
   Object* const object;
@@ -235,7 +237,7 @@ struct ObserverState {
   };
   std::vector<Held> held;
   std::list<OSubjectInfo> subjects;  // the connected subjects, as the SDK shows them
-  // The full name of the service of each connected subject.
+  // The name of a connected subject: the full name of its service.
   struct Name {
     SubjectID subject;
     std::string service;
@@ -266,13 +268,13 @@ struct ObserverState {
     return AddHeld(subject);
   }
   Held& AddHeld(const SubjectID& subject);
-  // Sends `command`, ready or not ready, to all subjects.  Missing subjects get it when they are
-  // connected.
+  // Sends `command`, ready or not ready, to all subjects.  Missing subjects
+  // (ObserverState::missing) get the command when they are connected.
   OStatus SendReadyToAll(ObjcommCommand command);
   // Records that this observer is connected with `subject`, which has registered `subject_service`.
   // Sends the command that the observer has given while this subject was missing.
   void AddSubject(const SubjectID& subject, const std::string& subject_service);
-  // Records that the connections end for whose subjects `ends` returns true.
+  // Records the end of each connection for whose subject `ends` returns true.
   void RemoveSubjects(const std::function<bool(const SubjectID&)>& ends);
   // Records that the subject of `subject_service` is missing: its process is lost, or its object is
   // being replaced.

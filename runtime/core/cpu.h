@@ -26,9 +26,10 @@ class CostModel {
   // Returns the processor time of one call of entry `selector`, >= 0.  Called once per delivery and
   // in order of delivery, so a model may draw random numbers from its own generator.
   virtual int64_t CostUs(const Object& object, uint32_t selector) = 0;
-  // Returns how long a frame of the robot's devices lasts on the virtual clock.
+  // Returns the virtual time in us that a frame takes: the step in which the robot's sensors and
+  // joints work, 8 ms on a robot.  A model may set another length.
   virtual int64_t FrameUs() const;
-  // Adds to the hash all state of the model that can change later costs.
+  // Adds to the state hash all state of the model that can change later costs.
   virtual void HashState(Hasher*) const {}
 };
 

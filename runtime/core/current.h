@@ -52,8 +52,8 @@ class ApiScope {
 };
 
 // Calls `work` with an ApiScope and returns its result.  The functions of the SDK that run for
-// every notification use InApi(): if no image calls them, they need no scope and have nothing to
-// restore at the end.
+// every notification use InApi(): if the caller is not code of an image, they need no scope and
+// have nothing to restore at the end.
 template <typename Work>
 [[gnu::noinline]] auto InApiOfImage(const Work& work) {
   const ApiScope scope;

@@ -26,7 +26,8 @@ class DeliveryState {
     bool is_plain_;
   };
 
-  // `flag` is made after this DeliveryState and from it.  `is_image` tells whether the object was
+  // `flag` is the PlainFlag that this DeliveryState sets.  The constructor of the flag reads this
+  // DeliveryState, so the object makes the flag later.  `is_image` tells whether the object was
   // loaded from a file: the handlers of such objects are measured, so their deliveries are never
   // plain.
   DeliveryState(PlainFlag* flag, bool is_image) : flag_(flag), is_image_(is_image) {}
@@ -61,7 +62,8 @@ class DeliveryState {
     held_.push_back(std::move(message));
     SetFlag();
   }
-  // Takes the newest held message.  REQUIRES: held() is not empty.
+  // Takes the newest of the messages that the object could not handle yet.  REQUIRES: held() is not
+  // empty.
   OwnedMessage TakeNewestHeld() {
     OwnedMessage message = std::move(held_.back());
     held_.pop_back();
@@ -73,7 +75,8 @@ class DeliveryState {
   bool IsPlain() const {
     return !is_image_ && !is_off_ && !is_busy_ && blocked_ == nullptr && held_.empty();
   }
-  // Sets the flag anew.  Every function that changes a member calls this function at its end.
+  // Sets the PlainFlag, which tells whether a delivery is only a call of the handler.  Every
+  // function that changes a member calls this function at its end.
   void SetFlag() { flag_->is_plain_ = IsPlain(); }
 
   PlainFlag* const flag_;

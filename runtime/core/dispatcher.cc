@@ -27,7 +27,8 @@ uint64_t Dispatcher::Run(const Limits& limits) {
   ASSERT(running_ == nullptr, "a handler must not run the system it belongs to");
   limits_ = limits;
   run_began_at_ = delivered_;
-  // A predicate is called before every message, so MayContinue() is asked from the beginning.
+  // If Limits::until is set, MayContinue() must call it before every message, so MayContinue() is
+  // asked from the first message on.
   stop_at_ =
       limits.until != nullptr ? 0 : delivered_ + std::min(limits.messages, UINT64_MAX - delivered_);
   if (system_->powered_off()) Stop();
@@ -99,7 +100,8 @@ bool Dispatcher::MayContinue() const {
   if (!object->delivery.is_busy()) object->ReturnHeld();
 }
 
-// Ends what is measured of a handler of an image: floating-point faults and the use of its stack.
+// Ends the measurements of a handler whose code is in an image: ends the watch for floating-point
+// faults, reports these faults, and records how much stack the handler has used.
 void Dispatcher::FinishImage(Object* object) {
   if (t_current.watch != nullptr) std::exchange(t_current.watch, nullptr)->End();
   auto* const image = static_cast<ImageObject*>(object);
@@ -123,8 +125,8 @@ void Dispatcher::FinishImage(Object* object) {
   }
 }
 
-// Calls the entry of `object` as CallEntry() does, with what only images and SystemOptions demand:
-// a watch for floating-point faults, and the wall time of the handler.
+// Calls the entry of `object` as CallEntry() does, with what is needed only for images or because
+// of SystemOptions: a watch for floating-point faults, and the wall time of the handler.
 void Dispatcher::RunMeasured(Object* object) {
   ArithmeticWatch watch;
   // Reads the clock of the host before an image becomes the current object, because clock() would
@@ -200,8 +202,8 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
   return message;
 }
 
-// Delivers `message` to `object` if the object can handle it now, and does for its handler what
-// only images, the boot and SystemOptions demand.
+// Delivers `message` to `object` if the object can handle it now, and does for its handler what is
+// needed only for images, during the boot, or because of SystemOptions.
 [[gnu::noinline]] void Dispatcher::DeliverChecked(Object* object, OwnedMessage message) {
   message = Admit(object, std::move(message));
   if (message == nullptr) return;
@@ -235,14 +237,15 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
   if (!is_plain) [[unlikely]]
     return DeliverChecked(object, OwnedMessage(message));
   BeginDelivery(object, message);
-  // Run() has set t_current.system.
+  // Sets only the object, because Run() has set t_current.system already.
   t_current.object = object;
   t_current.image_code = false;
   t_current.watch = nullptr;
   CallEntry(object);
   t_current.object = nullptr;
   object->handler.running.reset();
-  // The object may have got messages while its handler waited.
+  // The object may have got messages while its handler waited.  FinishHandler() then puts these
+  // held messages back into the queue.
   if (!object->is_plain) [[unlikely]]
     FinishHandler(object);
 }
@@ -264,8 +267,9 @@ void Dispatcher::ReportException(const Object& object, const std::string& what) 
                       fmt::format("uncaught exception in {}{}; on the robot abort()", entry, what));
 }
 
-// Called when SystemOptions::free_deliveries messages or more were delivered at this instant.  Adds
-// a finding that each further message takes 1 us, and sets System::creep_us(), so that it does.
+// Called when SystemOptions::free_deliveries messages or more were delivered at this instant of
+// virtual time.  Adds a finding that each further message takes 1 us, and sets System::creep_us(),
+// so that it does.
 void Dispatcher::NoteManyDeliveries(const Object* object) {
   if (delivered_ > many_at_) {
     system_->creep_us_ = 1;

@@ -36,7 +36,8 @@ class Dispatcher {
   // limits.time_us.  REQUIRES: not called in a handler.
   uint64_t Run(const Limits& limits);
 
-  // Makes Run() return when the running handler has ended.  Called when all robots are off.
+  // Makes Run(), the loop that delivers messages, return when the running handler has ended.
+  // Called when all robots are off.
   void Stop() {
     limits_.messages = 0;
     stop_at_ = 0;

@@ -25,9 +25,10 @@ struct Finding {
   // `cause` is empty, only findings with the same text are kept as one finding.
   std::string cause = {};
   std::string place = {};  // where the cause is ("CONNECT.CFG:4"); empty if `cause` is empty
-  // The places of later findings with this cause, at most kPlacesMax.
+  // The places (such as "CONNECT.CFG:5") of later findings with this cause, at most kPlacesMax.
   std::vector<std::string> also_at = {};
-  // The content of the message with the number `message`, in words; "" if it is not known.
+  // The content of the message that was being handled when the finding was first added, in words;
+  // "" if it is not known.
   std::string said = {};
 };
 
@@ -46,8 +47,8 @@ class Findings {
   // The largest number of places that one finding lists in `also_at`.
   static constexpr size_t kPlacesMax = 5;
 
-  // Adds a finding.  If it is kept as a new element of all(), returns a pointer to this element.
-  // If it was only counted, returns null.
+  // Adds a finding.  If the finding is kept as a new element of all(), returns a pointer to this
+  // element.  If the finding was only counted, returns null.
   Finding* Add(Finding finding);
   const std::vector<Finding>& all() const { return all_; }
   // Returns whether there is an error among the findings from index `first` of all() on.

@@ -26,8 +26,9 @@ GuardPages::~GuardPages() {
   }
 }
 
-// Maps new pages in `area`, the memory area for the read-only copies that one object receives.  If
-// `area` is null, the kernel chooses the addresses.  Returns null if no pages could be mapped.
+// Maps new writable pages in `area`, the memory area for the read-only copies that one object
+// receives.  If `area` is null, the kernel chooses the addresses.  Returns null if no pages could
+// be mapped.
 char* GuardPages::MapPages(char* area, size_t bytes) {
   if (area == nullptr) {
     void* const pages =
@@ -35,8 +36,8 @@ char* GuardPages::MapPages(char* area, size_t bytes) {
     return pages == MAP_FAILED ? nullptr : static_cast<char*>(pages);
   }
   size_t& next = next_in_[area];
-  // Tries the addresses of the area one after the other, and goes on at the beginning of the area
-  // when its end is reached.  Skips pages of copies that are still in use.
+  // Tries to map the pages at the addresses of the area one after the other, and goes on at the
+  // beginning of the area when its end is reached.  Skips pages of copies that are still in use.
   for (size_t tried = 0; tried < AddressPlace::kCopyBytes; tried += bytes) {
     if (next + bytes > AddressPlace::kCopyBytes) next = 0;
     char* const pages = area + next;
@@ -84,9 +85,10 @@ void GuardPages::Retire(const char* copy) {
   } else if (area != nullptr) {
     munmap(page, bytes);
   } else {
-    // Keeps the pages mapped, but allows no access, if addresses are not planned (address_plan.h).
-    // If they were unmapped, the kernel could put other memory at these addresses, and a later
-    // access of the observer would be no fault.
+    // Keeps the pages of a read-only copy, which the observer has given back, mapped, but allows no
+    // access, if addresses are not planned (address_plan.h).  If they were unmapped, the kernel
+    // could put other memory at these addresses, and a later access of the observer would be no
+    // fault.
     madvise(page, bytes, MADV_DONTNEED);
     mprotect(page, bytes, PROT_NONE);
   }
@@ -98,9 +100,9 @@ const char* GuardPages::WhyFault(const void* address) const {
     return at >= area.first && at < area.first + AddressPlace::kCopyBytes;
   });
   if (!is_ours) return "";
-  // Compares with the exact addresses of each copy's pages, and not with the area as a whole: a
-  // copy that was given back often lies on the page before a copy that is still in use, and an
-  // access to it is another mistake.
+  // Compares `address`, to which an access was a fault, with the pages of each read-only copy that
+  // is in use, and not with the whole area of the copies: a copy that was given back often lies on
+  // the page before a copy that is still in use, and an access to it is another mistake.
   for (const auto& [copy, pages] : copies_) {
     const char* const page = PageOf(copy);
     if (at >= page && at < page + pages.bytes)

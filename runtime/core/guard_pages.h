@@ -25,8 +25,8 @@ class GuardPages {
  public:
   enum class GivenBack {
     kGone,  // a copy that was given back cannot be accessed: every access is a fault
-    // A read-only copy that was given back can be read until a later copy replaces it.  On the
-    // robot, too, old data can be read until newer data replace them.
+    // A read-only copy of received data that an observer has given back can be read until a later
+    // copy replaces it.  On the robot, too, old data can be read until newer data replace them.
     kReused,
   };
   explicit GuardPages(GivenBack given_back) : given_back_(given_back) {}
@@ -46,7 +46,7 @@ class GuardPages {
   void Retire(const char* copy);
 
   // Returns a text about the mistake that made the access to `address` a fault, or "" if `address`
-  // is in no area for copies.  May be called in a signal handler.
+  // is in no memory area for read-only copies of received data.  May be called in a signal handler.
   const char* WhyFault(const void* address) const;
 
  private:
@@ -64,8 +64,8 @@ class GuardPages {
 
   const GivenBack given_back_;
   const AddressPlace shared_place_{kNoObject};  // the area of objects that have no place
-  // The keys of copies_, next_in_ and unused_ are addresses, which may differ from run to run.
-  // Therefore nothing may depend on the order of these maps.
+  // The keys of copies_, next_in_ and unused_ are addresses or hold addresses, which may differ
+  // from run to run.  Therefore nothing may depend on the order of these maps.
   std::map<const char*, Copy> copies_;
   std::map<char*, size_t> next_in_;  // for each area, the offset of the next copy
   // Pages of read-only copies of received data, kept after the observers have given these data

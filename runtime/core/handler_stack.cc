@@ -73,7 +73,7 @@ namespace {
 struct SanitizedCall {
   void (*function)(void*);
   void* argument;
-  // The bounds of the caller's stack, to which the call returns.
+  // The first address and the size of the caller's stack, to which the call returns.
   const void* bottom = nullptr;
   size_t bytes = 0;
 };
@@ -100,7 +100,8 @@ void HandlerStack::Call(void (*function)(void*), void* argument) {
     function(argument);
     return;
   }
-  // Clears the stack in a destructor, so that it is cleared after an exception too.
+  // Clears the handler's stack in a destructor, so that it is cleared also if the handler ends with
+  // an exception.
   struct Clearing {
     HandlerStack* stack;
     ~Clearing() { stack->Clear(); }
@@ -120,7 +121,7 @@ void HandlerStack::CallWithSanitizer(void (*function)(void*), void* argument) {
   SanitizedCall call{function, argument};
   void* fake_stack = nullptr;
   // Tells AddressSanitizer in a destructor that the caller's stack is in use again, because the
-  // function may end with an exception.
+  // called function may end with an exception.
   struct Arrival {
     void* const* fake_stack;
     ~Arrival() { __sanitizer_finish_switch_fiber(*fake_stack, nullptr, nullptr); }
@@ -138,8 +139,9 @@ void HandlerStack::Call(void (*function)(void*), void* argument) { function(argu
 
 void HandlerStack::Clear() {
   ++calls_;
-  // After some of the calls, searches the stack for a wide gap of zeros, below which nothing was
-  // written.  This is safer but takes longer than the search for a narrow gap (see Call()).
+  // After some of the handler calls, searches the handler's stack for a wide gap of zeros, below
+  // which nothing was written.  This is safer but takes longer than the search for a narrow gap
+  // (see Call()).
   const bool looks_far = calls_ <= 64 || calls_ % 16 == 0;
   used_bytes_ = memory_.Clear(looks_far ? StackMemory::kWideGapBytes : StackMemory::kSmallGapBytes);
   is_dirty_ = false;

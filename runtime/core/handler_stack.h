@@ -17,8 +17,8 @@ namespace openr_host {
 
 class HandlerStack {
  public:
-  // Maps the stack at `address` of the plan (address_plan.h).  If `address` is null, the kernel
-  // chooses the address.
+  // Maps the stack at `address` of the address plan (address_plan.h).  If `address` is null, the
+  // kernel chooses the address.
   explicit HandlerStack(char* address) : memory_(address) {}
 
   // Calls function(argument) on the empty stack.  If the caller runs on this stack already, because
@@ -31,9 +31,9 @@ class HandlerStack {
   // the other calls for a gap of 4 KiB.
   void Call(void (*function)(void*), void* argument);
 
-  // Returns how many bytes of the stack the newest Call() has used, or has used so far if it is
-  // still running.  Returns 0 with AddressSanitizer and under Valgrind, where the number is not
-  // known.
+  // Returns how many bytes of this stack the handler of the newest Call() has used, or has used so
+  // far if this handler is still running.  Returns 0 with AddressSanitizer and under Valgrind,
+  // where the number is not known.
   size_t UsedBytes() const;
 
  private:

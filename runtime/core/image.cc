@@ -126,8 +126,9 @@ std::string ImageObject::TakePlace(const std::string& original) {
   return bytes;
 }
 
-// Returns "", or why the image does not fit this program.  Called before any code of the image
-// runs, because code that was compiled with other headers may write beyond the runtime's objects.
+// Returns "", or why the image does not fit this runtime: it has no description, or was built for
+// another version.  Called before any code of the image runs, because code that was compiled with
+// other headers may write beyond the runtime's objects.
 std::string ImageObject::CheckVersions() {
   info_ = static_cast<const ImageInfo*>(dlsym(handle_, "openr_image_info"));
   if (info_ == nullptr) return "has no openr_image_info; build it with openr build";
@@ -136,8 +137,8 @@ std::string ImageObject::CheckVersions() {
         "was built for version {} of the image format, this is version {}; build it again",
         info_->version, kImageVersion);
   }
-  // Accepts version 0, the version in images of builds that did not mark images yet.  Such an image
-  // may fit.
+  // Accepts version 0 of the SDK headers, the version in images of builds that did not mark images
+  // yet.  Such an image may fit.
   const uint32_t headers = info_->headers_version;
   if (headers == 0 || headers == kHeadersVersion) return "";
   return fmt::format(
@@ -197,8 +198,8 @@ std::string ImageObject::ReadTables() {
     if (entry->selector >= entries_.size()) entries_.resize(entry->selector + 1, nullptr);
     entries_[entry->selector] = entry->entry;
   }
-  // Counts the entries before the first gap in the table, because Object::entry_count must not
-  // count entries that do not exist.
+  // Counts the entries before the first gap in the object's table of entries, because
+  // Object::entry_count must not count entries that do not exist.
   while (ImageObject::HasEntry(entry_count)) ++entry_count;
   const OcfResult ocf = ParseOcf(path + " (.ocf)", info_->ocf);
   if (!ocf.ocf) return "has a bad .ocf text: " + Render(ocf.diagnostics);
@@ -219,9 +220,9 @@ std::string ImageObject::ReadTables() {
 }
 
 bool ImageObject::HasCode(const void* address) const {
-  // Compares with an address that is surely in the image, the address of its table of entries.
-  // `address` belongs to the image if both addresses lie in the same loaded library, that is, in
-  // libraries with the same base address.
+  // Compares `address` with an address that is surely in the image, the address of its table of
+  // entries.  `address` belongs to the image if both addresses lie in the same loaded library, that
+  // is, in libraries with the same base address.
   Dl_info own{}, other{};
   return !entries_.empty() && dladdr(dlsym(handle_, "ObjectEntryTable"), &own) != 0 &&
          dladdr(address, &other) != 0 && own.dli_fbase == other.dli_fbase;
@@ -246,7 +247,7 @@ bool ImageObject::Dispatch(uint32_t selector, void* payload) {
 void ImageObject::ReportFpFlags(uint32_t selector) {
   const ApiScope scope;
   // Does not report kFpInvalid again after a conversion to an integer that checked_code.cc has
-  // reported, because such a conversion sets this flag, too.
+  // reported, because such a conversion sets the flag kFpInvalid, too.
   const unsigned reported = has_reported_cast ? unsigned{kFpInvalid} : 0u;
   const unsigned fresh = FpFlags() & ~fp_seen_ & ~reported;
   const bool makes_denormals = ((fp_seen_ | fresh) & kFpUnderflow) != 0;

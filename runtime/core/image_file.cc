@@ -39,8 +39,8 @@ bool HasLineEndsOfText(std::string_view bytes) {
   return line_ends >= kLineEndsMin;
 }
 
-// Returns whether the file has all bytes that the dynamic linker maps.  A file that was cut off
-// must not be loaded, because the dynamic linker would crash.
+// Returns whether `bytes`, the content of an image file, have all bytes that the dynamic linker
+// maps.  A file that was cut off must not be loaded, because the dynamic linker would crash.
 bool IsWhole(const std::string& bytes, const Elf64_Ehdr& header) {
   for (int i = 0; i < header.e_phnum; ++i) {
     const uint64_t at = header.e_phoff + static_cast<uint64_t>(i) * sizeof(Elf64_Phdr);
@@ -56,13 +56,13 @@ bool IsWhole(const std::string& bytes, const Elf64_Ehdr& header) {
 
 std::string CheckFormat(const std::string& bytes, bool* is_for_robot) {
   Elf64_Ehdr header{};
-  // The file may be shorter than the header.  Copies only the bytes that the file has; the other
-  // fields of the header stay 0.
+  // The image file may be shorter than an ELF header.  Copies only the bytes that the file has; the
+  // other fields of the header stay 0.
   std::memcpy(&header, bytes.data(), std::min(bytes.size(), sizeof header));
   if (bytes.size() < sizeof(Elf32_Ehdr) || std::memcmp(&header, ELFMAG, SELFMAG) != 0)
     return "is not an object image; build the object for the host (openr build)";
-  // Reads e_machine from the 64-bit header even if the file is for the robot, which has 32 bits,
-  // because this field has the same offset in both headers.
+  // Reads e_machine from the 64-bit header even if the image file is for the robot, which has 32
+  // bits, because this field has the same offset in both headers.
   *is_for_robot = header.e_machine == EM_MIPS;
   if (*is_for_robot) return kForRobot;
   if (bytes.size() < sizeof header || header.e_ident[EI_CLASS] != ELFCLASS64)
@@ -71,8 +71,8 @@ std::string CheckFormat(const std::string& bytes, bool* is_for_robot) {
   return IsWhole(bytes, header) ? "" : kCutOff;
 }
 
-// Copies the value of type T at offset `at` of the file into `*value`.  Returns false if the file
-// is too short.
+// Copies the value of type T at offset `at` of the image file into `*value`.  Returns false if the
+// file is too short.
 template <typename T>
 bool ReadAt(const std::string& bytes, uint64_t at, T* value) {
   if (at > bytes.size() || sizeof(T) > bytes.size() - at) return false;
@@ -92,14 +92,14 @@ std::string OcfTextOf(const std::string& bytes) {
     Elf64_Shdr section;
     if (!ReadAt(bytes, section_at(i), &section)) return "";
     const uint64_t name = names.sh_offset + section.sh_name;
-    // Compares the NUL at the end of the section's name too, so that no longer name is taken for
-    // kOcfSection.
+    // Compares the NUL at the end of the section's name too, so that no longer name with the same
+    // beginning is taken for kOcfSection.
     if (name >= bytes.size() ||
         bytes.compare(name, sizeof kOcfSection, kOcfSection, sizeof kOcfSection))
       continue;
     if (section.sh_offset > bytes.size()) return "";
     const std::string text = bytes.substr(section.sh_offset, section.sh_size);
-    // Cuts the section at the NUL that ends the text.
+    // Cuts the section at the NUL that ends the .ocf text.
     return text.substr(0, text.find('\0'));
   }
   return "";

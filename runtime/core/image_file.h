@@ -35,7 +35,8 @@ std::string SanitizerOf(const std::string& bytes);
 // none if the image was stripped.
 std::vector<std::string> FunctionsIn(const std::string& bytes);
 
-// Returns all texts of at least 8 characters in the bytes of an image, as the tool `strings` does.
+// Returns all sequences of at least 8 printable characters in the bytes of an image, as the tool
+// `strings` does.
 std::vector<std::string_view> TextsIn(std::string_view bytes);
 
 // Returns the services of the object in an image without loading the image: all texts in its bytes

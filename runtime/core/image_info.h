@@ -5,7 +5,7 @@
 
 namespace openr_host {
 
-// The version of struct ImageInfo, and of the tables that an image shows to the loader.
+// The version of struct ImageInfo, and of the tables that the runtime reads from a loaded image.
 constexpr uint32_t kImageVersion = 1;
 
 // The version of the SDK headers (runtime/include).  Must be raised when a change of the headers

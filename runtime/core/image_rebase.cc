@@ -20,12 +20,13 @@ constexpr uint32_t kRelative = R_AARCH64_RELATIVE, kIndirect = R_AARCH64_IRELATI
 constexpr uint32_t kRelative = R_X86_64_RELATIVE, kIndirect = R_X86_64_IRELATIVE;
 #endif
 
-// HoldConstructors() puts these tags in place of DT_INIT_ARRAY and DT_INIT_ARRAYSZ, which name the
-// constructors.  Because the loader ignores unknown tags, it does not run the constructors.
+// HoldConstructors() puts these tags into the dynamic section of an image, in place of
+// DT_INIT_ARRAY and DT_INIT_ARRAYSZ, which name the constructors.  Because the loader ignores
+// unknown tags, it does not run the constructors.
 constexpr int64_t kHeldArray = 0x60006f70, kHeldArraySize = 0x60006f71;
 
-// Returns whether the value of an entry of the dynamic section with this `tag` is an address in the
-// image, which moves with the image.
+// Returns whether the value of an entry with this `tag` in the dynamic section of an image is an
+// address in the image, which moves with the image.
 bool IsAddress(int64_t tag) {
   switch (tag) {
     case DT_PLTGOT:
@@ -53,17 +54,17 @@ class Rebase {
  public:
   Rebase(std::string bytes, uint64_t by) : bytes_(std::move(bytes)), by_(by) {}
 
-  // Returns the bytes of the changed file, or "" if the file cannot be changed or needs more than
-  // `size_max` bytes of memory.
+  // Moves the image file, and returns its changed bytes.  Returns "" if the file cannot be moved or
+  // needs more than `size_max` bytes of memory.
   std::string Run(uint64_t size_max);
 
  private:
-  // Returns the address in bytes_ of `count` values of type T at `offset` of the file.  If the file
-  // is too short, returns null and sets is_bad_, so that the file is not changed.
+  // Returns the address in bytes_ of `count` values of type T at `offset` of the image file.  If
+  // the file is too short, returns null and sets is_bad_, so that the file is not changed.
   template <typename T>
   T* At(uint64_t offset, uint64_t count);
-  // Returns the offset in the file of the bytes that are loaded at `address`.  If there are no such
-  // bytes, returns 0 and sets is_bad_.
+  // Returns the offset in the image file of the bytes that are loaded at `address`.  If there are
+  // no such bytes, returns 0 and sets is_bad_.
   uint64_t OffsetOf(uint64_t address);
   uint64_t ValueOf(int64_t tag) const;
   void MoveSegments(const Elf64_Ehdr& header);
@@ -73,9 +74,9 @@ class Rebase {
 
   std::string bytes_;
   const uint64_t by_;
-  // The program headers (segments) of the file before the change.
+  // The program headers (segments) of the image file before it was moved.
   std::vector<Elf64_Phdr> segments_;
-  std::vector<Elf64_Dyn> dynamic_;  // the dynamic section before the change
+  std::vector<Elf64_Dyn> dynamic_;  // the dynamic section before the move
   bool is_bad_ = false;
 };
 
@@ -110,8 +111,8 @@ void Rebase::MoveSegments(const Elf64_Ehdr& header) {
   if (segments == nullptr) return;
   segments_.assign(segments, segments + header.e_phnum);
   for (int i = 0; i < header.e_phnum; ++i) {
-    // Leaves out the segment PT_GNU_STACK, because it has no address: it only tells whether stacks
-    // may hold code.
+    // Does not move the segment PT_GNU_STACK, because it has no address: it only tells whether
+    // stacks may hold code.
     if (segments[i].p_type == PT_GNU_STACK) continue;
     segments[i].p_vaddr += by_;
     segments[i].p_paddr += by_;
@@ -179,7 +180,7 @@ std::string Rebase::Run(uint64_t size_max) {
   uint64_t end = 0;
   for (const Elf64_Phdr& segment : segments_) {
     if (segment.p_type != PT_LOAD) continue;
-    // The file was linked for an address other than 0, so it cannot be moved.
+    // The image file was linked for an address other than 0, so RebaseImage() cannot move it.
     if (end == 0 && segment.p_vaddr != 0) return "";
     end = std::max(end, segment.p_vaddr + segment.p_memsz);
   }

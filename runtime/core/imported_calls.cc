@@ -274,7 +274,7 @@ void Redirection::FindImports(int64_t table, int64_t size) {
     const Import import{reinterpret_cast<uint64_t*>(relocation.r_offset),
                         ELF64_R_SYM(relocation.r_info)};
     const uint64_t function = *import.slot;
-    // Leaves out functions of the image itself, which run on the image's own stack.
+    // Makes no thunks for functions of the image itself, which run on the image's own stack.
     if (function >= image_.begin && function < image_.end) continue;
     if (!code_.Contain(function)) continue;  // leaves out variables, which need no thunk
     if (std::ranges::count(kBoundToCaller, NameOf(import.symbol)) > 0) continue;
@@ -323,8 +323,9 @@ std::string Redirection::Run(size_t bytes_max) {
     const auto index = static_cast<size_t>(same - imports_.begin());
     thunks[i] = index < i ? thunks[index] : MakeThunk(imports_[i], i);
   }
-  // Changes the addresses in the image last.  If a step before this fails, the image is unloaded.
-  // Unloading runs functions of the image, which need the unchanged addresses.
+  // Replaces the addresses of imported functions in the image only in this last step.  If a step
+  // before this fails, the image is unloaded.  Unloading runs functions of the image, which need
+  // the unchanged addresses.
   if (mprotect(thunks_, bytes, PROT_READ | PROT_EXEC) != 0) return kNoMemory;
   for (size_t i = 0; i < imports_.size(); ++i) *imports_[i].slot = thunks[i];
   return set_access(PROT_READ) ? "" : kNoMemory;
@@ -344,8 +345,9 @@ bool IsStackChange(uintptr_t address) {
 const void* ReturnAddressInImage(const void* own) {
   const auto here = reinterpret_cast<uintptr_t>(__builtin_frame_address(0));
   const uintptr_t offset = here % AddressPlace::kStackBytes;
-  // Returns `own` if this code does not run on a stack for imported functions, because then the
-  // image has called the function directly and not through a thunk.
+  // `own` is the return address of a function of the SDK.  Returns `own` if this code does not run
+  // on a stack for imported functions, because then the image has called that function directly and
+  // not through a thunk.
   if (here >> 40 >= 17 || offset >= StackMemory::kImportsTopOffset) return own;
   const uintptr_t top = here - offset + StackMemory::kImportsTopOffset;
   const auto* const frame =

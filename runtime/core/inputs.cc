@@ -63,8 +63,8 @@ std::string Inputs::Add(int robot, std::string_view line) {
   Action action;
   std::string problem = Read(robot, line, &action);
   if (!problem.empty()) return problem;
-  // Tells the listeners the line even if the input is due later, because a recording stores the
-  // time at which the input was given.
+  // Passes the line of the input to the listeners, such as a recording, even if the input is due
+  // later, because a recording stores the time at which the input was given.
   for (const Listener& listener : listeners_) listener(robot, line);
   const int64_t frame_us = system_->frame_us();
   const int64_t due_us = (system_->now_us() + frame_us - 1) / frame_us * frame_us;
@@ -72,7 +72,8 @@ std::string Inputs::Add(int robot, std::string_view line) {
   return "";
 }
 
-// Inserts `input` after all inputs that are due at the same time or earlier.
+// Inserts `input` into the list of waiting inputs, after all inputs that are due at the same time
+// or earlier.
 void Inputs::Insert(Waiting input) {
   const auto place =
       std::upper_bound(waiting_.begin(), waiting_.end(), input.due_us,
@@ -94,7 +95,8 @@ std::string Inputs::AddAt(int64_t time_us, int robot, std::string_view line) {
 
 void Inputs::DoDue() {
   while (NextUs() <= system_->now_us()) {
-    // Removes the input before its work is done, because the work may add inputs.
+    // Removes the input from the list before its work is done, because the work may add inputs to
+    // this list.
     const Waiting input = std::move(waiting_.front());
     waiting_.pop_front();
     input.action.work();

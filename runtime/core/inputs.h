@@ -28,7 +28,7 @@ class Inputs {
   // The work of one input.  `work` is called at the input's frame boundary, outside all handlers.
   struct Action {
     Action() = default;
-    // Not explicit, so that the function Verb::read can write `*action = [this] { ... };`.
+    // The constructor is not explicit, so that Verb::read can write `*action = [this] { ... };`.
     template <std::invocable Work>
     requires(!std::same_as<std::remove_cvref_t<Work>, Action>) Action(Work&& work_in)
         : work(std::forward<Work>(work_in)) {}
@@ -58,10 +58,10 @@ class Inputs {
   // REQUIRES: the robot has no verb of this name.
   void AddVerb(int robot, Verb verb);
 
-  // Returns the verbs of `robot` in order of their names.
+  // Returns the verbs (first words of inputs) of `robot` in order of their names.
   std::vector<const Verb*> VerbsOf(int robot) const;
 
-  // Returns "" if Add() would accept `line` now, or the reason why not.
+  // Returns "" if Add() would accept the input `line` now, or the reason why not.
   std::string Check(int robot, std::string_view line) const;
 
   // Adds the input `line` for `robot`.  The input takes effect at the next frame boundary, or at

@@ -47,7 +47,7 @@ class HiddenAddress {
 struct Node {
   HiddenAddress begin;
   size_t bytes = 0;
-  // Owner of the block or region.  If it is null, the node is never reported as a leak.
+  // Owner of the block or region.  If it is null, this block or region is never reported as a leak.
   const Object* object = nullptr;
   bool is_region = false;
   // The calls that led to the allocation of the block, if this node is a block.
@@ -104,8 +104,9 @@ void LeakSearch::CollectBlocks() {
       nodes_.push_back(
           {.begin = HiddenAddress(block), .bytes = bytes, .object = object.get(), .calls = &calls});
     });
-    // Adds memory of NewRegion() without an owner, so that it is never reported as a leak: it
-    // belongs to the object until DeleteRegion().
+    // Adds the memory that NewRegion() (MCOOP.h) has given to the object as a node without an
+    // owner, so that this memory is never reported as a leak: it belongs to the object until
+    // DeleteRegion().
     for (void* const region : object->private_regions)
       nodes_.push_back({.begin = HiddenAddress(region), .bytes = Arena::UsableSize(region)});
   }
@@ -174,7 +175,7 @@ void LeakSearch::Read(const char* begin, const char* end, bool has_ids) {
     MarkId(static_cast<uint32_t>(word));
     MarkId(static_cast<uint32_t>(word >> 32));
   }
-  // Reads the 4 bytes that are left if the size of the memory is no multiple of 8.  They may hold
+  // Reads the last 4 bytes if the size of the searched memory is no multiple of 8.  They may hold
   // the id of a region, which has 4 bytes.
   uint32_t rest;
   if (has_ids && end - at >= static_cast<ptrdiff_t>(sizeof rest)) {
@@ -230,16 +231,16 @@ bool IsOfImage(const System& system, const char* address) {
   });
 }
 
-// Searches all writable memory of this process for addresses: the variables of images, and all
-// memory of the runtime.
+// Searches all writable memory of this process for addresses of blocks and regions: the variables
+// of images, and all memory of the runtime.
 void LeakSearch::ReadHost(const char* stack) {
   std::sort(holes_.begin(), holes_.end(),
             [](const Range& a, const Range& b) { return IsLess(a.begin, b.begin); });
   std::FILE* const maps = std::fopen("/proc/self/maps", "re");
   if (maps == nullptr) return;
   char line[4352];
-  // Collects all ranges before the first is searched, because the list needs memory itself, and so
-  // changes the ranges while it grows.
+  // Collects all ranges of writable memory before the first is searched, because the list needs
+  // memory itself, and so changes the ranges while it grows.
   std::vector<Range> writable;
   while (std::fgets(line, sizeof line, maps) != nullptr) {
     uintptr_t begin = 0, end = 0;
@@ -271,7 +272,8 @@ void LeakSearch::Run(const char* stack) {
             [](const Node& a, const Node& b) { return IsLess(a.begin, b.begin); });
   ReadStacks();
   ReadHost(stack);
-  // Marks the memory of NewRegion() as reachable, so that blocks to which it points are no leaks.
+  // Marks the memory that NewRegion() (MCOOP.h) has given to objects as reachable, so that blocks
+  // to which it points are no leaks.
   for (const auto& object : system_->objects()) {
     if (object == nullptr || object->arena == nullptr) continue;
     for (void* const region : object->private_regions)
@@ -310,8 +312,8 @@ void LeakSearch::Report() const {
     system_->AddFindingAbout(nullptr, Severity::kNote, "no leaks of blocks or regions were found");
 }
 
-// Adds a note about each object whose heap is not known in this process, because its leaks cannot
-// be found.
+// Adds a note about each object whose heap is not known in this process, such as an object in a
+// worker process, because its leaks cannot be found.
 void ReportUnknown(System* system) {
   for (const auto& object : system->objects()) {
     if (object == nullptr || !object->is_image || object->is_absent || object->arena != nullptr)

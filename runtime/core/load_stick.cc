@@ -97,9 +97,9 @@ bool StickLoader::LoadObject(const ObjectRecord& record) {
          LoadKept(record.path, where);
 }
 
-// Loads the kept image of `path`, a file with the ending .OLD: an upload gives this ending to the
-// image that it replaces.  The robot has no such rule; its boot ends without the image.  Returns
-// false if there is no such file, and with SystemOptions::strict.
+// Loads the image that an upload has replaced at `path`, a file with the ending .OLD: the upload
+// gives this ending to the old image.  The robot has no such rule; its boot ends without the image.
+// Returns false if there is no such file, and with SystemOptions::strict.
 bool StickLoader::LoadKept(const std::string& path, const std::string& where) {
   if (stick_ == nullptr || system_.options().strict) return false;
   const std::string kept = std::filesystem::path(path).replace_extension(".OLD");
@@ -170,7 +170,8 @@ void StickLoader::LoadDesign() {
 bool LoadStick(System* system, int robot, StandIns stand_ins,
                const std::vector<SystemImage>& system_images) {
   for (const SystemImage& image : system_images)
-    // Does not replace a stand-in for the same file, because the caller's stand-ins count first.
+    // If the caller has a stand-in (another function for loading) for the file of this system
+    // image, the caller's stand-in is kept: emplace() then inserts nothing.
     stand_ins.emplace(image.file, [&image](const std::string&) { image.add(); });
   Robot& dog = system->robot(robot);
   if (dog.stick != nullptr) dog.stick_hash = dog.stick->ContentHash();

@@ -39,7 +39,8 @@ bool LocalCalls::AcceptsReply(ObjectId asker, uint64_t box) const {
 const Message* LocalCalls::BeginWait(uint64_t box, int64_t timeout_us, std::string_view) {
   if (timeout_us < 0) return nullptr;
   // Makes the current object send itself an empty reply that arrives after `timeout_us` and ends
-  // the wait.  Requests::Await() recognizes this reply by its sender and its kind.
+  // the object's wait for a reply.  Requests::Await() recognizes this reply by its sender and its
+  // kind.
   OwnedMessage message = system_->NewMessage(t_current.object->id, 0);
   Message* const wake = message.get();
   wake->is_reply = true;
@@ -145,7 +146,8 @@ int32_t LocalCalls::CheckAccess(uint32_t region, MemoryProtectionInfo info) {
   return system_->region_shares().ChangeProtection(t_current.object->id, region, info);
 }
 
-// Does nothing, because the IPStack is in this process and knows already which buffers are mapped.
+// Does nothing, because the IPStack is in this process and knows already which of its buffers are
+// mapped.
 void LocalCalls::NoteMapping(uint32_t, uint32_t, bool) {}
 
 void LocalCalls::AddFinding(const Object* about, Severity severity, std::string_view text) {

@@ -30,8 +30,9 @@ MessageQueue::~MessageQueue() {
 
 void MessageQueue::AddChunk() {
   chunks_.emplace_back(new Message[kChunk]);
-  // Puts the last message of the new chunk into the pool first, because the pool hands out first
-  // the message that it got last.  So messages are handed out in the order of their addresses.
+  // Puts the last message of a new chunk (array of messages) into the pool first, because the pool
+  // hands out first the message that it got last.  So messages are handed out in the order of their
+  // addresses.
   for (size_t i = kChunk; i > 0; --i) {
     Message& message = chunks_.back()[i - 1];
     message.pool = this;
@@ -138,8 +139,8 @@ void MessageQueue::Advance(int64_t time_us) {
 std::vector<OwnedMessage> MessageQueue::TakeIf(const std::function<bool(const Message&)>& matches) {
   std::vector<OwnedMessage> taken;
   for (uint32_t level = 0; level < kLevels; ++level) {
-    // Empties the list, then appends again all messages that do not match, so that they keep their
-    // order.
+    // Empties the list of the level, then appends again all messages for which `matches` returns
+    // false, so that they keep their order.
     Message* message = std::exchange(levels_[level].head, nullptr);
     while (message != nullptr) {
       Message* const next = message->next;

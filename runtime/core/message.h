@@ -86,7 +86,7 @@ class MessageQueue {
   MessageQueue& operator=(const MessageQueue&) = delete;
 
   // Returns a message from the pool.  The caller must set payload, target, selector and due time;
-  // all other fields have the values given or their default values.
+  // the other fields have the values given here or their default values.
   OwnedMessage Allocate(ObjectId sender = kNoObject, uint64_t cause = 0,
                         MessageClass message_class = MessageClass::kObject) {
     return OwnedMessage(TakeFree(sender, cause, message_class));
@@ -142,8 +142,8 @@ class MessageQueue {
     uint32_t level;
     uint64_t number;
     Message* message;
-    // Returns true if `other` is due before this message.  The order is reversed, because
-    // std::push_heap() and similar functions put the greatest element first.
+    // Returns true if `other` comes before this message in the order of delivery.  The order is
+    // reversed, because std::push_heap() and similar functions put the greatest element first.
     bool operator<(const Later& other) const;
   };
 

@@ -55,8 +55,8 @@ std::string Object::EntryName(uint32_t selector) const {
 }
 
 std::string Object::NameService(uint32_t selector, const char* kind) {
-  // Takes the entry that the object has called itself, if there is one, and otherwise the entry of
-  // the running message.  Either is the Control or Connect entry of the service.
+  // Finds the service by its Control or Connect entry, which is running now: the entry that the
+  // object has called itself, if there is one, otherwise the entry of the running message.
   const uint32_t entry = self_reply != nullptr        ? self_reply->selector
                          : handler.running != nullptr ? handler.running->selector
                                                       : UNDEF;
@@ -83,8 +83,8 @@ void Object::HandleUndelivered(const Message& message) {
 }
 
 void Object::ReturnHeld() {
-  // Puts the newest of the held messages back first, so that the oldest is at the front of the
-  // queue at the end.
+  // Puts the newest of the messages that this object could not handle yet back first, so that the
+  // oldest is at the front of the queue at the end.
   while (!delivery.held().empty()) system->Readmit(delivery.TakeNewestHeld());
 }
 

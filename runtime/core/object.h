@@ -51,7 +51,8 @@ struct HandlerState {
   uint64_t time_calls = 0;
 };
 
-// For what a handler waits.  The members have a meaning while DeliveryState::blocked() is not null.
+// The wait of a handler: for which reply it waits, and since when.  The members have a meaning
+// while DeliveryState::blocked() is not null.
 struct WaitState {
   uint64_t box = 0;      // the reply box for which the handler waits
   int64_t since_us = 0;  // virtual time when the wait began
@@ -59,8 +60,8 @@ struct WaitState {
   std::string why;
 };
 
-// The place where an object receives the reply when it calls an entry of its own.  An object does
-// this if one of its subjects is connected with one of its observers.
+// Receives the reply when an object calls an entry of its own.  An object does this if one of its
+// subjects is connected with one of its observers.
 struct SelfReply {
   void* data;
   size_t size;
@@ -74,7 +75,7 @@ struct ReplyBoxes {
   std::map<uint64_t, OwnedMessage> arrived;  // replies that no handler has received yet
 };
 
-// The object's use of the robot's processor, if handlers take time; see cpu.h.
+// An object's use of the robot's processor, if handlers take time; see cpu.h.
 struct ProcessorState {
   // The virtual time since when a message has waited for the processor; -1 if none waits.
   int64_t starving_since_us = -1;
@@ -116,15 +117,15 @@ class Object {
   // the object has no such entry.
   virtual bool Dispatch(uint32_t selector, void* payload) = 0;
 
-  // Adds to the hash all state of the object that can change what happens later in the run, except
-  // regions, queues and ready flags, which System::state_hash() adds.  Images add nothing: their
-  // memory is never hashed, because it may hold addresses.
+  // Adds to the state hash all state of the object that can change what happens later in the run,
+  // except regions, queues and ready flags, which System::state_hash() adds.  Images add nothing:
+  // their memory is never hashed, because it may hold addresses.
   virtual void HashState(Hasher*) const {}
 
   // Returns the name of entry `selector` for traces and messages: "DoStart", "Mover (Notify)".
   std::string EntryName(uint32_t selector) const;
 
-  // Returns the observers that are ready for the subjects of this object.  If the object is
+  // Returns the observers that are ready for the subjects of this object.  If this object is
   // replaced, their readies are sent again to its successor.
   virtual std::vector<StandingReady> StandingReadies() const;
 
@@ -134,11 +135,11 @@ class Object {
   virtual void ReturnRegion(RCRegion*) {}
 
   // Counts a `message` to this object that will not be delivered.  If `message` is a notification,
-  // gives its regions back to the subject.
+  // gives the regions of this notification back to the subject.
   virtual void HandleUndelivered(const Message& message);
 
-  // Puts the held messages back at the front of the queue, because they are older than all messages
-  // due now.
+  // Puts the messages that the object could not handle yet back at the front of the queue, because
+  // they are older than all messages due now.
   void ReturnHeld();
 
   // Returns whether the object's code was in a worker process that has ended.  The end of that
@@ -165,15 +166,15 @@ class Object {
   const int robot;
   bool is_system = false;   // whether the object is a part of the robot and not of the application
   bool is_leaving = false;  // whether another object is about to replace this object
-  // True if nothing is loaded for this id, because the robot was switched off.  When the robot
-  // boots, the object with this path gets this id again.  If there is no path, the object with this
-  // name gets the id.
+  // True if no code is loaded for the object with this id, because the robot was switched off.
+  // When the robot boots, the object with this path gets this id again.  If there is no path, the
+  // object with this name gets the id.
   bool is_absent = false;
   std::string name;  // OBJECT_NAME of the .ocf file, unique per robot
   std::string path;  // /MS/... of an image; empty for objects built in code
 
-  // Number of the objects that had this id before this object.  Traces use this number to notice
-  // that another object has this id now, whose entries may have other names.
+  // Number of the objects that had the id of this object before it.  Traces use this number to
+  // notice that another object has this id now, whose entries may have other names.
   int predecessors = 0;
 
   // Text after "state: " in the last INFO line that the object has printed with OSYSLOG1.  This
@@ -230,8 +231,8 @@ class Object {
   int queue_max = 32;   // limit of `waiting` (field-notes.md, 2.3), set with SetResourceValue()
   int waiting_max = 0;  // the highest value of `waiting` so far
   ObjectLimits limits;
-  // The class of the messages that the object posts, which comes before priorities in the order of
-  // delivery.
+  // The class of the messages that the object posts, which counts before the priority of the
+  // receiver in the order of delivery.
   MessageClass post_class = MessageClass::kObject;
   const bool is_image;  // whether the object was loaded from a file (an image)
   DeliveryState::PlainFlag is_plain{delivery};  // whether a delivery only calls the handler

@@ -102,9 +102,10 @@ void ObjectManager::PostWith(Selector selector, int value) {
   system().Post(std::move(message));
 }
 
-// Returns whether the object manager itself has posted the message with this selector and value,
-// and removes the message from due_, because it is handled now.  Every object can send a message
-// with this selector, so a message that is not in due_ becomes an error finding.
+// Returns whether the object manager itself has posted the message with this selector and value (a
+// robot or an object id), and removes the message from due_, because it is handled now.  Every
+// object can send a message with this selector, so a message that is not in due_ becomes an error
+// finding.
 bool ObjectManager::IsDue(Selector selector, int value) {
   const auto found = due_.find({selector, value});
   if (found != due_.end()) {
@@ -217,18 +218,18 @@ void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
   for (const auto& object : fresh) starting_[object->id] = false;
   ObjectTable::Readies readies = system().object_table().Replace(std::move(fresh));
   // Sends to each new object the readies that observers had asserted to the old object, because
-  // these observers do not know of the replacement.  The readies are kept back until the
-  // connections are made.  They are sent first, so that a later command of the same observer counts
-  // and not the earlier one.  A ready of an observer that is replaced too is left out: the new
-  // observer asserts ready in its own boot.
+  // these observers do not know of the replacement.  The object manager keeps these readies back
+  // until the connections are made.  They are sent first, so that a later command of the same
+  // observer counts and not the earlier one.  A ready of an observer that is replaced too is left
+  // out: the new observer asserts ready in its own boot.
   for (auto& [id, standing] : readies) {
     std::erase_if(standing, [&](const auto& one) { return readies.contains(one.observer); });
     system().object_table().AssertAgain(id, standing);
   }
   for (const auto& [id, standing] : readies) Send(system().object(id), oentryINIT, oreasonBOOT);
   // Makes the connections that begin or end at a new object.  For the other connections, reports
-  // the unknown services in unreported_.  They were not reported before, because they might have
-  // belonged to a lost worker process.
+  // the services in unreported_ that no object has registered.  They were not reported before,
+  // because they might have belonged to a lost worker process.
   for (const Connection& connection : system().connections()) {
     const auto& directory = system().robot(connection.robot).directory;
     const auto is_fresh = [&](const std::string& service) {
@@ -333,8 +334,8 @@ void ObjectManager::ReportUnknown(const Connection& connection, const std::strin
   const auto wanted = ParseServiceName(service, nullptr);
   for (const auto& [name, entry] : system().robot(connection.robot).directory) {
     known.push_back(name);
-    // The object has other services, so the line cannot be connected because this service is
-    // missing, and not because the object is missing.
+    // The object has registered other services, so the line of CONNECT.CFG cannot be connected
+    // because this service is missing, and not because the object is missing.
     if (name.starts_with(object)) cause = service;
     const auto registered = ParseServiceName(name, nullptr);
     if (!wanted || !registered || !DifferInDataOnly(*wanted, *registered)) continue;

@@ -98,9 +98,9 @@ class ObjectManager : public CodeObject {
   Selector shutdown_;
   Selector reload_;
   Selector task_;
-  // The messages that the object manager has posted to itself and has not handled yet.  Each is
-  // kept as its selector and the value in it (a robot or an object id).  IsDue() uses them to
-  // refuse such a message from another object.
+  // The messages that the object manager has posted to itself and has not handled yet.  Each
+  // message is kept as its selector and the value in its payload (a robot or an object id).
+  // IsDue() uses them to refuse such a message from another object.
   std::multiset<std::pair<Selector, int>> due_;
   // The tasks of PostTask() that were not called yet, oldest first.
   std::deque<std::function<void()>> tasks_;

@@ -18,9 +18,9 @@ namespace {
 bool IsOf(const OServiceEntry& entry, ObjectId id) { return ObjectIdOf(entry.GetOID()) == id; }
 
 // Gives up the regions that `observer` has received from the subjects for which `ends` returns
-// true, and which its object no longer reads.  Calls `release` with the subject's RCRegion of each
-// region.  The regions are not given back by a ready, because the object of the observer or of the
-// subject is being replaced.
+// true, and which the observer's object no longer reads.  Calls `release` with the subject's
+// RCRegion of each region.  The regions are not given back by a ready, because the object of the
+// observer or of the subject is being replaced.
 void ReleaseHeld(ObserverState* observer, const std::function<bool(const SubjectID&)>& ends,
                  const std::function<void(RCRegion*)>& release) {
   for (ObserverState::Held& held : observer->held) {
@@ -72,8 +72,8 @@ void TakeOutgoing(Object* sender, ObjectId id, std::vector<OwnedMessage>* messag
   std::erase_if(outbox, [](const auto& outgoing) { return outgoing.message == nullptr; });
 }
 
-// Stands in the table for an object whose robot was switched off.  It keeps the id, name and path
-// of this object for the next boot.
+// Takes the place in the ObjectTable of an object whose robot was switched off.  It keeps the id,
+// name and path of this object for the next boot.
 class AbsentObject : public Object {
  public:
   explicit AbsentObject(const Object& gone) : Object(gone.system, gone.id, gone.robot) {
@@ -174,9 +174,10 @@ void ObjectTable::Return(std::vector<std::unique_ptr<Object>> fresh) {
   system_->PostTask([this, kept] { system_->manager().Begin(std::move(*kept)); });
 }
 
-// Takes and returns all messages to `object`: held messages, messages that wait for the processor,
-// messages in the queue and messages in outboxes.  Replies in the queue are released and not
-// returned, because the handler that waits for them ends with its object.
+// Takes and returns all messages to `object` that were not delivered yet: messages that the object
+// could not handle yet, messages that wait for the processor, messages in the queue and messages in
+// outboxes.  Replies in the queue are released and not returned, because the handler that waits for
+// them ends with its object.
 std::vector<OwnedMessage> ObjectTable::TakeMessagesTo(Object* object) {
   std::vector<OwnedMessage> messages;
   while (!object->delivery.held().empty()) messages.push_back(object->delivery.TakeNewestHeld());
@@ -218,7 +219,7 @@ std::vector<StandingReady> ObjectTable::EndMessagesTo(Object* old) {
   return readies;
 }
 
-// Puts `fresh` in the place of the old object, which has the same id.
+// Puts the object `fresh` in the place of the old object, which has the same id and ends.
 void ObjectTable::Place(std::unique_ptr<Object> fresh) {
   const ObjectId id = fresh->id;
   Object* const old = Get(id);

@@ -18,7 +18,8 @@ class System;
 class ObjectTable {
  public:
   using Listener = std::function<void(ObjectId)>;
-  // The observers that are ready for subjects of an object; the key is the object.
+  // The observers that are ready for the subjects of each object that is replaced.  The key is the
+  // id of this object.
   using Readies = std::map<ObjectId, std::vector<StandingReady>>;
 
   // `system` must outlive the table.
@@ -55,8 +56,8 @@ class ObjectTable {
   // regions.  Must be called in a task (System::PostTask()), which runs only when no message is
   // due, because a message that is due may point into these regions.
   void EndAllOf(ObjectId id);
-  // Registers a `listener` that EndAllOf() calls, so that other parts of the system end their work
-  // for the object.
+  // Registers a `listener` that EndAllOf() calls with the id of the object, so that other parts of
+  // the system end their work for the object.
   void OnEnd(Listener listener) { end_listeners_.push_back(std::move(listener)); }
 
   // Removes all objects of `robot`, which is off, except the object manager.  An absent object
@@ -83,8 +84,8 @@ class ObjectTable {
   // the same ids.  All of them are in place before the first DoInit.  REQUIRES: System::booted().
   void Return(std::vector<std::unique_ptr<Object>> fresh);
 
-  // Registers a `listener` that is called for every object that is replaced, before its successor
-  // is in place.
+  // Registers a `listener` that is called with the id of every object that is replaced, before its
+  // successor is in place.
   void OnReplace(Listener listener) { replace_listeners_.push_back(std::move(listener)); }
 
   // Puts the objects of `fresh` in place of the objects with the same ids.  Messages to the old

@@ -31,17 +31,17 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
   ready.observerID = id;
   message->size = sizeof ready;
   message->kind = PayloadKind::kReady;
-  // The ready gives back the regions that this object no longer uses, that is, to which it holds no
-  // reference of its own.  A ready can give back MAX_NUM_DATA regions; the next ready gives back
-  // the other regions.
+  // The number of regions that this ready gives back.  It gives back the regions that this object
+  // no longer uses, that is, to which the object holds no reference of its own.  A ready can give
+  // back MAX_NUM_DATA regions; the next ready gives back the other regions.
   int count = 0;
   for (RCRegion* region : entry.regions) {
     if (region->NumberOfReference() > 1 || count == MAX_NUM_DATA) continue;
     ready.rcRegion[count++] = RegionAccess::SourceOf(region);
   }
   ready.numOfData = count;
-  // The message is posted before this object gives up the regions, because the object keeps them if
-  // the message is refused.
+  // The ready is posted before this object gives up the regions, because the object keeps them if
+  // the ready is refused.
   const sError error = system->PostAtOnce(std::move(message));
   if (error != sSUCCESS) [[unlikely]]
     return ReportRefusedReady(error);
@@ -51,8 +51,8 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
   constexpr int kTimesMax = 8;  // our choice: no program asserts ready more often on purpose
   entry.asserted = command == objcommCMD_ASSERT_READY ? entry.asserted + 1 : 0;
   if (entry.asserted == kTimesMax + 1 && !object->is_system) ReportRepeatedReady(entry);
-  // Removes from `entry.regions` the regions that the message gives back: the same as in the loop
-  // above, because no reference was added or removed since.
+  // Removes from `entry.regions` the regions that the ready gives back: the same regions as in the
+  // loop above, because no reference was added or removed since.
   auto kept = entry.regions.begin();
   for (RCRegion* const region : entry.regions) {
     if (region->NumberOfReference() > 1 || count == 0) {
@@ -113,8 +113,8 @@ void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
   System* const system = object->system;
   Object* const sender = system->object(ObjectIdOf(subject.GetOID()));
   if (sender == nullptr) return;
-  // A subject whose object is being replaced receives no more messages, so its regions are given
-  // back by a direct call.
+  // A subject whose object is being replaced receives no more messages, so the regions that it had
+  // sent are given back by a direct call.
   if (sender->is_leaving) {
     for (RCRegion* const region : regions) sender->ReturnRegion(region);
     return;

@@ -81,8 +81,8 @@ std::string PostNotification(System* system, const ServiceEnd& subject, const Se
   message->size = sizeof notify;
   message->kind = PayloadKind::kNotify;
   if (system->Post(std::move(message)) == sSUCCESS) return "";
-  // The message was refused, so no observer will give the region back.  Gives up the only reference
-  // to the region, which deletes it.
+  // Post() has refused the notification, so no observer will give the region back.  Gives up the
+  // only reference to the region, which deletes it.
   region->RemoveReference();
   return kFull;
 }

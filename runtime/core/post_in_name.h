@@ -26,8 +26,8 @@ enum class ServiceSide { kSubject, kObserver };
 // name or its beginning up to a dot, such as "Blinker.Blink" for "Blinker.Blink.int.S".
 bool NamesService(std::string_view name, std::string_view service);
 
-// Returns the service of `robot` with the name `name`.  `side` says whether to search for a subject
-// or an observer.  Returns nullopt if there is no such service.
+// Returns the object and the entry of the service `name` of `robot`.  `side` says whether to search
+// for a subject or an observer.  Returns nullopt if there is no such service.
 std::optional<ServiceEnd> FindService(const System& system, int robot, std::string_view name,
                                       ServiceSide side);
 

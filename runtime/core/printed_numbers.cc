@@ -15,8 +15,8 @@
 namespace openr_host {
 namespace {
 
-// Compares bits, because an operation on a signaling NaN would set a flag of the processor, which
-// counts as an operation of the object.
+// Returns whether `number` is a NaN.  Compares bits, because an operation on a signaling NaN would
+// set a flag of the processor, which counts as an operation of the object.
 bool IsNaNOfBits(double number) {
   uint64_t bits = 0;
   std::memcpy(&bits, &number, sizeof bits);
@@ -25,15 +25,15 @@ bool IsNaNOfBits(double number) {
 
 bool IsOneOf(char c, const char* set) { return c != '\0' && std::strchr(set, c) != nullptr; }
 
-// One conversion of a format: "%-5.*ld" has the length "l" and the type 'd'.
+// One conversion of a printf format: "%-5.*ld" has the length "l" and the type 'd'.
 struct Conversion {
   int stars = 0;  // widths and precisions that are arguments themselves
   std::string_view length;
   char type = '\0';
 };
 
-// Reads the conversion behind a '%' at `*at`, and moves `*at` behind it.  The type is '\0' if the
-// format ends in the conversion.
+// Reads the conversion of a printf format that stands behind a '%', at `*at`, and moves `*at`
+// behind it.  The type is '\0' if the format ends in the conversion.
 Conversion ReadConversion(const char** at) {
   Conversion conversion;
   const char* p = *at;
@@ -46,14 +46,14 @@ Conversion ReadConversion(const char** at) {
   return conversion;
 }
 
-// Holds the list of arguments.  A function cannot take a va_list itself by pointer on all
-// processors, because a va_list may be an array; it can take a pointer to this struct.
+// Holds the list of arguments of a printf().  A function cannot take a va_list itself by pointer on
+// all processors, because a va_list may be an array; it can take a pointer to this struct.
 struct Arguments {
   va_list list;
 };
 
-// Takes the argument of `conversion` from `arguments`.  Sets `*is_nan` if the argument is a NaN.
-// Returns false if the type of the argument is not known.
+// Takes the argument that `conversion` prints from `arguments`.  Sets `*is_nan` if the argument is
+// a NaN.  Returns false if the type of the argument is not known.
 bool TakeArgument(const Conversion& conversion, Arguments* arguments, bool* is_nan) {
   const std::string_view length = conversion.length;
   if (IsOneOf(conversion.type, "diouxXc")) {
@@ -102,8 +102,8 @@ void ReportPrintedNaN(const char* format, va_list arguments) {
       const ApiScope scope;
       what = fmt::format("a NaN was printed{} (exception 15)", AtCaller());
     }
-    // Sets image_code, which the ApiScope of osysprint() has cleared, so that the crash counts as a
-    // crash of the object's code.
+    // Sets Current::image_code, which the ApiScope in the SDK's function osysprint() has cleared,
+    // so that the crash counts as a crash of the object's code.
     t_current.image_code = true;
     StopAsTheRobotDoes(what);
   }

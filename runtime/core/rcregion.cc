@@ -21,22 +21,24 @@ using openr_host::t_current;
 
 namespace {
 
-// A pool of memory for RCRegions, which is taken from the host's heap in chunks of 64.  RCRegions
-// are small, many and short-lived, so single allocations would take long.  The pool is never
-// deleted, because a static object of the program may still delete regions when the program ends.
+// The number of RCRegions for which the pool takes memory from the host's heap at a time.
+// RCRegions are small, many and short-lived, so single allocations would take long.  The pool is
+// never deleted, because a static object of the program may still delete regions when the program
+// ends.
 constexpr size_t kChunk = 64;
 
-// A block of the pool.  The link to the next free block lies behind the RCRegion, because a program
-// may by mistake read a region that it has given back, and must then find the old content, as on
-// the robot.
+// The memory of one RCRegion in the pool.  The link to the next free block lies behind the
+// RCRegion, because a program may by mistake read a region that it has given back, and must then
+// find the old content, as on the robot.
 struct Block {
   alignas(RCRegion) std::byte region[sizeof(RCRegion)];
   Block* next;
 };
 static_assert(offsetof(Block, region) == 0);
 thread_local constinit Block* t_free = nullptr;  // the first free block of the pool
-// The addresses of all chunks.  With this list, a leak checker finds that the chunks are reachable.
-// Otherwise it would report a chunk when an object has not deleted its regions.
+// The addresses of all chunks, the arrays of memory for RCRegions.  With this list, a leak checker
+// finds that the chunks are reachable.  Otherwise it would report a chunk when an object has not
+// deleted its regions.
 thread_local constinit std::vector<Block*>* t_chunks = nullptr;
 
 void GiveToPool(void* memory) {

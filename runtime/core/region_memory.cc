@@ -13,19 +13,19 @@ namespace openr_host {
 namespace {
 
 // Memory is mapped in pieces of this size.  A piece holds several small cells (a cell is the memory
-// for one block), so that there are fewer system calls.  A larger cell is mapped as one piece.
+// for one region), so that there are fewer system calls.  A larger cell is mapped as one piece.
 constexpr size_t kMapBytes = 64 << 10;
-// The largest size of a cell (the memory for one block) that stays mapped when it is freed.
+// The largest size of a cell (the memory for one region) that stays mapped when it is freed.
 constexpr size_t kKeepBytes = 256 << 10;
 // The largest sum of bytes of the free cells that stay mapped (RegionMemory::kept_bytes_).  A cell
-// is the memory for one block; each slot (index of a block) of the RegionTable has its own cells.
+// is the memory for one region; each slot (index of a region) of the RegionTable has its own cells.
 // Cells smaller than kMapBytes are always kept and do not count.  After a reboot of the robot the
 // same regions get other slots, and so other cells.  Without a limit each reboot would leave the
 // cells of the old slots mapped.
 constexpr size_t kKeptBytesMax = 1 << 20;
 
-// Sets flag `index` of a list to `value`.  Flags beyond the end of the list are false.  So the list
-// grows only when needed: most runs use few of the 65,536 slots.
+// Sets flag `index` (a slot or a piece of memory) of a list to `value`.  Flags beyond the end of
+// the list are false.  So the list grows only when needed: most runs use few of the 65,536 slots.
 void Set(std::vector<bool>* flags, size_t index, bool value) {
   if (index >= flags->size()) flags->resize(index + 1);
   (*flags)[index] = value;
@@ -38,9 +38,10 @@ bool IsSet(const std::vector<bool>& flags, size_t index) {
 }  // namespace
 
 size_t RegionMemory::OffsetOf(int size_class) {
-  // The cells of this class begin after the cells of all smaller classes.  Each class has kSlots
-  // cells.  With c = CellBytes(size_class), the smaller classes have cells of 64, 256, ... c / 4
-  // bytes.  These sizes are a geometric series with the sum (c - 64) / 3.
+  // A cell is the memory for one region.  The cells of this size class begin after the cells of all
+  // smaller classes.  Each class has kSlots cells.  With c = CellBytes(size_class), the smaller
+  // classes have cells of 64, 256, ... c / 4 bytes.  These sizes are a geometric series with the
+  // sum (c - 64) / 3.
   return (CellBytes(size_class) - CellBytes(0)) / 3 * kSlots;
 }
 
@@ -54,7 +55,7 @@ RegionMemory::~RegionMemory() {
   GiveRegionArea(area_);
 }
 
-// Returns the cell, which is the memory for one block, that belongs to `slot` and `size_class`.
+// Returns the cell, which is the memory for one region, that belongs to `slot` and `size_class`.
 // Maps this memory first if it is not mapped yet.  Returns null if it cannot be mapped.
 char* RegionMemory::MappedCell(int size_class, uint32_t slot) {
   const size_t cell = CellBytes(size_class);
@@ -85,7 +86,7 @@ char* RegionMemory::New(uint32_t slot, size_t bytes) {
       }
     }
   }
-  // Takes at least 1 byte, because the result for a block of 0 bytes must not be null.
+  // Takes at least 1 byte, because the result for a region of 0 bytes must not be null.
   return static_cast<char*>(std::calloc(1, std::max<size_t>(bytes, 1)));
 }
 
@@ -116,13 +117,13 @@ void RegionMemory::Free(char* block) {
   }
 }
 
-// Removes `cell` (memory for one block) from kept_, the list of free cells that stay mapped, if the
-// cell is in this list.
+// Removes `cell` (memory for one region) from kept_, the list of free cells that stay mapped, if
+// the cell is in this list.
 void RegionMemory::NoLongerKept(const Cell& cell) {
   kept_bytes_ -= std::erase(kept_, cell) * CellBytes(cell.size_class);
 }
 
-// Unmaps `cell`, the memory for one block.  REQUIRES: the cell has kMapBytes or more.  Such a cell
+// Unmaps `cell`, the memory for one region.  REQUIRES: the cell has kMapBytes or more.  Such a cell
 // was mapped as one piece, so no other cell loses its memory.
 void RegionMemory::Unmap(const Cell& cell) {
   const size_t bytes = CellBytes(cell.size_class);

@@ -1,7 +1,7 @@
 // RegionMemory: allocates the memory of regions, the blocks of shared memory that a RegionTable
 // lists.
 //
-// The address of a block follows from its slot (index) in the table and its size.  So the address
+// The address of a region follows from its slot (index) in the table and its size.  So the address
 // is the same in every process of a run.
 #pragma once
 
@@ -21,19 +21,19 @@ class RegionMemory {
 
   static constexpr uint32_t kSlots = 1 << 16;
 
-  // Returns a block of `bytes` zeros for `slot`, or null if there is no memory.  The block has a
-  // planned address, except in four cases: the block is larger than 16 MiB (half of the robot's
-  // memory), an earlier block of this slot and size is still in use, the planned memory cannot be
-  // mapped, or addresses are not planned.  In these cases the block comes from the host's heap.
-  // REQUIRES: slot < kSlots.
+  // Returns memory of `bytes` zeros for the region in `slot`, or null if there is no memory.  The
+  // memory has a planned address, except in four cases: it is larger than 16 MiB (half of the
+  // robot's memory), the memory of an earlier region of this slot and size is still in use, the
+  // planned memory cannot be mapped, or addresses are not planned.  In these cases the memory comes
+  // from the host's heap.  REQUIRES: slot < kSlots.
   char* New(uint32_t slot, size_t bytes);
 
-  // Frees `block`, which New() returned.  Does nothing if `block` is null.
+  // Frees `block`, the memory of a region that New() returned.  Does nothing if `block` is null.
   void Free(char* block);
 
  private:
-  // The size of a block is rounded up to one of kClasses sizes, the size classes.  A cell is the
-  // memory for one block.  For each slot of the RegionTable there is one cell of each size class.
+  // The size of a region is rounded up to one of kClasses sizes, the size classes.  A cell is the
+  // memory for one region.  For each slot of the RegionTable there is one cell of each size class.
   // A cell of class 0 has 64 bytes, and a cell of each further class four times as many as a cell
   // of the class before.
   static constexpr int kClasses = 10;
@@ -53,15 +53,15 @@ class RegionMemory {
   struct Cells {
     std::vector<bool> in_use;  // by slot: whether the slot's cell of this class is in use
     // Tells for each piece of memory whether it is mapped.  A piece is mapped as a whole.  A piece
-    // has kMapBytes and holds several cells (a cell is the memory for one block), or one cell if
+    // has kMapBytes and holds several cells (a cell is the memory for one region), or one cell if
     // the cells of this size class are larger than kMapBytes.
     std::vector<bool> is_mapped;
   };
 
   char* area_;  // null when addresses are not planned
   std::array<Cells, kClasses> cells_;
-  // Free cells of kMapBytes or more that are still mapped, in the order in which they were freed,
-  // and the sum of their bytes.
+  // Free cells (a cell is the memory for one region) of kMapBytes or more that are still mapped, in
+  // the order in which they were freed, and the sum of their bytes.
   std::vector<Cell> kept_;
   size_t kept_bytes_ = 0;
 };

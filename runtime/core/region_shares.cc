@@ -35,7 +35,7 @@ int32_t RegionShares::Allow(ObjectId self, uint32_t region, MemoryProtectionInfo
   shares_[{region, other}].allowed = info;
   if (giving_ownership) {
     // The old owner, which gives the region to `other`, may still read and write the region, and
-    // counts as attached to it.
+    // counts as attached (AttachMemoryRegion()).
     shares_[{region, self}] = {MEMPROTINFO_RW, true};
     regions_->SetOwner(region, other);
   }

@@ -11,8 +11,8 @@
 namespace openr_host {
 namespace {
 
-// The number of bytes with the known value kGuard behind each block, by which a write beyond the
-// end of the block is found.  With AddressSanitizer there are no such bytes, because
+// The number of bytes with the known value kGuard behind each region, by which a write beyond the
+// end of the region is found.  With AddressSanitizer there are no such bytes, because
 // AddressSanitizer itself reports such a write.
 const size_t kGuardBytes = IsAddressSanitized() ? 0 : 16;
 // With AddressSanitizer, the memory of a copy of a region of another process is freed as soon as no
@@ -28,8 +28,9 @@ RegionTable::~RegionTable() {
   for (char* const block : outlived_) memory_.Free(block);
 }
 
-// Gives `slot` new memory of `size` bytes and a few guard bytes, at the address planned for slot
-// number `index`.  If there is no memory, returns null and leaves `slot` unchanged.
+// Gives `slot`, a place for one region, new memory of `size` bytes and a few guard bytes (kGuard),
+// by which a write beyond the end of the region is found, at the address planned for slot number
+// `index`.  If there is no memory, returns null and leaves `slot` unchanged.
 char* RegionTable::Fill(Slot* slot, uint32_t index, size_t size) {
   const size_t bytes = size + kGuardBytes;
   char* const base = bytes < size ? nullptr : memory_.New(index, bytes);
@@ -42,7 +43,8 @@ char* RegionTable::Fill(Slot* slot, uint32_t index, size_t size) {
 
 uint32_t RegionTable::New(size_t size, ObjectId owner) {
   Slot fresh;
-  // Refuses to make more slots than an id can name, because an id has 16 bits for the slot.
+  // Refuses to make more slots than an id can name, because the id of a region has 16 bits for the
+  // slot.
   if (free_.empty() && slots_.size() >= 0xffff) return kNoRegion;
   // Allocates the memory before the table gets a new slot, so that the table does not change if
   // there is no memory.
@@ -64,9 +66,9 @@ uint32_t RegionTable::New(size_t size, ObjectId owner) {
   return slot.id;
 }
 
-// Makes the slot that `id` names empty, for a new block with this id, which the master process has
+// Makes the slot that `id` names empty, for a new region with this id, which the master process has
 // chosen.  The old memory of the slot is freed.  If an observer still reads this memory (it is
-// pinned), the memory is moved to outlived_ instead.  Returns null if the slot has a live block.
+// pinned), the memory is moved to outlived_ instead.  Returns null if the slot has a live region.
 RegionTable::Slot* RegionTable::SlotFor(uint32_t id) {
   const uint32_t index = (id & 0xffff) - 1;
   // Refuses an id that names no slot (its lower 16 bits are 0): its index is a very large number.
@@ -103,8 +105,8 @@ char* RegionTable::AdoptCopy(uint32_t id, size_t size) {
     slot->is_idle = false;
     slot->id = id;
     slot->size = size;
-    // Writes the guard bytes again, because a program that wrote beyond the end of the last copy
-    // may have changed them.
+    // Writes the guard bytes behind the region again, because a program that wrote beyond the end
+    // of the last copy may have changed them.
     std::memset(slot->base + size, kGuard, kGuardBytes);
     return slot->base;
   }
@@ -162,14 +164,14 @@ bool RegionTable::WasDeleted(uint32_t id) const {
   if (index >= slots_.size()) return false;
   const Slot& slot = slots_[index];
   const uint32_t generation = id >> 16;
-  // The generation of a slot counts the blocks that the slot has had.  So an id with a smaller
-  // generation names an earlier block, which was deleted.
+  // The generation of a slot counts the regions that the slot has had.  So an id with a smaller
+  // generation names an earlier region, which was deleted.
   return slot.is_reusable && generation > 0 &&
          (generation < slot.generation || (generation == slot.generation && !slot.live));
 }
 
 std::pair<const void*, int> RegionTable::MostCommonPlace() const {
-  // Counts how many blocks each instruction has made, and keeps the counts in the order of slots.
+  // Counts how many regions each instruction has made, and keeps the counts in the order of slots.
   // The order of addresses would differ from run to run, so the choice between two equal counts
   // would differ, too.
   std::vector<std::pair<const void*, int>> counts;
@@ -245,7 +247,8 @@ bool RegionTable::Resize(uint32_t id, size_t size) {
   Slot* const slot = Find(id);
   if (slot == nullptr || size == 0 || size > slot->capacity) return false;
   slot->size = size;
-  // Moves the guard bytes to the new end of the block.
+  // Writes the guard bytes, which reveal a write beyond the end of the region, at the new end of
+  // the region.
   std::memset(slot->base + size, kGuard, kGuardBytes);
   return true;
 }

@@ -1,10 +1,10 @@
 // RegionTable: the regions of one System.  A region is a block of shared memory in which objects
 // pass data to each other.
 //
-// A MemoryRegionID is (generation << 16 | slot + 1).  A later block in the same slot has another
-// generation, so the id of a deleted block never names the later block.  Ids and addresses
-// (region_memory.h) are the same in every run.  New blocks are filled with zeros.  A few known
-// bytes follow every block, so that a write beyond the end of the block can be found.
+// A MemoryRegionID is (generation << 16 | slot + 1).  A later region in the same slot has another
+// generation, so the id of a deleted region never names the later region.  Ids and addresses
+// (region_memory.h) are the same in every run.  New regions are filled with zeros.  A few known
+// bytes follow every region, so that a write beyond the end of the region can be found.
 #pragma once
 
 #include <cstddef>
@@ -29,76 +29,77 @@ class RegionTable {
 
   static constexpr uint32_t kNoRegion = 0;
 
-  // Makes block `id` for an object in this process.  Used only in the table of a worker process,
+  // Makes region `id` for an object in this process.  Used only in the table of a worker process,
   // for which the table of the master process has chosen the id.  Returns null if there is no
   // memory.
   char* AdoptOwn(uint32_t id, size_t size, ObjectId owner);
-  // Returns memory for a copy of block `id` of another process; the caller puts the bytes into it.
+  // Returns memory for a copy of region `id` of another process; the caller puts the bytes into it.
   // Used only in the table of a worker process.  The caller must at once keep the memory with
   // KeepCopy().  After the last DropCopy() the memory is free.  At first the memory holds zeros, or
-  // the bytes of an earlier copy of the same block.  Returns null if there is no memory.
+  // the bytes of an earlier copy of the same region.  Returns null if there is no memory.
   char* AdoptCopy(uint32_t id, size_t size);
   void KeepCopy(uint32_t id) { Pin(id); }
   void DropCopy(uint32_t id) { Unpin(id); }
-  // Removes block `id`, which AdoptOwn() made.  Called when the master process has deleted the
-  // block.  The memory stays while the block is pinned (Pin()).
+  // Removes region `id`, which AdoptOwn() made.  Called when the master process has deleted the
+  // region.  The memory stays while the region is pinned (Pin()).
   void Lose(uint32_t id);
 
-  // Finds the block in which `address` lies, and sets `*id` to the block's id and `*offset` to the
-  // distance of `address` from the block's first byte.  Returns false if there is no such block.
+  // Finds the region in which `address` lies, and sets `*id` to the region's id and `*offset` to
+  // the distance of `address` from the region's first byte.  Returns false if there is no such
+  // region.
   bool Locate(const void* address, uint32_t* id, size_t* offset) const;
 
-  // Makes a block of `size` bytes that `owner` owns, and returns the id of the block.  Returns
+  // Makes a region of `size` bytes that `owner` owns, and returns the id of the region.  Returns
   // kNoRegion if there is no memory or no free slot.
   uint32_t New(size_t size, ObjectId owner);
 
-  // Records `address`, the instruction of a program that made block `id`, for MostCommonPlace().
+  // Records `address`, the instruction of a program that made region `id`, for MostCommonPlace().
   void NotePlace(uint32_t id, const void* address);
-  // Returns the instruction that NotePlace() has recorded for block `id`; null if no instruction
+  // Returns the instruction that NotePlace() has recorded for region `id`; null if no instruction
   // was recorded.
   const void* PlaceOf(uint32_t id) const;
-  // Returns whether `id` named a block that was deleted.
+  // Returns whether `id` named a region that was deleted.
   bool WasDeleted(uint32_t id) const;
   // Returns the memory of the table itself.  The search for leaks leaves this memory out, because
-  // it has the address of every block: otherwise no block would count as leaked.
+  // it has the address of every region: otherwise no region would count as leaked.
   std::pair<const void*, size_t> own_memory() const {
     return {slots_.data(), slots_.capacity() * sizeof(Slot)};
   }
-  // Returns the instruction that made the most live blocks, and the number of these blocks.  The
+  // Returns the instruction that made the most live regions, and the number of these regions.  The
   // instruction is null if none was recorded.
   std::pair<const void*, int> MostCommonPlace() const;
 
-  // Deletes block `id`.  Returns false if `id` names no live block.  The memory stays while the
-  // block is pinned (Pin()).
+  // Deletes region `id`.  Returns false if `id` names no live region.  The memory stays while the
+  // region is pinned (Pin()).
   bool Delete(uint32_t id);
 
-  // Deletes all blocks of the object `owner`, which has ended or is being replaced.
+  // Deletes all regions of the object `owner`, which has ended or is being replaced.
   void DeleteAllOf(ObjectId owner);
 
-  // Returns the address of block `id`, or null if there is no such block.
+  // Returns the address of region `id`, or null if there is no such region.
   char* BaseOf(uint32_t id) const;
-  // Returns the size of block `id`, or 0 if there is no such block.
+  // Returns the size of region `id`, or 0 if there is no such region.
   size_t SizeOf(uint32_t id) const;
-  // Returns the owner of block `id`, or kNoObject if there is no such block.
+  // Returns the owner of region `id`, or kNoObject if there is no such region.
   ObjectId OwnerOf(uint32_t id) const;
-  // Returns the object that made the block, even if another object owns it now.  In a run with
-  // several processes, the bytes of the block are in the process of this object.  Returns kNoObject
-  // if the block was deleted or its maker has ended.
+  // Returns the object that made the region, even if another object owns it now.  In a run with
+  // several processes, the bytes of the region are in the process of this object.  Returns
+  // kNoObject if the region was deleted or its maker has ended.
   ObjectId MakerOf(uint32_t id) const;
   void SetOwner(uint32_t id, ObjectId owner);
 
-  // Changes the size of a block.  If `size` is 0 or more than the size with which the block was
-  // made, returns false and changes nothing.  A block keeps its address, so it cannot grow beyond
+  // Changes the size of a region.  If `size` is 0 or more than the size with which the region was
+  // made, returns false and changes nothing.  A region keeps its address, so it cannot grow beyond
   // its memory.
   bool Resize(uint32_t id, size_t size);
 
-  // Returns whether a program has written beyond the end of block `id`, that is, whether the known
+  // Returns whether a program has written beyond the end of region `id`, that is, whether the known
   // bytes behind it were changed.  Always false with AddressSanitizer, which reports such a write
   // itself.
   bool WrittenBeyond(uint32_t id) const;
 
-  // Pin() keeps the memory of a block that is still being read, until Unpin().  Both functions
-  // return false for an unknown id.  An unknown id is no error, because a region may refer to
+  // Pin() keeps the memory of a region that is still being read, until Unpin().  Both functions
+  // return false for an unknown id.  An unknown id is no error, because an RCRegion may refer to
   // memory that is not in this table.
   bool Pin(uint32_t id) {
     Slot* const slot = Find(id);
@@ -113,24 +114,25 @@ class RegionTable {
     return true;
   }
 
-  // Returns the number of live blocks that `owner` owns.
+  // Returns the number of live regions that `owner` owns.
   int CountOf(ObjectId owner) const;
   int live_count() const { return live_count_; }
-  // Returns the number of slots with memory: slots of live blocks, of pinned blocks, and of copies
-  // of data from another process that nobody reads at present (Slot::is_idle).
+  // Returns the number of slots with memory: slots of live regions, of pinned regions, and of
+  // copies of data from another process that nobody reads at present (Slot::is_idle).
   int used_count() const;
 
-  // Calls `visit` for every live block of `owner`.
+  // Calls `visit` for every live region of `owner`.
   void ForEachOf(ObjectId owner,
                  const std::function<void(uint32_t id, char* base, size_t size)>& visit) const;
 
-  // Adds the ids, owners, sizes and bytes of all live blocks to the hash of the run's state.
+  // Adds the ids, owners, sizes and bytes of all live regions to the hash of the run's state.
   void HashState(Hasher* hasher) const;
 
  private:
-  // A slot fills one cache line, so that finding a region reads memory once.
+  // A slot, the table's record of one region, fills one cache line, so that finding a region reads
+  // memory once.
   struct alignas(64) Slot {
-    // The id by which Find() finds the block; kNoRegion if the slot has no memory or `is_idle`.
+    // The id by which Find() finds the region; kNoRegion if the slot has no memory or `is_idle`.
     uint32_t id = kNoRegion;
     int pins = 0;
     char* base = nullptr;
@@ -139,25 +141,25 @@ class RegionTable {
     ObjectId maker = kNoObject;
     const void* made_at = nullptr;  // the instruction that NotePlace() has recorded
     uint16_t generation = 0;
-    bool live = false;         // true until the block is deleted; false for copies
-    size_t capacity = 0;       // the size with which the block was made
+    bool live = false;         // true until the region is deleted; false for copies
+    size_t capacity = 0;       // the size with which the region was made
     bool is_reusable = false;  // whether New() may choose this slot again
-    bool is_copy = false;      // whether AdoptCopy() has made the block
+    bool is_copy = false;      // whether AdoptCopy() has made the region
     bool is_idle = false;      // true for a copy that nobody reads; its memory is kept for reuse
   };
 
-  // Returns the slot of block `id` (a region).  Finds also a block that AdoptCopy() has made as a
-  // copy of a block of another process and that no observer reads at present (is_idle), because its
-  // memory can be used again.  Returns null if there is no such block.
+  // Returns the slot of region `id`.  Finds also a region that AdoptCopy() has made as a copy of a
+  // region of another process and that no observer reads at present (is_idle), because its memory
+  // can be used again.  Returns null if there is no such region.
   Slot* FindMemory(uint32_t id) {
     const uint32_t index = (id & 0xffff) - 1;
     if (index >= slots_.size()) return nullptr;
     Slot& slot = slots_[index];
     return slot.generation == id >> 16 && slot.base != nullptr ? &slot : nullptr;
   }
-  // Returns the slot of block `id` (a region); null if there is no such block.  Also returns null
-  // for a block that AdoptCopy() has made and that no observer reads at present (is_idle): its
-  // bytes may be out of date, and only its memory is kept for the next copy.
+  // Returns the slot of region `id`; null if there is no such region.  Also returns null for a
+  // region that AdoptCopy() has made and that no observer reads at present (is_idle): its bytes may
+  // be out of date, and only its memory is kept for the next copy.
   Slot* Find(uint32_t id) {
     const uint32_t index = (id & 0xffff) - 1;
     if (index >= slots_.size() || slots_[index].id != id) return nullptr;
@@ -167,7 +169,7 @@ class RegionTable {
   void FreeIfUnused(Slot* slot);
   char* Fill(Slot* slot, uint32_t index, size_t size);
   uint32_t IndexOf(const Slot* slot) const { return static_cast<uint32_t>(slot - slots_.data()); }
-  // Returns the id of the block in a slot with this index and generation.
+  // Returns the id of the region in a slot with this index and generation.
   static uint32_t IdOf(uint32_t index, uint16_t generation) {
     return static_cast<uint32_t>(generation) << 16 | (index + 1);
   }
@@ -176,7 +178,7 @@ class RegionTable {
   RegionMemory memory_;
   std::vector<Slot> slots_;
   // The memory of copies of regions of another process that were still pinned (being read) when
-  // another block got their slot.  This happens only if a subject is replaced while an observer in
+  // another region got their slot.  This happens only if a subject is replaced while an observer in
   // this process still reads its data.  The memory is freed when the table is destroyed.
   std::vector<char*> outlived_;
   std::vector<uint32_t> free_;  // indices of the slots that New() may use again

@@ -11,7 +11,7 @@
 namespace openr_host {
 namespace {
 
-// Describes for a report what sent `message`: "the subject 'A.B.C.S'" for a notification, "an
+// Describes for a finding what sent `message`: "the subject 'A.B.C.S'" for a notification, "an
 // answer" for a reply.  A message of any other kind has no subject, so the text names the entry to
 // which the message goes: "a message to JointMover, Move (Notify)".
 std::string SenderOf(const Message& message, const Object& sender) {

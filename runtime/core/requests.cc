@@ -37,8 +37,8 @@ OwnedMessage Requests::Await(uint64_t box, int64_t timeout_us, std::string_view 
   const Message* const wake = system_->calls().BeginWait(box, timeout_us, why);
   OwnedMessage message = system_->dispatcher().WaitFor(box);
   self->wait.why.clear();
-  // If the wait has timed out, `message` is the empty reply that LocalCalls::BeginWait() has posted
-  // from the object to itself.
+  // If the wait for the reply has timed out, `message` is the empty reply that
+  // LocalCalls::BeginWait() has posted from the object to itself.
   *timed_out = message->kind == PayloadKind::kHashed && message->sender == self->id;
   if (*timed_out) return message;  // leaves the box open, because the reply may still come
   // Removes the message that would end the wait, because the reply came before the time-out.
@@ -82,8 +82,7 @@ ReplyTicket Requests::TakeTicket() {
       t_current.object == nullptr ? nullptr : t_current.object->handler.running.get();
   if (request == nullptr || request->reply_box == 0) return {};
   const ReplyTicket ticket{request->sender, request->reply_box};
-  // Marks the ticket (the right to reply to the request) as taken, because each request gets only
-  // one reply.
+  // Marks the right to reply to the request as taken, because each request gets only one reply.
   request->reply_box = 0;
   return ticket;
 }

@@ -39,8 +39,8 @@ class Requests {
   int32_t Wait(uint64_t box, void* reply, size_t reply_size, size_t* got, int64_t timeout_us,
                std::string_view why);
 
-  // Opens a new box of the caller and returns its number.  Wait() and Await() close the box when
-  // they have received a reply.
+  // Opens a new reply box of the caller and returns its number.  Wait() and Await() close the box
+  // when they have received a reply.
   uint64_t OpenBox();
 
   // Waits for the reply in the caller's reply box `box`, and returns the reply.  If no reply comes
@@ -54,8 +54,8 @@ class Requests {
   ReplyTicket TakeTicket();
 
   // Sends a reply with the `size` bytes at `data`.  If these bytes hold addresses, the caller gives
-  // a `payload_hash`, which replaces their hash in the trace of the run.  If `payload_hash` is 0,
-  // the bytes themselves are hashed.
+  // a `payload_hash`, which the trace of the run then has in place of a hash of the bytes.  If
+  // `payload_hash` is 0, the bytes themselves are hashed.
   int32_t Reply(const ReplyTicket& ticket, const void* data, size_t size,
                 uint64_t payload_hash = 0);
 

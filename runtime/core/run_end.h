@@ -30,8 +30,8 @@ const char* EndName(EndKind kind);
 
 struct RunEnd {
   EndKind kind = EndKind::kPowerOff;
-  // A text for people.  If an object has shut the robot down, the text begins with the name of the
-  // object.
+  // A text for people that says why the run or robot ends.  If an object has shut the robot down,
+  // the text begins with the name of the object.
   std::string why = "the robot was shut down";
 };
 

@@ -44,8 +44,8 @@ bool IsZero(const char* bytes) {
 [[noreturn]] void ReportNoMemory() {
   const std::string why =
       fmt::format("this computer has no memory for a stack of {} bytes", StackMemory::kBytes);
-  // While a handler runs, stops the object and does not throw, because the exception would have to
-  // pass through code of the object.
+  // While a handler runs, stops the object and throws no exception for the missing memory, because
+  // the exception would have to pass through code of the object.
   if (t_current.object != nullptr) StopAsTheRobotDoes(why);
   throw std::runtime_error(why);
 }
@@ -97,8 +97,8 @@ size_t StackMemory::UsedBytes(size_t gap_bytes) const {
     if (!IsZero(step)) lowest = step;
     if (static_cast<size_t>(lowest - step) >= gap_bytes) break;
   }
-  // Moves `lowest` up to the first byte that is not zero, because the loop above has looked only at
-  // whole steps of kStepBytes.
+  // Moves `lowest` up to the lowest byte of the stack that is not zero, because the loop above has
+  // looked only at whole steps of kStepBytes.
   uint64_t word = 0;
   while (lowest < top() && (std::memcpy(&word, lowest, sizeof word), word == 0))
     lowest += sizeof word;
@@ -117,7 +117,8 @@ std::vector<std::pair<const char*, size_t>> StackMemory::All() {
   for (const StackMemory* each = t_newest; each != nullptr; each = each->older_) {
     all.emplace_back(each->bottom_, kBytes);
     const char* const imports = each->mapping_ + kGuardBytes;
-    // Adds the stack for imported functions, which only a stack at a planned address has below it.
+    // Adds the stack for the functions that an image imports, which only a stack at a planned
+    // address has below it.
     if (imports < each->bottom_)
       all.emplace_back(imports, static_cast<size_t>(each->bottom_ - kGuardBytes - imports));
   }

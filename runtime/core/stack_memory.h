@@ -25,7 +25,7 @@ class StackMemory {
   // large, because pages that were never touched use no memory.
   static constexpr size_t kBytes = size_t{256} << 10;
 
-  // The size of a guard page.
+  // The size of a guard page, which lies below a stack and makes an overflow of the stack a fault.
   static constexpr size_t kGuardBytes = 4096;
   // Offset of the top of the stack for the image's own code, from the first address of the memory
   // that the address plan gives to an image for its stacks.  The assembly code of imported_calls.cc
@@ -61,7 +61,7 @@ class StackMemory {
   size_t UsedBytes(size_t gap_bytes) const;
 
   // Sets to zero the bytes that UsedBytes(gap_bytes) counts, and returns their number.  So the next
-  // handler finds an empty stack.
+  // handler finds a stack of zeros.
   size_t Clear(size_t gap_bytes);
 
   // Tells AddressSanitizer that the stack is empty.  Functions that never returned have left marks

@@ -15,9 +15,9 @@ double Seconds(int64_t us) { return static_cast<double>(us) * 1e-6; }
 constexpr char kReadyAdvice[] =
     "an observer gets nothing until it asserts ready, again after every notification";
 
-// Adds to `stalls` the stall of the connection `link` of `subject`, if the observer is not ready.
-// Adds nothing for an observer that has deasserted ready (link.ready < 0), because such an observer
-// does not want data.
+// Adds to `stalls` the wait for a ready on the connection `link` of `subject`, if the observer is
+// not ready.  Adds nothing for an observer that has deasserted ready (link.ready < 0), because such
+// an observer does not want data.
 void FindInLink(const Object& object, const SubjectState& subject, const ObserverLink& link,
                 int64_t now_us, std::vector<Stall>* stalls) {
   if (link.ready < 0) return;

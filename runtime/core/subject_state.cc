@@ -84,7 +84,7 @@ void ReportDeasserted(const SubjectState& subject, ObserverLink* link) {
 
 }  // namespace
 
-// Send() is inline, because it runs for every notification.
+// This function is inline, because it runs for every notification.
 [[gnu::always_inline]] inline bool SubjectState::Send(ObserverLink* link, RCRegion* const* data,
                                                       size_t data_count, size_t unit_count) {
   OwnedMessage message = system->NewMessage(link->target, link->observer.GetSelector());
@@ -95,8 +95,9 @@ void ReportDeasserted(const SubjectState& subject, ObserverLink* link) {
   for (size_t i = 0; i < data_count; ++i) notify.data[i] = RegionAccess::Describe(data[i]);
   message->size = sizeof notify;
   message->kind = PayloadKind::kNotify;
-  // Stores the hash of the data.  OObserver::NotifyHandler() compares it with the hash of the data
-  // at that time, to find a subject that changes data after it has sent them.
+  // Stores the hash of the data in the notification.  OObserver::NotifyHandler() compares it with
+  // the hash of the data that the observer receives, to find a subject that changes data after it
+  // has sent them.
   if (system->options().guard_regions) {
     uint32_t bytes = 0;
     message->payload_hash = PayloadHash(*message, &bytes);
@@ -113,8 +114,8 @@ void ReportDeasserted(const SubjectState& subject, ObserverLink* link) {
 }
 
 OStatus SubjectState::Notify(ObserverLink* link) {
-  // If the program has set no data, sends nothing, and the observer stays ready, as measured
-  // (measured.md 1.12).
+  // If the program has set no data, sends nothing, and the observer stays ready, as Sony's library
+  // does (measured.md 1.12).
   if (link->fresh.empty()) return oSUCCESS;
   // Drops `skip` notifications before each notification that is kept, because the observer has
   // asked for this with SetSkip().

@@ -159,7 +159,8 @@ void System::PowerOff(int robot, const RunEnd& why) { calls_->PowerOff(robot, wh
 
 void System::CutPower(int index, const RunEnd& why) {
   const bool is_shutdown = why.kind == EndKind::kPowerOff;  // a shutdown has set Robot::end already
-  // Replaces the reason of a shutdown that has begun, but not the reason of a robot that is off.
+  // Replaces the reason (Robot::end) of a shutdown that has begun, but not the reason of a robot
+  // that is off.
   if (index < robot_count() && !is_shutdown && !robot(index).powered_off) robot(index).end = why;
   NoteEnd(index, why);
   for (const auto& object : objects()) {
@@ -193,7 +194,7 @@ void System::NoteWhetherAllAreOff(const RunEnd& why) {
 }
 
 bool System::LoadAgain(int index) {
-  // Returns false if the robot was switched off for good after its boot was posted.
+  // Does not boot the robot if it was switched off for good after its boot was posted.
   if (!off_robots_.Remove(index)) return false;
   Robot& dog = robot(index);
   table_.RemoveAllOf(index);
@@ -257,7 +258,7 @@ int32_t System::RefuseAsFull(const Message& message, Object* target) {
 }
 
 // Reports that the queue of `target` is full.  Returns sSUCCESS if the message is accepted
-// nevertheless.
+// nevertheless, as it is without --strict.
 int32_t System::ReportFullQueue(const Message& message, Object* target) {
   AddFindingAbout(
       target, options_.strict ? Severity::kError : Severity::kWarning,

@@ -128,8 +128,8 @@ struct Robot {
   std::optional<RunEnd> end;
   int64_t booted_us = 0;  // virtual time of the robot's last boot
   int boots = 1;          // number of times the robot has booted
-  // Adds the robot's system objects and loads its stick once more, for a boot after a shutdown.
-  // Returns false if the robot does not boot.  Null if the robot cannot boot again.
+  // A function that adds the robot's system objects and loads its stick once more, for a boot after
+  // a shutdown.  Returns false if the robot does not boot.  Null if the robot cannot boot again.
   std::function<bool()> load_again;
 };
 
@@ -209,7 +209,7 @@ class System {
   // there is no message.
   bool Step();
 
-  // Delivers the next message if it is due by `time_us`; else sets the clock to `time_us`.
+  // Delivers the next message if it is due by `time_us`; otherwise sets the clock to `time_us`.
   void RunOne(int64_t time_us);
 
   // Delivers `count` messages, or all messages if there are fewer.
@@ -380,7 +380,7 @@ class System {
   int32_t RefuseAsFull(const Message& message, Object* target);
   int32_t ReportFullQueue(const Message& message, Object* target);
   void ReportHostAddresses(const Message& message);
-  // Gives `message` its number and its due time.
+  // Gives `message`, which is posted now, its number and its due time.
   void Number(Message* message, int64_t delay_us) {
     message->number = ++last_number_;
     message->due_us = now_us_ + delay_us + creep_us_;
@@ -397,8 +397,8 @@ class System {
   // True if `calls_` is LocalCalls.  The functions that run for every notification then do the work
   // themselves, which saves a virtual call.
   const bool calls_are_local_;
-  // True if only its receiver may refuse or delay a message: `calls_` is LocalCalls, and there is
-  // no schedule and no processor.
+  // True if nothing but the receiver of a message may refuse or delay the message: `calls_` is
+  // LocalCalls, and there is no schedule and no processor.
   bool are_posts_free_ = false;
   const std::unique_ptr<SystemCalls> calls_;
   int64_t now_us_ = 0;
@@ -435,8 +435,8 @@ class System {
   ObjectTable table_{this};
 };
 
-// Queues `message`, which is no reply, for now and returns true.  Returns false and does nothing if
-// the message may have to be refused or delayed.
+// Queues `message`, which is no reply, so that it is due now, and returns true.  Returns false and
+// does nothing if the message may have to be refused or delayed.
 [[gnu::always_inline]] inline bool System::EnqueueAtOnce(Message* message) {
   Object* const target = object(message->target);
   const bool is_common = are_posts_free_ && target != nullptr &&

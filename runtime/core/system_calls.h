@@ -112,7 +112,7 @@ class SystemCalls {
   // master must know this, because an object may send only data in a mapped buffer.
   virtual void NoteMapping(uint32_t cookie, uint32_t region, bool is_mapped) = 0;
 
-  // ---- The run and its stick
+  // ---- The run and the sticks of its robots
 
   // Adds a finding about the object `about`, or about the system if `about` is null.
   virtual void AddFinding(const Object* about, Severity severity, std::string_view text) = 0;

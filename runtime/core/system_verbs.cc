@@ -31,8 +31,8 @@ std::string AppendWhole(std::string_view text, std::string* bytes) {
   const char* const end = text.data() + text.size();
   const auto [at, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc() || at != end) return fmt::format("'{}' is no whole number", text);
-  // Accepts both signed and unsigned values of the type, because its name says only how many bytes
-  // the value has.
+  // Accepts both signed and unsigned values, because the type of a value in an input, such as
+  // "byte:255", says only how many bytes the value has.
   constexpr int kBits = 8 * sizeof(T);
   if constexpr (kBits < 64) {
     if (value < -(int64_t{1} << (kBits - 1)) || value >= int64_t{1} << kBits)
@@ -95,7 +95,8 @@ std::string ReadSentDatum(std::string_view rest, SentDatum* datum) {
   return "";
 }
 
-// Finds the ends of the connection that `datum` names.  Returns "" or the error.
+// Finds the subject and the observer of the connection that `datum` names.  Returns "", or the
+// reason why there is no such connection.
 std::string FindEnds(const System& system, const SentDatum& datum, ServiceEnd* subject,
                      ServiceEnd* observer) {
   const auto to = FindService(system, datum.robot, datum.observer, ServiceSide::kObserver);
@@ -116,7 +117,8 @@ std::string FindEnds(const System& system, const SentDatum& datum, ServiceEnd* s
   return "";
 }
 
-// Posts `datum`.  Reports a failure as an error finding, because no caller waits for the result.
+// Posts `datum`, which an input `send` has ordered.  Reports a failure as an error finding, because
+// no caller waits for the result.
 void Send(System* system, const SentDatum& datum) {
   ServiceEnd subject, observer;
   std::string problem = FindEnds(*system, datum, &subject, &observer);
@@ -130,7 +132,8 @@ std::string ReadSend(System* system, int robot, std::string_view rest, Inputs::A
   SentDatum datum;
   datum.robot = robot;
   std::string problem = ReadSentDatum(rest, &datum);
-  // Checks the names only after the boot, because objects register their services during the boot.
+  // Checks the names of subject and observer only after the boot, because objects register their
+  // services during the boot.
   ServiceEnd subject, observer;
   if (problem.empty() && system->booted()) problem = FindEnds(*system, datum, &subject, &observer);
   *action = [system, datum] { Send(system, datum); };

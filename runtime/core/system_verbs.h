@@ -1,4 +1,5 @@
-// The inputs that every robot has: typed text, messages to observers, and the shutdown.
+// The inputs that every robot has: typed text (`type`), messages to observers (`send`), and the
+// shutdown (`shutdown`).
 #pragma once
 
 #include <string>

@@ -58,8 +58,8 @@ int64_t TimeEvents::NextUs() const {
   return next_us;
 }
 
-// Returns whether the owner or the target of `event` no longer exists, or is on a robot that is
-// off.  Such an event is removed and posts nothing.
+// Returns whether the owner of `event`, or the object that it posts to, no longer exists, or is on
+// a robot that is off.  Such an event is removed and posts nothing.
 bool TimeEvents::IsOff(const Event& event) const {
   for (const ObjectId id : {event.letter.owner, event.letter.target}) {
     const Object* const object = system_->object(id);
@@ -72,8 +72,9 @@ void TimeEvents::Post(const Event& event) {
   const Letter& letter = event.letter;
   ASSERT(letter.bytes.size() <= Message::kPayloadMax, "an event of {} bytes", letter.bytes.size());
   OwnedMessage message = system_->NewMessage(letter.target, letter.selector);
-  // Posts the message in the name of the owner.  NewMessage() has set the current object as the
-  // sender, but when the event is due, this may be another object or no object.
+  // Posts the message in the name of the object that owns the event.  NewMessage() has set the
+  // current object as the sender, but when the event is due, this may be another object or no
+  // object.
   message->sender = letter.owner;
   message->cause = event.cause;
   if (!letter.bytes.empty())
@@ -99,8 +100,8 @@ void TimeEvents::PostDue() {
 
 void TimeEvents::ReplyArrived(ObjectId owner, uint64_t box) {
   for (auto it = events_.begin(); it != events_.end();) {
-    // Compares the owner too, because each object numbers its reply boxes itself, so boxes of two
-    // objects may have the same number.
+    // Compares the owner of the event too, because each object numbers its reply boxes itself, so
+    // boxes of two objects may have the same number.
     if (it->second.box != box || it->second.letter.owner != owner) {
       ++it;
       continue;

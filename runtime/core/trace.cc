@@ -103,14 +103,14 @@ void Trace::Record(const Message& message, int64_t now_us) {
     HashBuffer();
 }
 
-// Calls the sinks.  Not inline, because Record() would then have to save more registers for every
-// message, even if there are no sinks.
+// Calls the sinks, the functions that are called for every delivered message.  Not inline, because
+// Record() would then have to save more registers for every message, even if there are no sinks.
 [[gnu::noinline]] void Trace::CallSinks(const TraceRecord& record, const Message& message) {
   for (const auto& [number, sink] : sinks_) sink(record, message);
 }
 
-// Adds the records in buffer_ to the hash.  Records are collected in the buffer, because hashing
-// many at a time is faster.
+// Adds the records of messages in buffer_ to the trace hash.  Records are collected in the buffer,
+// because hashing many at a time is faster.
 void Trace::HashBuffer() const {
   hasher_.AddBytes(buffer_, sizeof buffer_[0] * static_cast<size_t>(buffered_));
   buffered_ = 0;

@@ -33,8 +33,8 @@ class Trace {
  public:
   using Sink = std::function<void(const TraceRecord&, const Message&)>;
 
-  // Adds to the hash the record of `message`, which is delivered at `now_us`, and passes the record
-  // to the sinks (listeners).
+  // Adds to the trace hash the record of `message`, which is delivered at `now_us`, and passes the
+  // record to the sinks (listeners).
   void Deliver(const Message& message, int64_t now_us) {
     ++count_;
     if (is_recording_) Record(message, now_us);
@@ -45,8 +45,8 @@ class Trace {
   int AddSink(Sink sink);
   void RemoveSink(int number);
 
-  // Switches the computation of the hash on or off, to measure its cost in benchmarks.  If the hash
-  // is off and there are no sinks, messages are only counted.
+  // Switches the computation of the trace hash on or off, to measure its cost in benchmarks.  If
+  // the hash is off and there are no sinks, messages are only counted.
   void set_hashing(bool on);
   uint64_t hash() const;
   uint64_t count() const { return count_; }

@@ -9,8 +9,8 @@
 #include <sanitizer/tsan_interface.h>
 
 extern "C" {
-// Functions of ThreadSanitizer that its header does not declare.  After their calls ThreadSanitizer
-// ignores memory accesses and locks of the running fiber.
+// Functions of ThreadSanitizer that its header does not declare.  After calls of these functions
+// ThreadSanitizer ignores memory accesses and locks of the running fiber.
 void AnnotateIgnoreReadsBegin(const char* file, int line);
 void AnnotateIgnoreSyncBegin(const char* file, int line);
 }
