@@ -16,15 +16,15 @@ using openr_host::WlanConfig;
 
 namespace {
 
-// The lengths of a radio frame above which the card asks for permission (RTS), and above which it
-// splits the frame.  These are the default values of 802.11b.  No frame is so long, so a card with
-// these values never asks and never splits.
+// The lengths of a radio frame above which the card first asks the other stations for permission to
+// send it (RTS), and above which it splits the frame.  These are the default values of 802.11b.  No
+// frame is so long, so a card with these values never asks and never splits.
 constexpr int32 kRtsThreshold = 2347;
 constexpr int32 kFragmentationThreshold = 2346;
 
-// Does the work of a function that reads the state of the card into `msg`.  Clears `msg`.  If the
-// robot has a card with a driver, calls `fill` to set the fields of `msg`.  Stores the status in
-// `msg` and returns it.
+// Does the work of a function that reads the state of the wireless card into `msg`.  Clears `msg`.
+// If the robot has a card with a driver, calls `fill` to set the fields of `msg`.  Stores the
+// status in `msg` and returns it.
 template <typename Msg, typename Fill>
 EtherStatus Ask(Msg* msg, Fill fill) {
   const ApiScope scope;

@@ -16,15 +16,15 @@ using namespace openr_host;
 namespace {
 
 // Returns the network stack that `target` names.  Returns null if the robot has no such stack, or
-// if no object runs.  Sets the error field of `message` to "failed" first, because a program may
-// read this field even after Send() or Call() has failed.
+// if no handler of an object runs.  Sets the error field of `message` to "failed" first, because a
+// program may read this field even after Send() or Call() has failed.
 IpStack* StackFor(const antStackRef& target, antEnvMsg* message) {
   SetAntError(message, ANT_FAIL);  // ANT_FAIL is 1, which means "failed" in every protocol
   IpStack* const stack = IpStack::OfCurrent();
   return stack != nullptr && target.get_oid() == OidOf(stack->host().id) ? stack : nullptr;
 }
 
-// Makes a message to the object of `stack` with a copy of `message`.
+// Makes the message that carries a copy of `message` to the object of the network stack `stack`.
 OwnedMessage NewRequest(IpStack* stack, const antEnvMsg& message) {
   const size_t size = AntMessageSize(message);
   OwnedMessage request =
@@ -33,9 +33,9 @@ OwnedMessage NewRequest(IpStack* stack, const antEnvMsg& message) {
   std::memcpy(request->payload, static_cast<const void*>(&message), size);
   request->size = static_cast<uint32_t>(size);
   request->kind = PayloadKind::kHashed;
-  // Gives the trace a hash of this message instead of its bytes, because the message holds
-  // addresses.  Also hashes the data to which the message points, but only if they lie in a mapped
-  // shared buffer, because other addresses may be invalid.
+  // Gives the trace a hash of this message instead of its bytes, because the message holds memory
+  // addresses, which differ from run to run.  Also hashes the data to which the message points, but
+  // only if they lie in a mapped shared buffer, because other addresses may be invalid.
   const AntData data = DataToSend(message);
   const bool known = stack->buffers().Contains(data.begin, data.size);
   request->payload_hash = AntMessageHash(message, known ? data.begin : nullptr,
@@ -63,8 +63,8 @@ antError antEnvMsg::Send(antStackRef target, OID& oid, int32 entry, int size) {
   sender = OidOf(t_current.object->id);
   msgSize = size;
   invocationType = ANTENVMSG_SEND;
-  // Stores in the message the object and the entry to which the stack is to send the answer,
-  // because the stack answers later, with a message of its own.
+  // Stores in the message the object and the entry to which the network stack is to send the
+  // answer, because the stack answers later, with a message of its own.
   contInfo.oid = oid;
   contInfo.selector = static_cast<Selector>(entry);
   return AntErrorOf(t_current.system->Post(NewRequest(stack, *this)));

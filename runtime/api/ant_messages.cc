@@ -55,7 +55,7 @@ antEnvInitSetParamMsg::antEnvInitSetParamMsg(const char* name, const char* text)
 antEnvInitStartMsg::antEnvInitStartMsg()
     : antEnvMsg(antEnv_Operation_InitStart, Entry_antEnv_Initialize), error(ANT_FAIL) {}
 
-// ---- Messages to the DNS
+// ---- Messages to a DNS endpoint
 
 DNSEndpointSetServerAddressesMsg::DNSEndpointSetServerAddressesMsg()
     : DNSEndpointBaseMsg(DNSEndpoint_Operation_SetServerAddresses), nscount(0) {}

@@ -15,8 +15,8 @@ namespace {
 constexpr const char* kDayNames[] = {"Sun", "Mon", "Tue", "Wed", "Thu", "Fri", "Sat"};
 constexpr const char* kMonthNames[] = {"Jan", "Feb", "Mar", "Apr", "May", "Jun",
                                        "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
-// Largest year of a proper date, counted from otimeSTART_YEAR, because the text of a date has four
-// digits for the year.
+// The largest year that ProperDate() accepts, counted from otimeSTART_YEAR, because the text of a
+// date has four digits for the year.
 constexpr int kYearMax = 9999 - otimeSTART_YEAR;
 
 // Returns the number of days from 2000-01-01 to the date of `t`.
@@ -106,7 +106,7 @@ void OCalendarTime::Sprint(char* text) const {
 
 void OCalendarTime::RFC2822(char* text) const {
   if (!ProperDate()) return Write(text, "improper date");
-  // Writes "-0000" for an unknown zone (RFC 2822, 3.3).
+  // Writes "-0000" for an unknown time zone (RFC 2822, 3.3).
   const std::string zone =
       timeDif_ == otimeTIME_DIF_UNDEF
           ? "-0000"

@@ -1,4 +1,5 @@
-// Names of the errors of the network stack and of the wireless card, and texts of addresses.
+// Names of the errors of the network stack and of the wireless card.  Functions that print network
+// addresses as text.
 #include <DNSEndpointErr.h>
 #include <EtherTypes.h>
 #include <IPEndpointMsg.h>

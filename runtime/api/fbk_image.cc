@@ -36,9 +36,9 @@ BandPlace PlaceOf(ODataType type, OFbkImageBand band) {
 }
 
 // The camera overwrites the first 16 pixels of the last row with a tag, information about the
-// image.  At byte 0 it has the field counter.  At byte 4 it has the frequencies of channels 4 to 7
-// of colour detection, at byte 8 the frequencies of channels 0 to 3.  A frequency is the number of
-// detected pixels divided by 16 (robot.md, 11.2).
+// image.  At byte 0 it has the field counter, the camera's count of its pictures.  At byte 4 it has
+// the frequencies of channels 4 to 7 of colour detection, at byte 8 the frequencies of channels 0
+// to 3.  A frequency is the number of detected pixels divided by 16 (robot.md, 11.2).
 constexpr int kTagSize = 16;
 constexpr int kFrequencies4To7 = 4;
 constexpr int kFrequencies0To3 = 8;
@@ -63,8 +63,8 @@ byte OFbkImage::Pixel(int x, int y) const {
   return IsValid() ? pointer_[(width_ + skip_) * y + x] : byte{0};
 }
 
-// Returns the first four bytes of the tag as a number, low byte first.  The byte order is our
-// choice.
+// Returns the first four bytes of the tag, the camera's information about the image, as a number,
+// low byte first.  The byte order is our choice.
 longword OFbkImage::GetTagInfo() const {
   if (tag_ == nullptr) return 0;
   return longword{tag_[0]} | longword{tag_[1]} << 8 | longword{tag_[2]} << 16 |

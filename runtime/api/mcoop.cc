@@ -195,8 +195,8 @@ void Exit() {
   }
 }
 
-// Does nothing.  On the robot this function ends Prologue(), which begins an object.  The host's
-// Prologue() does nothing.
+// Does nothing.  On the robot this function ends Prologue(), the entry with which an object begins.
+// The host's Prologue() does nothing.
 void ExitFromPrologue() {}
 
 // Adds `nanosec` to the times that later calls of GetSystemTime() in this handler return.  Virtual

@@ -91,8 +91,8 @@ sError GetResourceValue(sResource resource, slongword* current, slongword* max, 
     default:
       return sINVALIDRESOURCE;
   }
-  // Sets the maximum of each limit to its current value.  This is right for the length of the
-  // queue, too, because the host has no other maximum for it.
+  // Returns the current value of the object's limit as its maximum, too.  This is right also for
+  // the length of the object's message queue, because the host has no other maximum for it.
   if (max != nullptr) *max = *current;
   if (min != nullptr) *min = 1;
   return sSUCCESS;

@@ -139,8 +139,8 @@ OStatus SetMotorPower(OPower power) {
 OStatus Shutdown(const OBootCondition& bootCondition) {
   const ApiScope scope;
   const OStatus status = Services().Shutdown(bootCondition);
-  // Shuts the robot down even if the status is oNOT_SUPPORTED, which is what the RobotServices of a
-  // robot without devices return.
+  // Shuts the robot down also if it has no devices: for such a robot, Services().Shutdown() returns
+  // oNOT_SUPPORTED.
   if (status == oSUCCESS || status == oNOT_SUPPORTED)
     t_current.system->Shutdown(
         t_current.object->robot,
@@ -197,7 +197,7 @@ OStatus FindDesignData(const char* keyword, ODesignDataID* id, byte** dataAddr, 
   if (found == robot.design_data.end() || robot.stick == nullptr) return oNOT_FOUND;
   auto content = robot.stick->ReadFile(found->second);
   if (!content) return oNOT_FOUND;
-  // Decompresses the file, as the robot does before a program gets the file.
+  // Decompresses the file if it is a gzip file, as the robot does before a program gets the file.
   if (IsGzip(*content)) {
     std::string packed = std::move(*content);
     content->clear();
@@ -264,8 +264,8 @@ OStatus GetVolumeSwitch(OVolumeSwitch* volume) {
   return Services().GetVolumeSwitch(volume);
 }
 
-// The functions about MWInfo return oNOT_SUPPORTED, because they belong to level 1 of the
-// interface, for which there is no document (core.md 6.1).
+// The functions about MWInfo return oNOT_SUPPORTED, because they belong to level 1 of OPEN-R, for
+// which there is no document (core.md 6.1).
 OStatus RequireMWInfo(MWIID) { return oNOT_SUPPORTED; }
 OStatus CancelMWInfo(MWIID) { return oNOT_SUPPORTED; }
 OStatus IsMWInfoRequired(MWIID, bool* required) {

@@ -71,7 +71,8 @@ void AppendNames(longword bits, const NamedBit (&names)[N], std::vector<std::str
 // Converts a temperature in units of 0.1 kelvin to degrees Celsius; 0 degrees are 273.15 kelvin.
 double Celsius(word temperature) { return (int{temperature} - 2731.5) / 10; }
 
-// Describes the time zone.  The value 0x7f, otimeTIME_DIF_UNDEF, means that the zone is unknown.
+// Returns the text for a time zone, given as the hours by which local time is ahead of UTC.  The
+// value 0x7f, otimeTIME_DIF_UNDEF, means that the zone is unknown.
 std::string Zone(sbyte time_dif) {
   return time_dif == 0x7f ? "zone unknown" : fmt::format("UTC{:+}", int{time_dif});
 }

@@ -10,11 +10,12 @@ namespace {
 constexpr int kSecondsPerHour = 3600;
 constexpr uint32_t kMicrosecondsPerSecond = 1000000;
 
-// Returns whether `dif` is a valid time difference.  Valid are the numbers of hours by which local
-// time is ahead of UTC, and the value for an unknown difference.
+// Returns whether `dif` is a valid difference between local time and UTC: the hours by which local
+// time is ahead, or the value for an unknown difference.
 bool IsTimeDif(sbyte dif) { return dif == otimeTIME_DIF_UNDEF || (dif >= -12 && dif <= 12); }
 
-// Returns the time difference in seconds.  With an unknown difference, local time is UTC.
+// Returns the difference between local time and UTC in seconds.  With an unknown difference, local
+// time is UTC.
 time_t SecondsOf(sbyte dif) { return dif == otimeTIME_DIF_UNDEF ? 0 : dif * kSecondsPerHour; }
 
 }  // namespace
