@@ -8,8 +8,9 @@
 namespace openr_host {
 namespace {
 
-// The largest number of edits between a misspelt name and a suggested name.  A name that is more
-// than 3 edits away was probably not meant; the build tool Ninja has the same limit.
+// The largest number of edits (added, lost, changed or swapped characters) between a misspelt name
+// and a suggested name.  A name that is more than 3 edits away was probably not meant; the build
+// tool Ninja has the same limit.
 constexpr int kEditsMax = 3;
 
 char Lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }

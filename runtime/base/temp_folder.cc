@@ -44,7 +44,8 @@ void RemoveStaleFolders(const fs::path& parent, const std::string& prefix) {
   }
 }
 
-// Returns whether small files may be kept in kMemoryFolder.
+// Returns whether small temporary files may be kept in kMemoryFolder (/dev/shm), which is in the
+// host's memory and not on its disk.
 bool MayUseMemory() {
   constexpr uint64_t kFreeBytes = uint64_t{1} << 30;  // enough for the images of 1000 robots
   struct statvfs facts {};
