@@ -31,8 +31,8 @@ std::optional<uint32_t> AddressOf(std::string_view text) {
   return ip;
 }
 
-// Returns true if `ip` cannot be the address of a single computer, because it is the any address
-// (0) or a multicast, reserved or broadcast address.
+// Returns true if `ip` cannot be the address of a single computer, because it is 0.0.0.0 or a
+// multicast, reserved or broadcast address.
 bool IsOfNobody(uint32_t ip) { return ip == 0 || ip >> 28 >= 0xe; }
 
 // Parses the texts of two addresses into `pair`.  Returns "" or the reason why one of the texts is

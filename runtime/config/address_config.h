@@ -39,8 +39,8 @@ std::string ParseAddressPair(std::string_view text, AddressPair* pair);
 // returns an error text.
 std::string AddAddressPair(const AddressPair& pair, std::vector<AddressPair>* pairs);
 
-// Parses the text of a HOSTADDR.CFG, one "ROBOT HOST" per line.  `design` is the robot design
-// ("ERS-210") for which lines are read.  A bad line is reported and skipped.
+// Parses the text of a HOSTADDR.CFG, one pair of addresses "ROBOT HOST" per line.  `design` is the
+// robot design ("ERS-210") for which lines are read.  A bad line is reported and skipped.
 AddressConfig ParseAddressConfig(const std::string& file, std::string_view text,
                                  std::string_view design);
 

@@ -26,7 +26,8 @@ std::optional<ServiceName> ReadName(const RecordLine& line, const Word& word,
   return name;
 }
 
-// Returns true if the line has exactly two words; otherwise reports an error.
+// Returns true if a line of CONNECT.CFG has exactly two words, a subject and an observer.
+// Otherwise reports an error.
 bool HasTwoNames(const RecordLine& line, std::vector<Diagnostic>* diagnostics) {
   if (line.words.size() == 2) return true;
   if (line.words.size() == 1) {

@@ -10,7 +10,8 @@
 namespace openr_host {
 namespace {
 
-// Largest cost of a handler.  The limit is our choice; a larger number is taken for a typing error.
+// Largest cost (virtual time) that a cost file may give a handler.  The limit is our choice; a
+// larger number is taken for a typing error.
 constexpr int64_t kCostMaxUs = 10'000'000;
 constexpr int64_t kFrameMinUs = 1'000, kFrameMaxUs = 1'000'000;
 
@@ -53,9 +54,9 @@ class Parser {
     }
   }
 
-  // Parses "OBJECT ENTRY MICROSECONDS [+-JITTER%]".  Because names of entries may contain blanks,
-  // the numbers are taken from the end of the line; all words after the object and before the
-  // numbers are the entry.
+  // Parses a line of a cost file, "OBJECT ENTRY MICROSECONDS [+-JITTER%]": the virtual time that a
+  // handler takes.  Because names of entries may contain blanks, the numbers are taken from the end
+  // of the line; all words after the object and before the numbers are the entry.
   void TakeRule(const RecordLine& line) {
     CostRule rule;
     rule.place = line.At(line.words[0]);
@@ -106,8 +107,8 @@ CostResult ParseCostConfig(const std::string& file, std::string_view text) {
 
 bool MatchesPattern(std::string_view pattern, std::string_view text) {
   size_t p = 0, t = 0;
-  // Compares character by character.  After a mismatch, lets the last '*' of the pattern stand for
-  // one more character of `text`, and goes on behind this character.
+  // Compares `text` with the pattern, character by character.  After a mismatch, lets the last '*'
+  // of the pattern stand for one more character of `text`, and goes on behind this character.
   size_t star = std::string_view::npos;  // position of the last '*' in `pattern`
   size_t resume = 0;                     // end of the text that this '*' covers
   while (t < text.size()) {

@@ -28,7 +28,8 @@ struct CostRule {
   std::string object;
   std::string entry;
   int64_t cost_us = 0;
-  // The cost varies at random by up to this percentage of cost_us (0 to 100), up or down.
+  // The virtual time that the handler takes varies at random by up to this percentage of cost_us (0
+  // to 100), up or down.
   int jitter_percent = 0;
 };
 
@@ -42,7 +43,8 @@ struct CostResult {
   std::vector<Diagnostic> diagnostics;
 };
 
-// Parses the text of a cost file.  A bad line is reported and skipped.
+// Parses the text of a cost file, which says how much virtual time each handler takes.  A bad line
+// is reported and skipped.
 CostResult ParseCostConfig(const std::string& file, std::string_view text);
 
 // Returns whether `text` matches `pattern`, in which '*' stands for any text, even for none.

@@ -9,14 +9,14 @@
 
 namespace openr_host {
 
-// The length of the longest keyword: odesignkeywordNAME_MAX of <OPENR/OPENR.h>, without the closing
-// NUL.
+// The length of the longest keyword in DESIGNDB.CFG: odesignkeywordNAME_MAX of <OPENR/OPENR.h>,
+// without the closing NUL.
 inline constexpr int kDesignKeywordBytesMax = 127;
 
 struct DesignRecord {
   std::string keyword;  // keywords that differ in upper or lower case are different
-  // The path as the file has it, e.g. /MS/OPEN-R/MW/DATA/P/BOW.MTN; upper and lower case letters
-  // are equal.
+  // The path as DESIGNDB.CFG has it, e.g. /MS/OPEN-R/MW/DATA/P/BOW.MTN; upper and lower case
+  // letters are equal.
   std::string path;
   std::string section;  // the robot design for which the line is valid; "" for every robot
   FilePosition keyword_place;

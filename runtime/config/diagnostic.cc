@@ -20,7 +20,7 @@ std::string Printable(std::string text) {
 }
 
 // Returns blanks and tabs that take as much width on a terminal as the first `column` - 1 bytes of
-// `text`.
+// `text`.  A caret after them is under the byte at `column`.
 std::string Indent(const std::string& text, int column) {
   std::string indent;
   for (int i = 0; i + 1 < column; ++i) {

@@ -12,8 +12,8 @@
 namespace openr_host {
 namespace {
 
-// The port of the robot's wireless console (Installation Guide 3.2.1).  A service on this port
-// causes a warning.
+// The port of the robot's wireless console (Installation Guide 3.2.1).  A service of the gateway on
+// this port causes a warning.
 constexpr int kConsolePort = 59000;
 
 std::optional<uint16_t> PortOf(const Word& word) {
@@ -52,8 +52,8 @@ class GatewayReader {
   }
 
   // Reads the record for OPEN-R calls, with which programs on a PC call functions of the robot.  In
-  // the robot's file the record has the port where calls arrive.  In the PC's file it has the port
-  // and address to which calls are sent.
+  // the robot's file (ROBOTGW.CFG) the record has the port where calls arrive.  In the PC's file
+  // (HOSTGW.CFG) it has the port and address to which calls are sent.
   void ReadProxy(const RecordLine& line) {
     const bool is_of_host = line.words[0].text == kProxyRecord;
     if (is_of_host != (side_ == GatewaySide::kHost)) {
@@ -144,9 +144,9 @@ class GatewayReader {
     return false;
   }
 
-  // Returns true if no earlier record for the same robot has the same service, or the same port and
-  // address.  Otherwise reports an error, because a service has one connection, and the two sides
-  // find each other by the port.
+  // Returns true if no earlier line of the gateway's configuration for the same robot has the same
+  // service, or the same port and address.  Otherwise reports an error, because a service has one
+  // connection, and the gateways of the two computers find each other's services by the port.
   bool IsNew(const RecordLine& line, const GatewayRecord& record) {
     std::vector<GatewayRecord> all = config_->services;
     if (config_->proxy) all.push_back(*config_->proxy);

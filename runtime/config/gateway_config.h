@@ -33,7 +33,8 @@ struct GatewayRecord {
   uint16_t port = 0;
   std::string host;     // address of the robot to connect to; "" if this side listens
   std::string section;  // the robot design for which the line is valid; "" for every robot
-  // True if the record is for OPEN-R calls of remote programs, false if it is for a service.
+  // True if the line of the gateway's configuration is for OPEN-R calls of remote programs, false
+  // if it is for a service.
   bool is_proxy = false;
   FilePosition place;
 
@@ -42,8 +43,9 @@ struct GatewayRecord {
 
 struct GatewayConfig {
   std::vector<GatewayRecord> services;  // in the order of the file
-  // The record for OPEN-R calls, with which programs on a PC call functions of the robot.  The
-  // record is TCPGateway.Proxy.AperiosMessage.P in the robot's file, !ROBOT_PROXY in the PC's file.
+  // The record for OPEN-R calls, with which programs on a PC call functions of the robot.  The name
+  // of the record is TCPGateway.Proxy.AperiosMessage.P in the robot's file (ROBOTGW.CFG),
+  // !ROBOT_PROXY in the PC's file (HOSTGW.CFG).
   std::optional<GatewayRecord> proxy;
   std::vector<Diagnostic> diagnostics;
 };

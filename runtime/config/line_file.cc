@@ -98,9 +98,9 @@ void SectionFilter::CheckSpelling(const FilePosition& place, const std::string& 
   }
 }
 
-// Returns whether a record has a control byte, which no text file has on purpose, and reports the
-// first such byte.  Comments are not checked: they may contain any byte, as comments in Japanese
-// do.
+// Returns whether a line has a control byte, which no text file of a stick has on purpose, and
+// reports the first such byte.  Comments are not checked: they may contain any byte, as comments in
+// Japanese do.
 bool HoldsControlByte(const FilePosition& place, std::vector<Diagnostic>* diagnostics) {
   for (size_t i = 0; i < place.text.size(); ++i) {
     const unsigned char byte = static_cast<unsigned char>(place.text[i]);
@@ -170,8 +170,8 @@ std::vector<FilePosition> SplitLines(const std::string& file, std::string_view t
 
 namespace {
 
-// Removes a comment after a record, with a warning, because no source says how the robot reads such
-// a comment.
+// Removes a comment that follows other words of a line, with a warning, because no source says how
+// the robot reads such a comment.
 void DropTrailingComment(RecordLine* line, std::vector<Diagnostic>* diagnostics) {
   for (size_t i = 1; i < line->words.size(); ++i) {
     if (line->words[i].text[0] != '#') continue;

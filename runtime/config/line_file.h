@@ -21,7 +21,7 @@ namespace openr_host {
 inline constexpr int kLineBytesMax = 1024;
 
 // A value for the parameter `design` of parsers, in place of a robot design such as "ERS-210".  It
-// selects the records of all sections.
+// selects the lines of all sections of a file.
 inline constexpr std::string_view kEveryDesign = "*";
 
 struct Word {
@@ -41,20 +41,22 @@ std::vector<FilePosition> SplitLines(const std::string& file, std::string_view t
 struct RecordLine {
   FilePosition place;       // position of the first word
   std::vector<Word> words;  // never empty
-  // Name of the section with the record, as written; "" before the first section.
+  // Name of the section that contains this line (a robot design), as the file writes it; "" before
+  // the first section.
   std::string section;
 
   FilePosition At(const Word& word) const { return AtColumn(place, word.column); }
 };
 
-// Returns the records of a file that are valid for `design` ("ERS-210", or kEveryDesign).  Section
-// names are compared without regard to case, with a warning if the case differs.  In sections of
-// other designs only the header is checked.
+// Returns the lines of a file, without comments and empty lines, that are valid for the robot
+// design `design` ("ERS-210", or kEveryDesign).  Section names are compared without regard to case,
+// with a warning if the case differs.  In sections of other designs only the line that begins the
+// section is checked.
 std::vector<RecordLine> ReadRecords(const std::string& file, std::string_view text,
                                     std::string_view design, std::vector<Diagnostic>* diagnostics);
 
-// Returns true if some robot reads both sections: the names are equal, or one name is "".  ""
-// stands for the records before the first section, which are valid for every robot.
+// Returns true if some robot reads both sections of a text file: their names are equal, or one name
+// is "".  "" stands for the lines before the first section, which are valid for every robot.
 bool MayHoldTogether(std::string_view section, std::string_view other);
 
 }  // namespace openr_host

@@ -9,8 +9,8 @@
 namespace openr_host {
 namespace {
 
-// Returns the record in `objects` that has this path, or nullptr.  Records in sections of different
-// robot designs are not compared, because no robot reads both.
+// Returns the line of OBJECT.CFG in `objects` that has the path `path`, or nullptr.  Lines in
+// sections of different robot designs are not compared, because no robot reads both.
 const ObjectRecord* FindObject(const std::vector<ObjectRecord>& objects, const std::string& path,
                                const std::string& section) {
   for (const ObjectRecord& object : objects) {

@@ -27,7 +27,7 @@ struct Field {
   FilePosition place;
 };
 
-// Returns all words of the file, without comments.
+// Returns all words of an .ocf file, without comments.
 std::vector<Field> ReadFields(const std::string& file, std::string_view text,
                               std::vector<Diagnostic>* diagnostics) {
   std::vector<Field> fields;
@@ -40,13 +40,14 @@ std::vector<Field> ReadFields(const std::string& file, std::string_view text,
   return fields;
 }
 
-// Reads the fields of a record one after the other and reports fields that are wrong.
+// Reads the words of an .ocf file one after the other and reports words that are wrong.
 class FieldReader {
  public:
   FieldReader(const std::vector<Field>& fields, std::vector<Diagnostic>* diagnostics)
       : fields_(fields), diagnostics_(diagnostics) {}
 
-  // Returns the next field without taking it.  REQUIRES: not all fields are taken.
+  // Returns the next word of the .ocf file; a later Take() returns it again.  REQUIRES: not all
+  // words are taken.
   const Field& Peek() const {
     ASSERT(next_ < fields_.size(), "field {} of {}", next_, fields_.size());
     return fields_[next_];
@@ -69,8 +70,8 @@ class FieldReader {
   std::string TakeName();
   int64_t TakeSize(const char* what);
   int TakePriority();
-  // Takes the next field.  Returns true if it is `yes`, false if it is `no`.  Any other word is an
-  // error, whose message names the field `what`.
+  // Takes the next field of the .ocf file.  Returns true if it is `yes`, false if it is `no`.  Any
+  // other word is an error, whose message names the field `what`.
   bool TakeChoice(const char* what, const char* yes, const char* no);
   bool TakeCache();
 
@@ -136,8 +137,8 @@ bool FieldReader::TakeChoice(const char* what, const char* yes, const char* no) 
   return field.text == yes;
 }
 
-// Takes the field that must be "cache" or "nocache".  Only warns about other words, because
-// gensnap, the SDK's tool, silently takes them as "nocache".
+// Takes the field of the .ocf file that must be "cache" or "nocache".  Only warns about other
+// words, because gensnap, a tool of the SDK, silently takes them as "nocache".
 bool FieldReader::TakeCache() {
   const Field& field = Take();
   if (field.text != "cache" && field.text != "nocache") {
@@ -147,8 +148,8 @@ bool FieldReader::TakeCache() {
   return field.text == "cache";
 }
 
-// Reads the record in `fields`.  REQUIRES: `fields` is the word "object" and the fields of the
-// short or of the long form.
+// Reads the description of an object from `fields`, the words of an .ocf file.  REQUIRES: `fields`
+// is the word "object" and the fields of the short or of the long form.
 Ocf ReadOcf(const std::vector<Field>& fields, std::vector<Diagnostic>* diagnostics) {
   const bool is_long = fields.size() == kLongFieldCount + 1;
   FieldReader reader(fields, diagnostics);

@@ -22,8 +22,8 @@ inline constexpr int kObjectNameBytesMax = 63;
 struct Ocf {
   std::string name;    // run-time object name, unique among all objects
   std::string module;  // equal to `name` if the file has the short form
-  // The next five fields and install_selector exist only in the long form of an .ocf file.  They
-  // are kept as written, because the host does not use them.
+  // The next five fields and install_selector exist only in the long form of an .ocf file.  The
+  // values are kept as the file writes them, because the host does not use them.
   std::string metaspace = "mCOOP";
   std::string pic = "pic";
   std::string pid = "pid";
@@ -32,8 +32,8 @@ struct Ocf {
   std::string install_selector = "-1";
   int64_t stack_bytes = 3072;  // fixed size on the robot
   int64_t heap_bytes = 16384;  // step by which the heap grows on the robot
-  // The priority, 0 to 255.  The upper 4 bits are the priority class, the lower 4 bits are the
-  // share of the processor in this class.
+  // The priority of the object, 0 to 255.  The upper 4 bits are the priority class, the lower 4
+  // bits are the object's share of the processor in this class.
   int priority = 128;
   bool is_cached = true;      // true for the word "cache", false for "nocache"
   bool is_translated = true;  // true for "tlb", false for "notlb"

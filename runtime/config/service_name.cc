@@ -25,8 +25,8 @@ std::vector<Part> SplitAtDots(std::string_view text) {
   }
 }
 
-// Returns the first fault of `text`, whose parts are `parts`.  The message of the fault is empty if
-// `text` has no fault.
+// Returns the first fault because of which `text` is no service name.  `parts` are the parts of
+// `text` between its dots.  The message of the fault is empty if `text` has no fault.
 ServiceNameFault FindFault(std::string_view text, const std::vector<Part>& parts) {
   if (parts.size() != kPartCount) {
     return {fmt::format("'{}' has {} part{}, a service name has 4: Object.Service.Data.S for a "

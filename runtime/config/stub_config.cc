@@ -58,7 +58,8 @@ class StubParser {
                   &result_.config.observers};
   bool has_object_name_ = false;
   bool in_block_comment_ = false;
-  // The line number of the last Service line that was ignored; 0 if no line was ignored.
+  // The line number of the last Service line of the stub.cfg that was ignored; 0 if no such line
+  // was ignored.
   int ignored_service_line_ = 0;
 };
 
@@ -94,9 +95,9 @@ void StubParser::ReadLine(const FilePosition& place) {
   }
 }
 
-// Tracks whether the lines are between /* and */.  Only Sony's stub generator for PCs treats these
-// lines as a comment; the generator for the robot reads them.  So this parser reads them too, with
-// a warning.
+// Tracks whether the lines of the stub.cfg are between /* and */.  Only Sony's stub generator for
+// PCs treats these lines as a comment; the generator for the robot reads them.  So this parser
+// reads them too, with a warning.
 void StubParser::FollowBlockComment(const FilePosition& place) {
   const size_t open = place.text.rfind("/*");
   const size_t close = place.text.rfind("*/");

@@ -13,8 +13,8 @@
 namespace openr_host {
 namespace {
 
-// The largest number of services that a line may declare.  The number is far above the limit of 64
-// selectors, but so low that sums of such numbers fit an int.
+// The largest number of services that a NumOf... line of stub.cfg may declare.  The number is far
+// above the limit of 64 selectors, but so low that sums of such numbers fit an int.
 constexpr int kCountMax = 10'000;
 
 struct KeywordName {
@@ -49,8 +49,8 @@ struct Piece {
   void TrimEnd() {
     while (!text.empty() && IsBlank(text.back())) text.remove_suffix(1);
   }
-  // Returns the C++ name with which the text begins, or "" if the first character cannot be part of
-  // a name.
+  // Returns the C++ name at the start of this part of the line, or "" if its first character cannot
+  // be part of a name.
   std::string_view NameAtStart() const {
     const auto end = std::find_if_not(text.begin(), text.end(), IsNameCharacter);
     return text.substr(0, static_cast<size_t>(end - text.begin()));
@@ -91,13 +91,13 @@ const KeywordName* FindKeyword(std::string_view word) {
   return nullptr;
 }
 
-// Warns about an ignored line that the author probably did not mean as a comment.  `rest` is the
-// text of the line from its first word, `word`, on.
+// Warns about an ignored line of stub.cfg that the author probably did not mean as a comment.
+// `rest` is the text of the line from its first word, `word`, on.
 void WarnOfNearMiss(const Piece& rest, std::string_view word, Reporter* reporter) {
   if (FindKeyword(word) != nullptr) {
-    // Takes a line that begins with "Service" or "Extra" for a comment if it has neither quote nor
-    // bracket: both words may begin an English sentence, but a Service line has a quote and an
-    // Extra line has a bracket.
+    // Takes a line of stub.cfg that begins with "Service" or "Extra" for a comment if it has
+    // neither quote nor bracket: both words may begin an English sentence, but a Service line has a
+    // quote and an Extra line has a bracket.
     const bool is_prose = (word == "Service" || word == "Extra") &&
                           rest.text.find_first_of("\"(") == std::string_view::npos;
     if (is_prose) return;
@@ -162,7 +162,8 @@ std::optional<ServiceName> ParseQuotedName(Piece* rest, Reporter* reporter) {
   return name;
 }
 
-// Returns advice about the unexpected text `rest`, for the end of an error message.
+// Returns advice for the end of an error message about `rest`, the text in a line of stub.cfg where
+// nothing more is allowed.
 const char* RemedyForRest(std::string_view rest) {
   const bool is_comment = StartsWith(rest, "//") || StartsWith(rest, "#") || StartsWith(rest, "/*");
   return is_comment ? "; a comment needs a line of its own" : "; remove it";
@@ -173,8 +174,8 @@ struct Fault {
   size_t offset = 0;
 };
 
-// Finds the fault of `rest`, the text after the name of the function `name`.  The text should be
-// "()".
+// Finds the fault of `rest`, the text after the function name `name` in a line of stub.cfg.  The
+// text should be "()".
 Fault FindBracketFault(std::string_view rest, std::string_view name) {
   if (rest == "()") return {};
   if (rest.empty()) {
@@ -196,8 +197,8 @@ Fault FindBracketFault(std::string_view rest, std::string_view name) {
   return {fmt::format("'{1}' after '{0}'; write {0}(), or null for no function", name, rest)};
 }
 
-// Parses "Name()" or "null" between two commas.  Returns the name, or "" for null and after an
-// error.
+// Parses a function in a Service line of stub.cfg, "Name()" or "null".  Returns the name, or "" for
+// null and after an error.
 std::string ParseFunction(Piece piece, Reporter* reporter) {
   piece.SkipBlanks();
   piece.TrimEnd();
@@ -221,7 +222,8 @@ std::string ParseFunction(Piece piece, Reporter* reporter) {
   return "";
 }
 
-// Parses ", F(), G()", the two functions after the name of a service, into `service`.
+// Parses the end of a Service line of stub.cfg, such as ", F(), G()", into `service`: the two
+// functions after the name of the service.
 void ParseFunctions(Piece rest, StubService* service, Reporter* reporter) {
   rest.SkipBlanks();
   if (!StartsWith(rest.text, ",")) {

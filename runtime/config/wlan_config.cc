@@ -12,7 +12,7 @@
 namespace openr_host {
 namespace {
 
-// All limits in this file are from the Installation Guide, 3.2.2.
+// The limits of the network settings below are from the Installation Guide, 3.2.2.
 constexpr size_t kHostNameMax = 8;
 constexpr size_t kEssidMax = 32;
 
@@ -24,8 +24,8 @@ int ParseSmallNumber(std::string_view text, int max) {
   return whole && IsDigit(text.front()) && value <= max ? value : -1;
 }
 
-// Stores a dotted address in `*target`.  If the value is invalid, returns false and stores nothing.
-// All functions Set...() treat an invalid value in this way.
+// Stores an IPv4 address such as "10.0.1.100" in `*target`.  If `value` is no address, returns
+// false and stores nothing.  All functions Set...() treat an invalid value in this way.
 bool SetAddress(std::string_view value, std::string* target) {
   std::string_view rest = value;
   for (int part = 0; part < 4; ++part) {

@@ -9,8 +9,8 @@
 
 namespace openr_host {
 
-// The network settings.  Initial values are those of WLANDFLT.TXT, the default file of the robot's
-// system (Installation Guide 3.2.2), so an empty file means the same as that file.
+// The network settings of a robot.  Initial values are those of WLANDFLT.TXT, the default file of
+// the robot's system (Installation Guide 3.2.2), so an empty file means the same as that file.
 struct WlanConfig {
   std::string hostname = "AIBO";        // up to 8 letters and digits
   std::string ether_ip = "10.0.1.100";  // a dotted address, like the mask and the gateway below
@@ -18,7 +18,8 @@ struct WlanConfig {
   std::string ip_gateway = "10.0.1.1";
   std::string essid = "AIBONET";  // name of the wireless network, up to 32 characters
   bool wep_enable = true;
-  // The key of the wireless network as the file has it: characters, or 0x and hexadecimal digits.
+  // The key of the wireless network as WLANCONF.TXT has it: characters, or 0x and hexadecimal
+  // digits.
   std::string wep_key = "AIBO2";
   int ap_mode = 2;                 // kind of network: 0 ad hoc demo, 1 infrastructure, 2 automatic
   int channel = 3;                 // radio channel 1..11, used in ad hoc mode only
