@@ -18,8 +18,8 @@ void GatewayChannel::HashState(Hasher* hasher) const {
 void OutgoingChannel::Up() { observer_->AssertReady(); }
 
 void OutgoingChannel::Notify(const ONotifyEvent& event) {
-  // Drops data that the subject sends while there is no connection.  The subject may have sent them
-  // before it received the "not ready" that Down() sends.
+  // Drops data that the subject sends while the gateway has no connection to the other computer.
+  // The subject may have sent them before it received the "not ready" that Down() sends.
   if (!connection_.is_up()) {
     gateway_->host().dropped_count += 1;
     return;

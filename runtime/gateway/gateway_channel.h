@@ -79,8 +79,9 @@ class IncomingChannel : public GatewayChannel {
 
   TcpGateway* const gateway_;
   OSubject* subject_ = nullptr;
-  // The word to send when the earlier word has been sent; 0 if no word waits.  There is no queue,
-  // because a newer word replaces an older one: only the observer's last state counts.
+  // The word (ready or not ready) to send when the earlier word has been sent; 0 if no word waits.
+  // There is no queue, because a newer word replaces an older one: only the observer's last state
+  // counts.
   uint32_t waiting_word_ = 0;
   // True if "ready" was sent to the peer, and the peer has not sent data since then.  If false, the
   // peer must not send data, so data from the peer cause a warning.

@@ -37,16 +37,16 @@ class GatewayConnection {
   // often has the address of a real robot.
   static constexpr int64_t kHintUs = 5'000'000;
 
-  // `index` is the number of the service within the gateway, `record` its line of the
-  // configuration.  `owner` handles the data; its functions are called in handlers of the gateway.
+  // `index` is the number of the service within the gateway, `record` its line of ROBOTGW.CFG or
+  // HOSTGW.CFG.  `owner` handles the data; its functions are called in handlers of the gateway.
   GatewayConnection(TcpGateway* gateway, int index, const GatewayRecord& record, Owner* owner);
 
   bool is_up() const { return is_up_; }
   bool is_sending() const { return is_sending_; }
 
-  // Begins to listen for a connection.  If the line of the configuration has an address, connects
-  // to this address instead.  REQUIRES, for this function and all functions below: a handler of the
-  // gateway runs.
+  // Begins to listen for a connection.  If the service's line of the configuration file has an
+  // address, connects to this address instead.  REQUIRES, for this function and all functions
+  // below: a handler of the gateway runs.
   void Open();
   void Send(std::string_view bytes);  // REQUIRES: is_up()
   // Ends the connection because the peer broke the protocol, and adds a finding.
@@ -80,7 +80,8 @@ class GatewayConnection {
   const int index_;
   const GatewayRecord record_;
   Owner* const owner_;
-  // The shared buffer.  It begins with the received bytes; the bytes to send follow.
+  // The memory that the gateway shares with IPStack.  It begins with the received bytes; the bytes
+  // to send follow.
   byte* receive_bytes_ = nullptr;
   antModuleRef listener_;  // the endpoint that waits for the next client
   antModuleRef endpoint_;  // the endpoint of the connection, also while it is being made

@@ -29,15 +29,16 @@ inline constexpr uint32_t kGatewaySetBytesMax = 1 << 20;
 std::string EncodeWord(uint32_t word);
 std::string EncodeSet(const GatewaySet& set);
 
-// Decodes a stream of bytes.  Keeps the bytes that were received but not decoded yet.
+// Decodes the stream of bytes that the gateway of another computer sends.  Keeps the bytes that
+// were received but not decoded yet.
 class GatewayStream {
  public:
   enum class Result { kNeedsMore, kTaken, kBroken };
 
   void Feed(std::string_view bytes) { bytes_.append(bytes); }
 
-  // Removes the next word from the received bytes.  Returns kNeedsMore if the word has not arrived
-  // completely.
+  // Removes the next 32-bit word from the received bytes.  Returns kNeedsMore if the word has not
+  // arrived completely.
   Result NextWord(uint32_t* word);
   // Removes the next whole set (the data of one notification) from the received bytes.  Returns
   // kNeedsMore if the set has not arrived completely.  Returns kBroken if the rest of the stream

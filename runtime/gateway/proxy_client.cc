@@ -30,9 +30,9 @@ void ProxyClient::Take(const void* payload, size_t size) {
   SendNext();
 }
 
-// Posts a message that calls Expire() at the time limit of the oldest request, unless such a
-// message is posted already.  The limits of the other requests are later, so Expire() then posts
-// the message for the next request.
+// Posts a message that calls Expire() at the time limit of the oldest request (a call that waits
+// for the robot's answer), unless such a message is posted already.  The limits of the other
+// requests are later, so Expire() then posts the message for the next request.
 void ProxyClient::WatchTime() {
   if (watches_ || requests_.empty()) return;
   watches_ = true;
@@ -49,8 +49,9 @@ void ProxyClient::Expire() {
                   "there (port and address of !ROBOT_PROXY in HOSTGW.CFG, "
                   "TCPGateway.Proxy.AperiosMessage.P in the robot's ROBOTGW.CFG)",
                   kPatienceUs / 1'000'000));
-  // An open connection is closed, because a late answer would be taken for the answer to the next
-  // call.  Refuse() closes it and calls Down(), which fails all requests.
+  // If the robot has not answered a call in time, an open connection is closed, because a late
+  // answer would be taken for the answer to the next call.  Refuse() closes the connection and
+  // calls Down(), which fails all requests.
   if (connection_.is_up()) return connection_.Refuse("has no answer to a call");
   AnswerAll(sTIMEOUT);
 }
@@ -70,8 +71,8 @@ void ProxyClient::Down() {
 void ProxyClient::SendNext() {
   if (waits_ || requests_.empty() || !connection_.is_up()) return;
   waits_ = true;
-  // Before the first call to an object, the robot is asked for the object's OID.  A call needs the
-  // OID, and the request has only the name.
+  // Before the first call to a system object of the robot, the robot is asked for the object's OID.
+  // A call needs the OID, but the caller has given only the name.
   const Request& request = requests_.front();
   ProxyFrame frame;
   if (const auto known = oids_.find(request.object); known == oids_.end()) {

@@ -2,8 +2,8 @@
 // in the line !ROBOT_PROXY of its HOSTGW.CFG.
 //
 // An object makes a call by a message to the gateway and waits for the reply; other objects run on.
-// The client sends a call only after the answer to the call before, because answers from the robot
-// have no number that identifies their call.
+// The class ProxyClient sends a call to the robot only after the answer to the call before, because
+// answers from the robot have no number that identifies their call.
 #pragma once
 
 #include <cstdint>
@@ -28,8 +28,8 @@ struct ProxyRequest {
 
 class ProxyClient : public GatewayChannel {
  public:
-  // The time limit for an answer of the robot, the same as in SelectProxyPort() of the original
-  // (core.md, 5.4).
+  // The time limit for the robot's answer to a call, the same as in SelectProxyPort() of Sony's
+  // TCPGateway (core.md, 5.4).
   static constexpr int64_t kPatienceUs = 10'000'000;
 
   ProxyClient(TcpGateway* gateway, int index, const GatewayRecord& record)
@@ -39,9 +39,9 @@ class ProxyClient : public GatewayChannel {
   // message that the running handler has received.  The reply to this message is a word with an
   // sError, then the bytes of the robot's reply.
   void Take(const void* payload, size_t size);
-  // Fails all requests if the oldest request has waited for kPatienceUs, because the other requests
-  // wait for its answer.  The error is sTIMEOUT.  But if the connection is open, closes the
-  // connection, and the error is sFAIL.
+  // Fails all requests if the oldest request has waited for the robot's answer for kPatienceUs,
+  // because the other requests wait for its answer.  The error is sTIMEOUT.  But if the connection
+  // to the robot is open, closes the connection, and the error is sFAIL.
   void Expire();
 
   void Up() override;
@@ -63,7 +63,8 @@ class ProxyClient : public GatewayChannel {
   void WatchTime();
   void SendNext();
   void TakeAnswer(const ProxyFrame& frame);
-  // Answers the oldest request and removes it.  REQUIRES: there is a request.
+  // Answers and removes the oldest request, a call that waits for the robot's answer.  REQUIRES:
+  // there is a request.
   void Answer(int32_t error, const std::string& bytes = "");
   void AnswerAll(int32_t error);
 

@@ -8,8 +8,8 @@
 //   SEND        OID, selector, size; the bytes              SEND_REPLY   error
 //   CALL        OID, selector, size, reply size; the bytes  CALL_REPLY   error, size; the bytes
 //
-// Two facts are inferred, because the original was not measured: the item begins with its command,
-// and the words of the answers have this order.
+// Two facts are inferred, because the calls of Sony's TCPGateway were not measured: the item begins
+// with its command, and the words of the answers have this order.
 #pragma once
 
 #include <cstdint>
@@ -44,8 +44,8 @@ struct ProxyFrame {
 
 std::string EncodeProxyFrame(const ProxyFrame& frame);
 
-// Decodes `item`, which GatewayStream::NextSet() returned, into `*frame`.  Returns "" or the reason
-// why `item` is invalid.
+// Decodes `item`, the bytes of one call or answer from GatewayStream::NextSet(), into `*frame`.
+// Returns "" or the reason why `item` is invalid.
 std::string DecodeProxyFrame(const std::string& item, ProxyFrame* frame);
 
 }  // namespace openr_host

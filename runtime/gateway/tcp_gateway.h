@@ -49,9 +49,9 @@ class TcpGateway : public CodeObject {
   // ---- Functions for the channels of this gateway
 
   const antStackRef& stack() const { return stack_; }
-  // Sends `message` to IPStack.  The caller has stored the number of a channel (service of the
-  // gateway) in the field `continuation`.  IPStack copies this field into its answer, so the answer
-  // goes to that channel.
+  // Sends `message` to the network stack, the object IPStack.  The caller has stored the number of
+  // a channel (service of the gateway) in the field `continuation`.  IPStack copies this field into
+  // its answer, so the answer goes to that channel.
   void PostToStack(antEnvMsg* message, int size);
   // Posts a message that calls GatewayConnection::Open() of `channel` after `delay_us`, so that the
   // host's side tries again to connect.
