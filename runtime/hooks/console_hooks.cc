@@ -35,7 +35,8 @@ ssize_t ReadConsole(char* buffer, size_t size) {
   return static_cast<ssize_t>(t_current.system->calls().ReadLine(buffer, size));
 }
 
-// Returns the standard input of the current object; makes it at the first call.
+// Returns the current object's own standard input, which reads from the console; makes it at the
+// first call.
 FILE* Terminal() {
   const ApiScope scope;
   FILE*& terminal = t_current.object->files.terminal;

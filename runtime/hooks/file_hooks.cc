@@ -157,7 +157,8 @@ FILE* OpenFile(const char* path, const char* mode) {
 }
 
 // Removes `file` from the open files of the current object, because `file` is about to be closed,
-// and returns what is known of it.  Reports that an earlier write has failed.
+// and returns its entry in the table of these files.  Adds a finding if an earlier write to the
+// file has failed.
 OpenFiles::File ForgetStream(FILE* file) {
   const ApiScope scope;
   const auto found = t_current.object->files.streams.find(file);
@@ -273,7 +274,8 @@ FILE* fopen64(const char* path, const char* mode) { return OpenFile(path, mode);
 FILE* freopen(const char* path, const char* mode, FILE* file) {
   static const auto next = OPENR_NEXT(freopen);
   if (!InObject() || path == nullptr) return next(path, mode, file);
-  // Refuses the streams of the terminal, because on the host they belong to the whole run.
+  // Refuses freopen() of stdin, stdout and stderr, because on the host these streams of the
+  // terminal belong to the whole run.
   if (file == stdin || file == stdout || file == stderr) {
     const ApiScope scope;
     t_current.system->AddFinding(
@@ -285,7 +287,8 @@ FILE* freopen(const char* path, const char* mode, FILE* file) {
   }
   const std::string host = HostPath(path, UseOf(mode));
   const bool writes = OpensForWriting(mode);
-  // freopen() closes the stream, whose last bytes are written then, without a look at errors.
+  // Writes the last bytes of the old file first, because freopen() writes them when it closes the
+  // old file and does not report an error.
   if (t_current.object->files.streams.contains(file)) static_cast<void>(fflush(file));
   ForgetStream(file);
   const bool may_open = !host.empty() && MayOpen(host, writes, path);
@@ -312,7 +315,8 @@ int close(int descriptor) {
   static const auto next = OPENR_NEXT(close);
   if (!InObject()) return next(descriptor);
   const ApiScope scope;
-  // Reports success but leaves the console open, because it belongs to the whole run.
+  // close() of the console reports success but leaves the console open, because the console belongs
+  // to the whole run.
   if (descriptor >= STDIN_FILENO && descriptor <= STDERR_FILENO) return 0;
   if (ForgetDescriptor(descriptor)) return next(descriptor);
   errno = EBADF;  // refuses, because an object must not close descriptors of the host

@@ -27,7 +27,7 @@ Function* NextSymbol(const char* name) {
 
 }  // namespace openr_host
 
-// Calls NextSymbol() for a function that a header declares, so that the caller need not write the
-// function's type.
+// Finds the C library's function `name`.  A header must declare this function, so that the caller
+// need not write the function's type.
 #define OPENR_NEXT(name) \
   (static_cast<decltype(&name)>(openr_host::NextSymbol<decltype(name)>(#name)))

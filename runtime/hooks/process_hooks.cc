@@ -98,9 +98,9 @@ void __assert_fail(const char* condition, const char* file, unsigned line,
 }
 
 // Registers the destructor of a static object.  The C library's list of destructors exists longer
-// than any object of the robot, so its memory must come from the host's heap (ApiScope).  If
-// `argument` is null, the caller is atexit().  Then registers nothing, because atexit() does
-// nothing on the robot.
+// than any object of the robot, so its memory must come from the host's heap, which ApiScope
+// selects.  If `argument` is null, the caller is atexit().  Then registers nothing, because
+// atexit() does nothing on the robot.
 int __cxa_atexit(void (*function)(void*), void* argument, void* module) noexcept {
   static const auto next = NextSymbol<int(void (*)(void*), void*, void*)>("__cxa_atexit");
   if (argument == nullptr && InObject()) return 0;

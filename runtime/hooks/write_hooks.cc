@@ -87,7 +87,7 @@ ssize_t writev(int descriptor, const iovec* parts, int count) {
 size_t fwrite(const void* data, size_t size, size_t count, FILE* file) {
   static const auto next = OPENR_NEXT(fwrite);
   const size_t written = next(data, size, count, file);
-  // fwrite() also returns 0 if there is nothing to write.
+  // A result of 0 is no failure if `size` is 0, because then there is nothing to write.
   if (written < count && size != 0 && InObject()) ReportFailedStream(file);
   return written;
 }
@@ -102,8 +102,8 @@ int fflush(FILE* file) {
 void rewind(FILE* file) {
   static const auto next = OPENR_NEXT(rewind);
   if (InObject()) {
-    // Looks for failures first, because rewind() writes the bytes that the stream holds and then
-    // clears the mark of an error.
+    // Looks for failed writes first, because rewind() writes the bytes that the stream still holds
+    // and then clears the stream's mark of an error.
     const ApiScope scope;
     OpenFiles& files = t_current.object->files;
     const auto found = files.streams.find(file);
