@@ -1,4 +1,5 @@
-// Results of operations on a DNS endpoint.
+// Results of look-ups of host names and addresses: the errors in messages to a DNS endpoint of the
+// network stack.
 #ifndef OPENR_DNSENDPOINTERR_H_INCLUDED
 #define OPENR_DNSENDPOINTERR_H_INCLUDED
 

@@ -1,7 +1,8 @@
-// Messages to a DNS endpoint.  Only one question may wait for its answer at a time.
+// Messages to a DNS endpoint, which looks up names and addresses of hosts.  Only one query may wait
+// for its answer at a time.
 //
-// A name without a dot at its end gets the default domain appended.  All objects share one list of
-// servers.
+// The stack appends the default domain to a host name without a dot at its end.  All objects share
+// one list of DNS servers.
 #ifndef OPENR_DNSENDPOINTMSG_H_INCLUDED
 #define OPENR_DNSENDPOINTMSG_H_INCLUDED
 
@@ -9,12 +10,13 @@
 #include <IPv4Types.h>
 #include <antEnvMsg.h>
 
-// The largest number of servers, and the size of a name with its closing NUL.  With these limits a
-// message has less than 256 bytes.
+// The largest number of DNS servers, and the size in bytes of a host name with its closing NUL.
+// With these limits a message has less than 256 bytes.
 #define MAXNS 3
 #define MAXDNAME 100
 
-// Values of dstOperation; the numbers are those of the robot, the names are our choice.
+// The operations that a message to a DNS endpoint can request (field dstOperation).  The numbers
+// are those of the robot, the names are our choice.
 const int32 DNSEndpoint_Operation_SetServerAddresses = 0;
 const int32 DNSEndpoint_Operation_GetServerAddresses = 1;
 const int32 DNSEndpoint_Operation_SetDefaultDomainName = 2;
@@ -25,14 +27,14 @@ const int32 DNSEndpoint_Operation_GetAddress = 6;
 const int32 DNSEndpoint_Operation_GetAlias = 7;
 const int32 DNSEndpoint_Operation_Close = 8;
 
-// The base of the messages below.
+// The base class of all messages to a DNS endpoint.
 struct DNSEndpointBaseMsg : public antOperationMsg<DNSEndpointError> {
   DNSEndpointBaseMsg(int32 operation = 0) : antOperationMsg<DNSEndpointError>(operation) {}
   DNSEndpointBaseMsg(antModuleRef& module, int32 operation)
       : antOperationMsg<DNSEndpointError>(module, operation) {}
 };
 
-// Sets the list of servers; servers after the first MAXNS are ignored.
+// Sets the list of DNS servers; servers after the first MAXNS are ignored.
 struct DNSEndpointSetServerAddressesMsg : public DNSEndpointBaseMsg {
   int32 nscount;
   IPAddress addrList[MAXNS];
@@ -63,8 +65,8 @@ struct DNSEndpointGetDefaultDomainNameMsg : public DNSEndpointBaseMsg {
   explicit DNSEndpointGetDefaultDomainNameMsg(antModuleRef& module);
 };
 
-// Asks for the addresses of a host.  On failure n_address is 0 and name keeps its value; the same
-// holds for DNSEndpointGetHostByAddrMsg.
+// Asks for the addresses of the host `name`.  If the query fails, n_address is 0 and `name` keeps
+// its value in the answer; the same holds for DNSEndpointGetHostByAddrMsg.
 struct DNSEndpointGetHostByNameMsg : public DNSEndpointBaseMsg {
   char name[MAXDNAME];       // in the answer: the official name
   IPAddress server_address;  // in the answer: the server that answered
@@ -87,8 +89,8 @@ struct DNSEndpointGetHostByAddrMsg : public DNSEndpointBaseMsg {
   DNSEndpointGetHostByAddrMsg(antModuleRef& module, IPAddress address);
 };
 
-// Asks for an address of the host that was found last, by the index of the address; the error is
-// DNS_INDEX_INVALID if no address has this index.
+// Asks for one address of the host that the last query has found, by the index of the address.  The
+// error is DNS_INDEX_INVALID if no address has this index.
 struct DNSEndpointGetAddressMsg : public DNSEndpointBaseMsg {
   int32 index;
   IPAddress address;  // set in the answer
@@ -97,8 +99,8 @@ struct DNSEndpointGetAddressMsg : public DNSEndpointBaseMsg {
   DNSEndpointGetAddressMsg(antModuleRef& module, int number);
 };
 
-// Asks for an alias of the host that was found last, by the index of the alias.  Alias 0 is the
-// official name.
+// Asks for one alias of the host that the last query has found, by the index of the alias.  Alias 0
+// is the official name.
 struct DNSEndpointGetAliasMsg : public DNSEndpointBaseMsg {
   int32 index;
   char name[MAXDNAME];  // set in the answer

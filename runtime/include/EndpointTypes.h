@@ -1,5 +1,5 @@
-// Protocols for antEnvCreateEndpointMsg.  TCP, UDP, DNS and IP have messages; the others are only
-// numbers.
+// The protocols that antEnvCreateEndpointMsg can name for a new endpoint.  Headers with messages
+// exist for endpoints of TCP, UDP, DNS and IP; the other protocols are only numbers here.
 #ifndef OPENR_ENDPOINTTYPES_H_INCLUDED
 #define OPENR_ENDPOINTTYPES_H_INCLUDED
 

@@ -1,5 +1,5 @@
 // Arguments of the functions in ERA201D1.h that do not depend on radio, and messages to the driver
-// of an Ethernet card.
+// of a network card.
 #ifndef OPENR_ETHERDRIVERMSG_H_INCLUDED
 #define OPENR_ETHERDRIVERMSG_H_INCLUDED
 
@@ -19,12 +19,13 @@ struct EtherDriverGetStatisticsMsg {
   EtherStatus status;
 };
 
-// ---- messages to the driver
+// ---- messages to the driver of the network card
 //
 // On the robot only the network stack sends these messages; applications cannot, and the host has
-// no driver.  The messages are declared because sources name them.
+// no driver.  The messages are declared because sources of old programs name them.
 
-// The number of a client, which the driver gives when the client registers.
+// The number of a user of the network card's driver, such as the network stack.  The driver gives
+// this number when the user registers.
 typedef longword EtherClientHandle;
 
 struct EtherDeviceInfo {

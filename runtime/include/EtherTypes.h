@@ -27,16 +27,16 @@ enum EtherStatus {
 const char* EtherStatusText(int status);
 #define etherStatusStr(s) EtherStatusText(s)
 
-// Writes the text of EtherStatusText().
+// Writes the name of the status constant, such as "ETHER_OK".
 std::ostream& operator<<(std::ostream& out, EtherStatus status);
 
-// ---- addresses and frames
+// ---- Ethernet addresses and Ethernet frames
 
 #define ETHER_ADDR_LEN 6  // in octets
 
 // An Ethernet address, 6 bytes in the order in which they are sent.
 struct EtherMACAddress {
-  // The six octets of an address as three words.
+  // The six octets of an Ethernet address as three words.
   struct Opt {
     word w1;
     word w2;
@@ -63,7 +63,7 @@ struct EtherMACAddress {
   // Returns whether this is the address of a group or of all stations: the bit sent first is set.
   bool IsMulticast() const { return (octet[0] & 1) != 0; }
 
-  // Writes the six octets.
+  // Copies the six octets of this address to `octets`.
   void ToByte(byte* octets) const {
     for (int i = 0; i < ETHER_ADDR_LEN; i++) octets[i] = octet[i];
   }
@@ -90,7 +90,8 @@ struct EtherMACAddress {
 // Writes the address in the form "02:00:00:00:00:01".
 std::ostream& operator<<(std::ostream& out, const EtherMACAddress& address);
 
-// The protocol in a frame: a value of the field ether_type, whose high byte is sent first.
+// The protocol of an Ethernet frame: a value of the field ether_type, whose high byte is sent
+// first.
 typedef word EtherProtocolType;
 
 enum EtherFrameType {  // the name of the type is our choice
@@ -98,14 +99,14 @@ enum EtherFrameType {  // the name of the type is our choice
   ETHER_FRAMETYPE_IEEE_802_3 = 1
 };
 
-// The first 14 bytes of a frame of Ethernet II.
+// The first 14 bytes of an Ethernet II frame.
 struct ether_header {
   byte ether_dhost[ETHER_ADDR_LEN];  // address of the receiver
   byte ether_shost[ETHER_ADDR_LEN];  // address of the sender
   word ether_type;
 };
 
-// The first 22 bytes of a frame of IEEE 802.3 with a SNAP header.
+// The first 22 bytes of a network frame of IEEE 802.3 with a SNAP header.
 struct ether_802_3_header {
   byte ether_dhost[ETHER_ADDR_LEN];  // address of the receiver
   byte ether_shost[ETHER_ADDR_LEN];  // address of the sender
@@ -117,7 +118,8 @@ struct ether_802_3_header {
   word ether_type;
 };
 
-// The shared memory through which the driver and a client pass frames; not used on the host.
+// The shared memory through which the driver of the network card and its user pass Ethernet frames;
+// not used on the host.
 struct EtherFrameBufferID {
   MemoryRegionID rcvID;
   unsigned int rcvsize;  // in bytes
@@ -127,7 +129,7 @@ struct EtherFrameBufferID {
   void* txbase;
 };
 
-// ---- settings and counters
+// ---- settings and counters of the network card
 
 enum EtherDeviceMode {
   ETHER_MODE_10BASET = 0,
@@ -138,18 +140,18 @@ enum EtherDeviceMode {
   ETHER_MODE_AUTONEGOTIATION = 5
 };
 
-// The level of the promiscuous mode, in which a client also gets frames that are addressed to other
-// receivers.
+// The level of the promiscuous mode, in which the user of the network card also gets Ethernet
+// frames that are addressed to other receivers.
 enum EtherPromiscLevel { ETHER_PROMISC_PHYS = 1, ETHER_PROMISC_RAW = 2, ETHER_PROMISC_MULTI = 4 };
 
-// The moment at which the driver reports that frames have been sent.
+// The moment at which the driver of the network card reports that Ethernet frames have been sent.
 enum EtherTxmitNotificationFlag {
   ETHER_NOTIFY_NEVER = 1,
   ETHER_NOTIFY_ONCE = 2,
   ETHER_NOTIFY_FREED = 4
 };
 
-// The counters of a card, 36 bytes.
+// The error counters of a network card, 36 bytes.
 struct EtherDriverStatistics {
   longword carrier_sense_error_count;
   longword late_collision_count;
@@ -174,10 +176,12 @@ struct EtherStatistics {
   uint32 frameTooLongCount;
 };
 
-// Limits of names, in characters without the closing NUL.
+// Limits for the name of a wireless network (ESSID) and the name of a station, in characters
+// without the closing NUL.
 #define ETHER_WLAN_ESSID_MAX 32
 #define ETHER_WLAN_STATIONNAME_MAX 32
-// Sizes in bytes of the two kinds of WEP key, inferred from the sizes of the messages.
+// Sizes in bytes of the two kinds of WEP key, inferred from the sizes of the messages to the
+// driver.
 #define ETHER_WLAN_ENC_MAX 5
 #define ETHER_WLAN_ENC_128_MAX 13
 

@@ -1,4 +1,4 @@
-// The types of an IPv4 address and of a port.
+// The type of an IPv4 address and the type of a port number.
 #ifndef OPENR_IPADDRESS_H_INCLUDED
 #define OPENR_IPADDRESS_H_INCLUDED
 

@@ -33,20 +33,21 @@ enum IPPacketType {
 // a number that belongs to no constant.
 std::ostream& operator<<(std::ostream& out, IPEndpointError error);
 
-// The base of the messages below.
+// The base class of all messages to a raw IP endpoint.
 struct IPEndpointBaseMsg : public antOperationMsg<IPEndpointError> {
   IPEndpointBaseMsg(int32 operation = 0) : antOperationMsg<IPEndpointError>(operation) {}
   IPEndpointBaseMsg(antModuleRef& module, int32 operation)
       : antOperationMsg<IPEndpointError>(module, operation) {}
 };
 
-// Values of dstOperation; the numbers are those of the robot, the names are our choice.
+// The operations that a message to a raw IP endpoint can request (field dstOperation).  The numbers
+// are those of the robot, the names are our choice.
 const int32 IPEndpoint_Operation_Bind = 1;
 const int32 IPEndpoint_Operation_Send = 2;
 const int32 IPEndpoint_Operation_Receive = 3;
 const int32 IPEndpoint_Operation_Close = 4;
 
-// Selects the protocol; the error is IP_INVALID_PROTOCOL for TCP and UDP.
+// Selects the protocol of a raw IP endpoint.  The error is IP_INVALID_PROTOCOL for TCP and UDP.
 struct IPEndpointBindMsg : public IPEndpointBaseMsg {
   Protocol protocol;
 

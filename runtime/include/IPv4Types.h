@@ -1,4 +1,4 @@
-// Constants for addresses and protocols, and the errors inside of the IPv4 stack.
+// Constants for addresses and protocols, and the internal errors of the robot's IPv4 stack.
 #ifndef OPENR_IPV4TYPES_H_INCLUDED
 #define OPENR_IPV4TYPES_H_INCLUDED
 
@@ -11,7 +11,7 @@ extern const IPAddress IP_ADDR_ANY;        // 0.0.0.0
 extern const IPAddress IP_ADDR_BROADCAST;  // 255.255.255.255
 const Port IP_PORT_ANY = 0;
 
-// Errors inside of the stack; programs never get them.
+// Internal errors of the robot's IPv4 stack; programs never get them.
 enum IPv4Error {
   IPV4_SUCCESS = 0,
   IPV4_FAIL = 1,

@@ -1,4 +1,5 @@
-// The functions of the Aperios mCOOP layer that application objects can call.
+// The functions of Aperios, the robot's operating system, that objects of a program can call; mCOOP
+// is the name of this interface.
 //
 // All return an sError unless noted.  New, Delete, Load, Unload, LoadAndExecMAV and SetEntryTable
 // are left out, because only the system calls them and no source gives their arguments.
@@ -23,8 +24,8 @@ extern "C" {
 // call, so that a loop that waits for a certain time comes to an end.
 sError GetSystemTime(SystemTime* time);
 
-// Functions that find an object or an entry, or register and remove the name of an object.  At
-// first the name of an object is the OBJECT_NAME of its .ocf file.
+// Find an object or an entry, register or remove the name of an object; WhoAmI() returns the OID of
+// the calling object.  At first the name of an object is the OBJECT_NAME of its .ocf file.
 sError WhoAmI(OID* oid);
 sError Find(const char* name, OID* oid);
 sError Register(OID oid, const char* name);
@@ -43,7 +44,8 @@ sError Call(OID oid, Selector selector, void* msg, size_t size, void* reply = 0,
             size_t replySize = 0);
 // Answers the Call or SendWithRBox that the running handler received.
 sError Reply(void* msg = 0, size_t size = 0);
-// Passes the request of the running handler on to another object, which answers it.
+// Passes the request that the running handler has received on to another object, which answers it
+// in place of this object.
 sError Delegate(OID oid, Selector selector, void* msg, size_t size);
 sError CleanRBox(RID rbox);
 
@@ -60,13 +62,13 @@ sError SetTimeEvent(TimeEventInfo* info, OID oid, Selector selector, void* msg, 
 sError SetReplyEvent(RID rbox, OID oid, Selector selector, void* msg, size_t size, EventID* event);
 sError CancelEvent(EventID event);
 
-// Make and delete private memory of this object.
+// Make and delete private memory of the calling object.
 sError NewRegion(size_t size, void** base);
 sError DeleteRegion(void* base);
 
-// Functions for memory that can be shared with other objects.  Other objects need the owner's
-// permission; without it they get error 44.  Sizes are in bytes; a region cannot grow beyond its
-// first size.
+// Functions for memory that can be shared with other objects.  Another object needs the owner's
+// permission to use the memory; without it the call fails with error 44
+// (sPERMISSIONDENIEDSHAREDMEM).  Sizes are in bytes; a region cannot grow beyond its first size.
 sError NewSharedMemoryRegion(size_t size, MemoryProtectionInfo info, MemoryRegionID* id,
                              void** base);
 sError DeleteSharedMemoryRegion(MemoryRegionID id);
@@ -90,7 +92,7 @@ sError Wait(longword nanosec);
 
 }  // extern "C"
 
-// Old forms of functions above: here Send() with five arguments is SendWithRBox().
+// Old forms of other functions of MCOOP.h: here Send() with five arguments is SendWithRBox().
 inline sError Send(OID oid, Selector selector, void* msg, size_t size, RID* rbox) {
   return SendWithRBox(oid, selector, msg, size, rbox);
 }

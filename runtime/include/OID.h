@@ -11,7 +11,7 @@
 void* const OID_UNDEF = reinterpret_cast<void*>(0xffffffffUL);
 void* const OID_ALL = 0;
 
-// An OID as plain data, for structures that C code reads too.
+// An OID (the id of an object) as plain data, for structures that C code reads too.
 struct structOID {
   void* address;
 };

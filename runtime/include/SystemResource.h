@@ -16,7 +16,7 @@ const sResource rMAXEVENT = 12;        // the limit for ordered events that are 
 const sResource rMAXENTRIES = 13;      // the limit for entries; always 64
 const sResource rMAXSWITCHNUMOFS = 14;
 
-// The number of values reserved for limits.
+// The number of values of sResource that are reserved for limits of an object.
 const sResource NumberOfResource = 270;
 
 #endif  // OPENR_SYSTEMRESOURCE_H_INCLUDED

@@ -35,14 +35,15 @@ enum TCPEndpointError {
 // for a number that belongs to no constant.
 std::ostream& operator<<(std::ostream& out, TCPEndpointError error);
 
-// The base of the messages below.
+// The base class of all messages to a TCP endpoint.
 struct TCPEndpointBaseMsg : public antOperationMsg<TCPEndpointError> {
   TCPEndpointBaseMsg(int32 operation = 0) : antOperationMsg<TCPEndpointError>(operation) {}
   TCPEndpointBaseMsg(antModuleRef& module, int32 operation)
       : antOperationMsg<TCPEndpointError>(module, operation) {}
 };
 
-// Values of dstOperation; the numbers are those of the robot, the names are our choice.
+// The operations that a message to a TCP endpoint can request (field dstOperation).  The numbers
+// are those of the robot, the names are our choice.
 const int32 TCPEndpoint_Operation_Bind = 1;
 const int32 TCPEndpoint_Operation_Listen = 2;
 const int32 TCPEndpoint_Operation_Connect = 3;
@@ -105,8 +106,8 @@ struct TCPEndpointConnectMsg : public TCPEndpointBaseMsg {
         fPort(foreignPort) {}
 };
 
-// Sends data.  The answer comes when the stack has accepted all data, which may be before the peer
-// has received them.
+// Sends data.  The answer comes when the network stack has accepted all data, which may be before
+// the peer has received them.
 struct TCPEndpointSendMsg : public TCPEndpointBaseMsg {
   byte* buffer;  // must point into a shared buffer and must not be changed before the answer
   int size;      // in bytes
@@ -144,7 +145,8 @@ struct TCPEndpointReceiveMsg : public TCPEndpointBaseMsg {
 };
 
 // Closes the connection; the answer comes when it is closed.  Sony's network guide shows a
-// constructor with the arguments (module, abort), but the argument after the module is `linger`.
+// constructor with the arguments (module, abort), but here, the argument after the module is
+// `linger`.
 struct TCPEndpointCloseMsg : public TCPEndpointBaseMsg {
   bool abort;  // true: drops the connection and all data at once
   bool linger;

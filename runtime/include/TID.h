@@ -5,7 +5,7 @@
 #include <OID.h>
 #include <Types.h>
 
-// A TID as plain data, for structures that C code reads too.
+// A TID (the id of a transaction) as plain data, for structures that C code reads too.
 struct BaseTID {
   structOID mailer;
   longword value;

@@ -1,4 +1,5 @@
-// The times at which messages of SetTimeEvent() are due.  EventID.h has the id for cancelling them.
+// The times at which the messages that SetTimeEvent() requests are due.  EventID.h has the id for
+// cancelling them.
 #ifndef OPENR_TIMEEVENT_H_INCLUDED
 #define OPENR_TIMEEVENT_H_INCLUDED
 

@@ -1,4 +1,4 @@
-// The times at which messages of SetTimeEvent() are due: the base of all time events.
+// The base of all times for SetTimeEvent(), which requests messages that come later.
 #ifndef OPENR_TIMEEVENTINFO_H_INCLUDED
 #define OPENR_TIMEEVENTINFO_H_INCLUDED
 

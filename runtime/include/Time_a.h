@@ -21,7 +21,8 @@ inline bool operator==(const RelativeTime& left, const RelativeTime& right) {
   return left.sec == right.sec && left.msec == right.msec;
 }
 
-// The system's own form of a span of time.  Unlike a RelativeTime it can be longer than 136 years.
+// The form in which the system itself stores a span of time.  Unlike a RelativeTime it can be
+// longer than 136 years.
 struct InternalTime {
   int day;
   longword sec;

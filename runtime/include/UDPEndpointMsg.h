@@ -32,15 +32,16 @@ enum UDPEndpointError {
 // for a number that belongs to no constant.
 std::ostream& operator<<(std::ostream& out, UDPEndpointError error);
 
-// The base of the messages below.
+// The base class of all messages to a UDP endpoint.
 struct UDPEndpointBaseMsg : public antOperationMsg<UDPEndpointError> {
   UDPEndpointBaseMsg(int32 operation = 0) : antOperationMsg<UDPEndpointError>(operation) {}
   UDPEndpointBaseMsg(antModuleRef& module, int32 operation)
       : antOperationMsg<UDPEndpointError>(module, operation) {}
 };
 
-// Values of dstOperation; the numbers are those of the robot, the names are our choice.  Numbers 5
-// to 8 are for multicast, which programs cannot use.
+// The operations that a message to a UDP endpoint can request (field dstOperation).  The numbers
+// are those of the robot, the names are our choice.  Numbers 5 to 8 are for multicast, which
+// programs cannot use.
 const int32 UDPEndpoint_Operation_Bind = 0;
 const int32 UDPEndpoint_Operation_Connect = 1;
 const int32 UDPEndpoint_Operation_Send = 2;
@@ -52,8 +53,8 @@ const int32 UDPEndpoint_Operation_ReadyForWrite = 11;
 const int32 UDPEndpoint_Operation_Address = 12;
 const int32 UDPEndpoint_Operation_ResetConnect = 13;
 
-// Binds the endpoint.  With IP_ADDR_ANY and IP_PORT_ANY the stack chooses; the answer contains the
-// chosen address and port.
+// Binds the endpoint.  With IP_ADDR_ANY and IP_PORT_ANY the network stack chooses; the answer
+// contains the chosen address and port.
 struct UDPEndpointBindMsg : public UDPEndpointBaseMsg {
   IPAddress address;
   Port port;
@@ -63,7 +64,7 @@ struct UDPEndpointBindMsg : public UDPEndpointBaseMsg {
       : UDPEndpointBaseMsg(module, UDPEndpoint_Operation_Bind), address(addr), port(portNr) {}
 };
 
-// Sets the peer of all later sends and receives.
+// Sets the peer of all later sends and receives of the endpoint.
 struct UDPEndpointConnectMsg : public UDPEndpointBaseMsg {
   IPAddress address;
   Port port;
@@ -74,7 +75,7 @@ struct UDPEndpointConnectMsg : public UDPEndpointBaseMsg {
       : UDPEndpointBaseMsg(module, UDPEndpoint_Operation_Connect), address(addr), port(portNr) {}
 };
 
-// Sends one datagram.  The answer comes when the stack has accepted the data.
+// Sends one datagram.  The answer comes when the network stack has accepted the data.
 struct UDPEndpointSendMsg : public UDPEndpointBaseMsg {
   IPAddress address;
   Port port;

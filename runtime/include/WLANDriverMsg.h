@@ -27,7 +27,7 @@ struct EtherDriverGetWLANStatisticsMsg {
   EtherStatus status;
 };
 
-// ---- messages to the driver
+// ---- messages to the driver of the wireless card
 //
 // The messages change the settings of WLANCONF.TXT.  Objects of users cannot send them to the
 // driver of the wireless card.  They are declared because sources of old programs name them.

@@ -20,7 +20,7 @@ enum { antEnv_numEntries = 3 };
 
 enum antEnvInvocationType { ANTENVMSG_SEND = 0, ANTENVMSG_CALL = 1 };
 
-// The entry to which an answer is sent.
+// The entry of an object to which the network stack sends the answer to a message.
 struct antEnvMsgContInfo {
   OID oid;
   Selector selector;
@@ -61,7 +61,8 @@ class antEnvMsg {
   // `oid`. ANT_SUCCESS means only that the message was posted; the operation may still fail.
   antError Send(antStackRef target, OID& oid, int32 selector, int size);
 
-  // Waits for the answer and puts it into this message.  Blocks the calling object.
+  // Sends this message to the network stack, waits for the answer and puts it into this message.
+  // Only the calling object waits.
   antError Call(antStackRef target, int size);
 
   // Returns the answer that an entry has received; called as the first statement of this entry.
@@ -71,7 +72,8 @@ class antEnvMsg {
   int32 GetOperation() const { return dstOperation; }
   OID& GetSender() { return sender; }
 
-  // Returns the message with its answer to the sender; called by the stack.
+  // Returns the message with its answer to the sender; called by an object that acts as a network
+  // stack.
   antError Reply();
 };
 
@@ -88,7 +90,8 @@ class antOperationMsg : public antEnvMsg {
     dstModule = module;
   }
 
-  // Sets the error and returns the message to the sender; called by the stack.
+  // Sets the error and returns the message to the sender; called by an object that acts as a
+  // network stack.
   antError Reply(Error e) {
     error = e;
     return antEnvMsg::Reply();

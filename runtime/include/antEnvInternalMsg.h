@@ -1,16 +1,18 @@
-// Messages to the stack itself, about endpoints, shared buffers and parameters.
+// Messages to the network stack itself, about endpoints, shared buffers and parameters.
 #ifndef OPENR_ANTENVINTERNALMSG_H_INCLUDED
 #define OPENR_ANTENVINTERNALMSG_H_INCLUDED
 
 #include <antEnvBaseMsg.h>
 #include <antSharedBuffer.h>
 
-// Values of dstOperation in messages to the entry Entry_antEnv_External.
+// The operations that a message to the network stack's entry Entry_antEnv_External can request
+// (field dstOperation).
 const int32 antEnv_Operation_CreateEndpoint = -1;
 const int32 antEnv_Operation_CreateSharedBuffer = -2;
 const int32 antEnv_Operation_DestroySharedBuffer = -3;
 
-// Values of dstOperation in messages to the entry Entry_antEnv_Initialize.
+// The operations that a message to the network stack's entry Entry_antEnv_Initialize can request
+// (field dstOperation).
 const int32 antEnv_Operation_InitSetParam = -1;
 const int32 antEnv_Operation_InitStart = -2;
 const int32 antEnv_Operation_InitGetParam = -3;
@@ -18,11 +20,12 @@ const int32 antEnv_Operation_InitGetParam = -3;
 const int32 antEnv_InitParam_Int32 = -1;
 const int32 antEnv_InitParam_String = -2;
 
-// Sizes of a key and of a text value, with the closing NUL.
+// Sizes in bytes of the name and of the text value of a parameter of the network stack, with the
+// closing NUL.
 #define ANTENV_KEY_LENGTH_MAX 32
 #define ANTENV_VALUE_LENGTH_MAX 32
 
-// Makes an endpoint, which serves one connection.
+// Makes an endpoint of the network stack, which serves one connection.
 struct antEnvCreateEndpointMsg : public antOperationMsg<antError> {
   int32 protocol;  // a constant EndpointType_...
   int32 poolSize;  // size in bytes of the memory for packets; must be more than the largest send
@@ -57,7 +60,7 @@ union antEnvParamValue {
   int32 i32;
 };
 
-// Asks for a parameter by name; "ETHER_IP" gives the robot's address as text.
+// Asks for a parameter of the network stack by name; "ETHER_IP" gives the robot's address as text.
 struct antEnvInitGetParamMsg : public antEnvMsg {
   int32 paramType;  // in the answer: a constant antEnv_InitParam_...
   char key[ANTENV_KEY_LENGTH_MAX];
@@ -72,7 +75,7 @@ struct antEnvInitGetParamMsg : public antEnvMsg {
   }
 };
 
-// Sets a parameter; allowed to system objects only.
+// Sets a parameter of the network stack; allowed to system objects only.
 struct antEnvInitSetParamMsg : public antEnvMsg {
   int32 paramType;  // a constant antEnv_InitParam_...
   char key[ANTENV_KEY_LENGTH_MAX];
@@ -88,7 +91,7 @@ struct antEnvInitSetParamMsg : public antEnvMsg {
   }
 };
 
-// Starts the stack; allowed to system objects only.
+// Starts the network stack; allowed to system objects only.
 struct antEnvInitStartMsg : public antEnvMsg {
   antError error;  // set in the answer
 

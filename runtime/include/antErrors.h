@@ -38,14 +38,14 @@ enum antError {
   ANT_INITIALIZING = 29
 };
 
-// A notification of the stack, not an error; not used.
+// A notification of the network stack, not an error; the host does not use it.
 const int ANT_SDUMEMORY_AVAILABLE = 1;
 
 // Returns the name of the error's constant, such as "ANT_FAIL".  Returns "unknown antError" for a
 // number that belongs to no constant.
 const char* antErrorString(antError error);
 
-// Writes the text of antErrorString().
+// Writes the name of the error's constant, such as "ANT_FAIL".
 std::ostream& operator<<(std::ostream& out, antError error);
 
 #endif  // OPENR_ANTERRORS_H_INCLUDED

@@ -1,4 +1,5 @@
-// The reference to an endpoint.  The fields of the reference mean nothing to programs.
+// antModuleRef, the reference to an endpoint of the network stack.  Its fields mean nothing to
+// programs.
 #ifndef OPENR_ANTMODULEREF_H_INCLUDED
 #define OPENR_ANTMODULEREF_H_INCLUDED
 
@@ -6,8 +7,8 @@
 
 #include <iostream>
 
-// The reference has 8 bytes on the robot.  The stack sets its fields, to different values for each
-// endpoint.  A null reference means the stack itself.
+// The reference to an endpoint, 8 bytes on the robot.  The network stack sets its fields, to
+// different values for each endpoint.  A null reference means the stack itself.
 class antModuleRef {
  public:
   void* module;

@@ -8,14 +8,14 @@
 
 // A shared buffer; 16 bytes on the robot.  A copy of this object refers to the same memory.
 //
-// The stack makes the buffer (antEnvCreateSharedBufferMsg).  The program calls Map(), uses the
-// buffer, calls UnMap() and sends antEnvDestroySharedBufferMsg.  Sizes are rounded up to pages of
-// 4096 bytes.
+// The network stack makes the buffer (antEnvCreateSharedBufferMsg).  The program calls Map(), uses
+// the buffer, calls UnMap() and sends antEnvDestroySharedBufferMsg.  Sizes are rounded up to pages
+// of 4096 bytes.
 class antSharedBuffer {
  public:
   antSharedBuffer() : region_(0), base_(0), size_(0), cookie_(0) {}
 
-  // Refers to an existing buffer; used by the stack.
+  // Refers to an existing buffer; used by the network stack.
   antSharedBuffer(MemoryRegionID region, uint32 size, uint32 cookie)
       : region_(region), base_(0), size_(size), cookie_(cookie) {}
   MemoryRegionID GetRegion() const { return region_; }

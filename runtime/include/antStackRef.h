@@ -1,4 +1,4 @@
-// A reference to a protocol stack, found by its name: antStackRef ref("IPStack").
+// A reference to a network stack, found by its name: antStackRef ref("IPStack").
 #ifndef OPENR_ANTSTACKREF_H_INCLUDED
 #define OPENR_ANTSTACKREF_H_INCLUDED
 
@@ -11,7 +11,7 @@ class antStackRef {
   antStackRef() : dispatcher_(0) {}
   antStackRef(const OID& oid) : oid_(oid), dispatcher_(0) {}
 
-  // Finds the stack by name; the reference is invalid if no object has that name.
+  // Finds the network stack by its name; the reference is invalid if no object has that name.
   antStackRef(const char* name);
 
   bool IsValid() const { return oid_.IsValid(); }

@@ -4,8 +4,8 @@
 
 #include <Types.h>
 
-// Defines ENTRYNAME, a function for ObjectEntryTable that calls the
-// extern "C" function FUNNAME with the address of the message.
+// Defines ENTRYNAME, a function for an object's table of entries (ObjectEntryTable), which calls
+// the extern "C" function FUNNAME with the address of the message.
 #define GEN_ENTRY(ENTRYNAME, FUNNAME)                              \
   extern "C" void ENTRYNAME(void* msg) __attribute__((used));      \
   extern "C" void openr_call_##ENTRYNAME(void*) __asm__(#FUNNAME); \

@@ -7,7 +7,8 @@
 
 #include <Types.h>
 
-// The first ten results are macros, as on the robot, so that the preprocessor can test them.
+// The first ten results of Aperios functions are macros, as on the robot, so that the preprocessor
+// can test them.
 #define sSUCCESS 0
 #define sUNDEF 1
 #define sFAIL 2

@@ -9,7 +9,7 @@
 template <class T>
 class ArrayStack {
  public:
-  // REQUIRES: maxSize > 0.
+  // Makes an empty stack for at most maxSize elements.  REQUIRES: maxSize > 0.
   explicit ArrayStack(int maxSize) : element_(new T[maxSize]), max_size_(maxSize), size_(0) {}
   ~ArrayStack() { delete[] element_; }
 

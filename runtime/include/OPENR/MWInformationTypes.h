@@ -1,4 +1,4 @@
-// Identifiers of the undocumented "level 1" information service.
+// Identifiers of the "level 1" information service of OPEN-R, for which there is no document.
 #ifndef OPENR_MWINFORMATIONTYPES_H_INCLUDED
 #define OPENR_MWINFORMATIONTYPES_H_INCLUDED
 

@@ -19,7 +19,8 @@ const int ocldtSTART_DAY_OF_THE_WEEK = ocldtdowSATURDAY;  // weekday of 2000-01-
 // (4), because the calendar repeats every 400 years.
 inline bool LeapYear(int year) { return year % 4 == 0 && (year % 100 != 0 || year % 400 == 0); }
 
-// The fields are plain data: writing one field does not change the other fields.
+// A moment in local time.  The fields are plain data: writing one field does not change the other
+// fields, not even dow_, the day of the week.
 class OCalendarTime {
  public:
   int year_;       // years since 2000
@@ -35,8 +36,8 @@ class OCalendarTime {
   OCalendarTime(time_t clock, sbyte timeDif);
   OCalendarTime(const OTime& time);
 
-  // Set every field.  A time difference outside its range becomes undefined, and the status is
-  // oINVALID_ARG.
+  // Set every field.  If `timeDif` (hours by which local time is ahead of UTC) is neither -12..12
+  // nor otimeTIME_DIF_UNDEF, it becomes otimeTIME_DIF_UNDEF, and the status is oINVALID_ARG.
   OStatus SetTime(time_t clock, sbyte timeDif);
   OStatus SetTime(const OTime& time);
 
@@ -46,7 +47,7 @@ class OCalendarTime {
   OStatus GetTime(time_t* clock, sbyte* timeDif) const;
   OStatus GetTime(OTime* time) const;
 
-  // Compare the moments.
+  // Compare the moments that the fields of the two times describe.
   bool operator<(const OCalendarTime& other) const { return Clock() < other.Clock(); }
   bool operator<=(const OCalendarTime& other) const { return Clock() <= other.Clock(); }
   bool operator>(const OCalendarTime& other) const { return Clock() > other.Clock(); }
@@ -54,12 +55,12 @@ class OCalendarTime {
   bool operator==(const OCalendarTime& other) const { return Clock() == other.Clock(); }
   bool operator!=(const OCalendarTime& other) const { return Clock() != other.Clock(); }
 
-  // Returns whether the fields are an existing day and time of the years 2000 to 9999 and the time
-  // difference is in its range.  dow_ is ignored.
+  // Returns whether the fields are an existing day and time of the years 2000 to 9999 and the
+  // difference to UTC is in its range.  dow_, the day of the week, is ignored.
   bool ProperDate() const;
 
-  // Sets dow_ from year, month and day.  Unless ProperDate() holds, returns oINVALID_ARG without a
-  // change.
+  // Sets dow_, the day of the week, from year, month and day.  Unless ProperDate() holds, returns
+  // oINVALID_ARG without a change.
   OStatus CorrectDayOfTheWeek();
 
   // Write the moment into `text`, which needs room for 32 characters.  If ProperDate() is false,

@@ -1,8 +1,8 @@
 // The format of archives of motions and sounds (.ODA files), in memory and on the stick.
 //
 // Numbers are little-endian.  A file is a header, a directory of numEntries entries, then the
-// members without gaps.  The SDK's functions for reading archives are not known, so only programs
-// that do not call them compile.
+// members (motions or sounds) without gaps.  The SDK's functions for reading archives are not
+// known, so only programs that do not call them compile.
 #ifndef OPENR_ODATAARCHIVE_H_INCLUDED
 #define OPENR_ODATAARCHIVE_H_INCLUDED
 
@@ -37,7 +37,7 @@ struct Header {
   byte padding[48];    // filled with zeros
 };
 
-// An entry of the directory, 144 bytes.
+// An entry of an archive's directory, which describes one member of the archive; 144 bytes.
 struct Entry {
   char type[4];     // "OMTN", "WAVE", "MIDI", "OSND", "LED", "SYN"; padded with zeros
   char name[128];   // padded with zeros

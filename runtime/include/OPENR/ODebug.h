@@ -9,7 +9,7 @@
 #undef OPENR_DEBUG
 #endif
 
-// Prints also without OPENR_DEBUG.
+// Prints always, even if OPENR_DEBUG is not defined.
 #define PRINTF(x) (printf x)
 
 #ifdef OPENR_DEBUG

@@ -4,7 +4,7 @@
 
 #include <OPENR/OTLStatus.h>
 
-// T needs a default constructor and assignment.
+// A double-ended queue.  The type T of its elements needs a default constructor and assignment.
 template <class T, int MaxSize>
 class ODeque {
  public:

@@ -1,11 +1,11 @@
-// A band of a camera image.
+// OFbkImage, which gives access to one band (brightness or a colour) of a camera image.
 #ifndef OPENR_OFBKIMAGE_H_INCLUDED
 #define OPENR_OFBKIMAGE_H_INCLUDED
 
 #include <OPENR/ODataFormats.h>
 
-// The bands: luminance, the two colour differences (128 is neutral), the result of colour
-// detection, and three bands that double the resolution of the luminance.
+// The bands of a camera image: luminance, the two colour differences (128 is neutral), the result
+// of colour detection, and three bands that double the resolution of the luminance.
 typedef longword OFbkImageBand;
 const OFbkImageBand ofbkimageBAND_Y = 0;
 const OFbkImageBand ofbkimageBAND_Y_LL = ofbkimageBAND_Y;
@@ -16,7 +16,7 @@ const OFbkImageBand ofbkimageBAND_Y_LH = 4;
 const OFbkImageBand ofbkimageBAND_Y_HL = 5;
 const OFbkImageBand ofbkimageBAND_Y_HH = 6;
 
-// A view of one band.  It copies nothing and is valid as long as the image data.
+// A view of one band of a camera image.  It copies nothing and is valid as long as the image data.
 //
 // The bands of one image are interleaved row by row, in the order Y, Cr, Cb and, for
 // odataFBK_YCrCb_HPF, LH, HL, HH.  The order of LH, HL and HH is inferred; programs do not depend
@@ -24,13 +24,14 @@ const OFbkImageBand ofbkimageBAND_Y_HH = 6;
 // image has one band and no skip.
 //
 // The last row of the Y band, and of the colour detection image, begins with a tag of 16 bytes in
-// place of pixels: the field counter in bytes 0 and 1, low byte first, the colour frequencies of
-// channels 4..7 in bytes 4..7, and those of channels 0..3 in bytes 8..11.
+// place of pixels: the field counter (the camera's count of its pictures) in bytes 0 and 1, low
+// byte first, the colour frequencies of channels 4..7 in bytes 4..7, and those of channels 0..3 in
+// bytes 8..11.
 class OFbkImage {
  public:
   OFbkImage(OFbkImageInfo* info, byte* data, OFbkImageBand band);
 
-  // Returns false if the image has no such band; then all other functions return 0.
+  // Returns whether the camera image has this band.  If it does not, all other functions return 0.
   bool IsValid() const { return pointer_ != 0; }
 
   byte* Pointer() const { return pointer_; }  // first pixel of the top row
@@ -41,9 +42,11 @@ class OFbkImage {
   // Returns a pixel; (0, 0) is the top left corner.  REQUIRES: 0 <= x < Width(), 0 <= y < Height().
   byte Pixel(int x, int y) const;
 
-  // Return values of the tag, which are the same for all bands of an image.  GetTagInfo(): the
-  // first four bytes, low byte first.  FieldCounter(): the camera's count of fields, the first two
-  // of these bytes.  ColorFrequency(): the number of detected pixels of one channel, divided by 16.
+  // Return values of the tag, 16 bytes that the camera stores in the image.  The tag is the same
+  // for all bands of an image.  GetTagInfo(): the first four bytes, low byte first.
+  // FieldCounter(): the camera's count of its pictures, the first two of these bytes.
+  // ColorFrequency(): the number of pixels that one channel of colour detection has found, divided
+  // by 16.
   longword GetTagInfo() const;
   word FieldCounter() const;
   byte ColorFrequency(OCdtChannel channel) const;

@@ -7,8 +7,8 @@
 // The index that means "no element".
 const int olistNULL = -1;
 
-// Links are indices into an array, so a list can be copied like any value.  T needs a
-// default constructor and assignment.
+// A doubly linked list.  Its links are indices into an array, so a list can be copied like any
+// value.  T needs a default constructor and assignment.
 template <class T, int MaxSize>
 class OList {
  public:

@@ -29,7 +29,8 @@ class OObject {
   virtual OStatus DoDestroy(const OSystemEvent& event);
 
  protected:
-  // Registers `name` with the service manager; returns oALREADY_EXIST if it is registered already.
+  // Registers the service `name` with the object manager, which connects services; returns
+  // oALREADY_EXIST if the name is registered already.
   OStatus RegisterServiceEntry(const OServiceEntry& entry, const char* name);
 
   OID myOID_;

@@ -19,15 +19,16 @@ class OObserver {
   OObserver();
   ~OObserver();
 
-  // Sets the entry that receives NOTIFY messages.  This entry becomes the id of the observer.
-  // Called in DoInit.
+  // Sets the entry that receives notifications (ONotifyMessage).  This entry becomes the id of the
+  // observer.  Called in DoInit.
   OStatus SetNotifyEntry(const OServiceEntry& entry);
   const ObserverID& GetID() const;
   const ObserverID& GetObserverID() const { return GetID(); }
 
-  // Set how each subject buffers notifications for this observer; called in DoInit.  One of skip +
-  // 1 notifications is kept.  Nothing is sent before `least` kept notifications are collected.  At
-  // most `most` of them wait for a ready; the oldest are dropped.  The defaults are 0, 1, 1.
+  // Set how each connected subject buffers notifications for this observer; called in DoInit.  One
+  // of skip + 1 notifications is kept.  Nothing is sent before `least` kept notifications are
+  // collected.  At most `most` of them wait for a ready; the oldest are dropped.  The defaults are
+  // 0, 1, 1.
   void SetSkip(size_t skip);
   void SetBufCtrlParam(size_t skip, size_t least, size_t most);
 
@@ -48,7 +49,8 @@ class OObserver {
   // region.
   SubjectID FindSender(RCRegion* region) const;
 
-  // Called by the stub, the generated code of the object, when messages arrive.
+  // Called by the stub, the generated code of the object, when messages of the object manager or of
+  // subjects arrive.
   OStatus ConnectHandler(const OConnectMessage& msg, OStatus status = oSUCCESS);
   OStatus ConnectHandler(const OConnectMessage* msg, OStatus status = oSUCCESS) {
     return ConnectHandler(*msg, status);

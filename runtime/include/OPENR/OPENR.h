@@ -36,7 +36,7 @@ struct OServiceEntry {
   OID GetOID() const { return oid; }
   Selector GetSelector() const { return selector; }
 
-  // Returns whether both the object and the selector are set.
+  // Returns whether both the object and the selector of this entry are set.
   bool IsValid() const { return oid.IsValid() && selector != UNDEF; }
   void MakeInvalid() {
     oid.MakeInvalid();
@@ -56,7 +56,7 @@ struct OServiceEntry {
   }
 };
 
-// Commands of the service manager to an observer (OConnectMessage).
+// Commands of the object manager, which makes the connections, to an observer (OConnectMessage).
 typedef longword OConnectCmd;
 const OConnectCmd oconnectcmdCONNECT = 0;
 const OConnectCmd oconnectcmdDISCONNECT = 1;
@@ -76,8 +76,9 @@ const OMemoryStickStatus omemorystickNOT_EXIST = 0;
 const OMemoryStickStatus omemorystickWRITE_PROTECTED = 1;
 const OMemoryStickStatus omemorystickWRITABLE = 2;
 
-// The parameter for oreasonBOOT, OBootParam, and the parameter for oreasonSHUTDOWN, OShutdownParam.
-// Which parameter belongs to which reason is inferred from the names.
+// The parameters of DoInit, DoStart, DoStop and DoDestroy: OBootParam for the reason oreasonBOOT,
+// OShutdownParam for the reason oreasonSHUTDOWN.  Which parameter belongs to which reason is
+// inferred from the names.
 struct OBootParam {
   OMemoryStickStatus memoryStickStatus;
 
@@ -91,7 +92,8 @@ struct OShutdownParam {
   OShutdownParam(bool enough) : batteryEnough(enough) {}
 };
 
-// Kinds of sudden end for OPENR::Fatal().  The robot plays a tune for each kind except PAUSE_SW.
+// The reasons for OPENR::Fatal(), which switches the robot off at once.  The robot plays a tune for
+// each reason except ofatalPAUSE_SW.
 typedef longword OFatal;
 const OFatal ofatalUNDEF = 0xffffffff;
 const OFatal ofatalMEMORY_STICK = 0;
@@ -107,7 +109,7 @@ const size_t ovrPATH_MAX = 127;
 const size_t orobotdesignNAME_MAX = 31;     // name of a robot design: "ERS-210"
 const size_t odesignkeywordNAME_MAX = 127;  // keyword in DESIGNDB.CFG
 
-// ---- numbers of frames of 8 ms; commands, sensors, images and sound share one counter
+// ---- numbers of frames of 8 ms; commands, sensors, images and sound share one counter of frames
 
 const longword oframeMAX_NUMBER = 0x0ffffff0;  // afterwards the counter starts again
 const longword oframeINVALID_NUMBER = 0xffffffff;
@@ -161,7 +163,8 @@ const OVolumeSwitch ovolumeSW3 = 3;
 typedef longword ODesignDataID;
 const ODesignDataID odesigndataID_UNDEF = 0xffffffff;
 
-// A keyword that needs no line in DESIGNDB.CFG; the system's answer is an OCPUInfo.
+// A keyword for OPENR::FindDesignData() that needs no line in DESIGNDB.CFG; the system's answer is
+// an OCPUInfo.
 #define odesignkeywordCPUINFO "SYS_CPUINFO"
 
 struct OCPUInfo {

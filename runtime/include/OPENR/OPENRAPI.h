@@ -19,7 +19,8 @@ namespace OPENR {
 
 // ---- primitives
 
-// Opens a primitive.  Every object gets the same id for it.  On failure *id is oprimitiveID_UNDEF.
+// Opens a primitive, a device of the robot.  Every object gets the same id for it.  If the call
+// fails, *id is oprimitiveID_UNDEF.
 OStatus OpenPrimitive(const char* locator, OPrimitiveID* id);
 // Errors of OpenPrimitive(): oNOT_FOUND (not on this robot), oOPEN_FAILURE, oINVALID_ARG (NULL),
 // oFAIL
@@ -32,7 +33,7 @@ OStatus ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param
                          void* result, size_t resultSize);
 // Errors of ControlPrimitive(): oINVALID_PRIMITIVE_ID, oINVALID_ARG
 
-// Return the present value, also while gains or motor power are off.
+// Return the present value of a joint or sensor, also while gains or motor power are off.
 OStatus GetJointValue(OPrimitiveID id, OJointValue* value);
 OStatus GetSensorValue(OPrimitiveID id, OSensorValue* value);
 // Errors of GetJointValue() and GetSensorValue(): oINVALID_PRIMITIVE_ID
@@ -53,10 +54,10 @@ OStatus DeleteSoundVectorData(MemoryRegionID memID);
 OStatus DeleteCdtVectorData(MemoryRegionID memID);
 // Errors of the three Delete...VectorData() functions: oINVALID_ARG (sound only), oFAIL
 
-// Loads the colour detection tables into the camera.
+// Loads the tables of a colour detection vector into the camera.
 OStatus SetCdtVectorData(MemoryRegionID memID);
-// Errors of SetCdtVectorData(): oINVALID_ARG (channel), oINVALID_PRIMITIVE_ID, oINVALID_DATA_TYPE,
-// oFAIL
+// Errors of SetCdtVectorData(): oINVALID_ARG (wrong channel), oINVALID_PRIMITIVE_ID,
+// oINVALID_DATA_TYPE, oFAIL
 
 // ---- joint gains
 //
@@ -66,7 +67,7 @@ OStatus SetCdtVectorData(MemoryRegionID memID);
 OStatus EnableJointGain(OPrimitiveID id);
 // Errors of EnableJointGain(): oINVALID_PRIMITIVE_ID, oALERT_JOINT_UNCONTROLLABLE
 
-// Sets the gains to zero, so that the joint moves freely.
+// Sets the gains of the joint to zero, so that the joint moves freely.
 OStatus DisableJointGain(OPrimitiveID id);
 // Errors of DisableJointGain(): oINVALID_PRIMITIVE_ID, oFAIL
 
@@ -74,7 +75,7 @@ OStatus SetJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word i
 // Errors of SetJointGain(): oINVALID_PRIMITIVE_ID, oGAIN_DISABLED (not enabled: nothing is set),
 // oALERT_JOINT_UNCONTROLLABLE, oFAIL
 
-// Returns the gains; on failure all six are 0.
+// Returns the gains of the joint; if the call fails, all six numbers are 0.
 OStatus GetJointGain(OPrimitiveID id, word* pg, word* ig, word* dg, word* ps, word* is, word* ds);
 // Errors of GetJointGain(): those of SetJointGain()
 
@@ -90,14 +91,15 @@ OStatus GetDefaultJointGain(OPrimitiveID id, word* pg, word* ig, word* dg, word*
 
 // ---- starting several vectors together
 
-// Makes a key; at most ovrsynckeyMAX_NUM_KEY exist at a time.  On failure *key is ovrsynckeyUNDEF.
+// Makes a sync key, with which several vectors start together; at most ovrsynckeyMAX_NUM_KEY keys
+// exist at a time.  If the call fails, *key is ovrsynckeyUNDEF.
 OStatus NewSyncKey(OVRSyncKey* key);
 // Errors of NewSyncKey(): oNO_SYNC_KEY
 OStatus CancelSyncKey(OVRSyncKey key);
 // Errors of CancelSyncKey(): oINVALID_SYNC_KEY
 
-// Divides a key into two parts.  The program puts each part into the syncKey of one vector; output
-// begins when the vectors with all parts have arrived.
+// Divides a sync key into two parts, which are sync keys too.  The program puts each part into the
+// syncKey of one vector; output begins when the vectors with all parts have arrived.
 OStatus DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2);
 // Errors of DivideSyncKey(): oFAIL
 
@@ -120,7 +122,7 @@ OStatus ObservePowerStatus(const OPowerStatus& notifyStatus, const OServiceEntry
 OStatus UnobservePowerStatus(const OServiceEntry& entry);
 // Errors of UnobservePowerStatus(): oFAIL, oNOT_FOUND, oINVALID_ARG
 
-// Switches the power off at once, without DoStop and DoDestroy.
+// Switches the power of the robot off at once, without DoStop and DoDestroy.
 OStatus Fatal(OFatal fatal);
 
 // ---- the robot and its files

@@ -2,8 +2,8 @@
 //
 // Of these messages, an application receives only OPowerStatusMessage, and its stub receives
 // OReasonMessage and OConnectMessage.  On the robot the OPENR:: functions send the other messages;
-// on the host these functions need no messages.  The other messages are declared because sources
-// name them.  Sizes are those of a 32-bit target, as on the robot.
+// on the host these functions need no messages.  The other messages are declared because sources of
+// old programs name them.  Sizes are those of a 32-bit target, as on the robot.
 #ifndef OPENR_OPENRMESSAGES_H_INCLUDED
 #define OPENR_OPENRMESSAGES_H_INCLUDED
 
@@ -70,7 +70,7 @@ struct OReasonMessage {
 
   OReasonMessage(OReason why = oreasonUNDEF) { Set(why, 0, 0); }
 
-  // Copies `size` bytes of `block`, at most oreasonPARAM_MAX_SIZE.
+  // Copies `size` bytes of the parameter at `block`, at most oreasonPARAM_MAX_SIZE bytes.
   OReasonMessage(OReason why, const void* block, size_t size) { Set(why, block, size); }
 
  private:
@@ -118,7 +118,7 @@ struct OSyslogMessage {
   OSyslogMessage() : msgType(omsgSYSLOG), priority(osyslogINFO) { memset(log, 0, sizeof log); }
 };
 
-// The service manager sends this message to an observer, which must then connect to the subject
+// The object manager sends this message to an observer, which must then connect to the subject
 // whose Control entry is `entry`.
 struct OConnectMessage {
   OMessageType msgType;  // omsgCONNECT

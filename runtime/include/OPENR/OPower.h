@@ -7,7 +7,7 @@
 #include <OPENR/power_constants.h>
 #include <time.h>
 
-// The argument of OPENR::SetMotorPower().
+// The argument of OPENR::SetMotorPower(): whether the motors of the robot have power.
 typedef bool OPower;
 const OPower opowerOFF = false;
 const OPower opowerON = true;
@@ -30,7 +30,8 @@ class OPowerStatus {
   OPowerStatus(longword robotStat, word batteryStat, word remaining, word temp, word fullyCharged,
                word volt, sword cur, sbyte timeDifference, byte vol);
 
-  // Sets the six fields that can be observed; the other three keep their values.
+  // Sets the six fields that OPENR::ObservePowerStatus() can observe; the other three keep their
+  // values.
   void Set(longword rs, word bs, word rc, word tmp, sbyte td, byte vol);
 
   // Print on the console: Print() one line, PrintDetail() a line for each bit that is set and for

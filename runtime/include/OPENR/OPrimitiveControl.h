@@ -119,7 +119,8 @@ typedef longword OBtSwitchEvent;
 const OBtSwitchEvent obtswitcheventUNDEF = 0;
 const OBtSwitchEvent obtswitcheventVALUE_CHANGED = 1;
 
-// Requests that an OPrimitiveControl_BtSwitchEvent is sent to `entry` whenever `event` happens.
+// Requests that an OPrimitiveControl_BtSwitchEvent is sent to `entry` whenever `event` of a
+// Bluetooth switch happens.
 struct OPrimitiveControl_BtSwitchWatcherInfo {
   OBtSwitchEvent event;
   OServiceEntry entry;
@@ -130,7 +131,7 @@ struct OPrimitiveControl_BtSwitchEvent {
   longword value;
 };
 
-// ---- commands and readings without a vector
+// ---- requests that give a command or read a value without a vector
 
 const OPrimitiveRequest oprmreqJOINT2_SET_COMMAND = 640;   // parameter: JointCommandValue2
 const OPrimitiveRequest oprmreqJOINT2_GET_VALUE = 641;     // result: JointValue
@@ -182,7 +183,7 @@ struct OPrimitiveControl_JointCommandValue4 {
   }
 };
 
-// Requests from this number on are defined by the makers of devices.
+// Requests of OPENR::ControlPrimitive() from this number on are defined by the makers of devices.
 const OPrimitiveRequest oprmreqPRIVATE_BASE = 1048576;
 
 #endif  // OPENR_OPRIMITIVECONTROL_H_INCLUDED

@@ -4,7 +4,8 @@
 
 #include <OPENR/ODeque.h>
 
-// T needs a default constructor and assignment.
+// A first-in first-out queue.  The type T of its elements needs a default constructor and
+// assignment.
 template <class T, int MaxSize>
 class OQueue {
  public:

@@ -23,7 +23,7 @@ class OShmPtrBase {
     return *this;
   }
 
-  // Releases the reference to the region.
+  // Releases this pointer's reference to its region.
   void Deallocate() {
     if (region_ != 0) region_->RemoveReference();
     region_ = 0;
@@ -62,8 +62,8 @@ class OShmPtrBase {
 template <class T>
 class OShmPtr : public OShmPtrBase {
  public:
-  // A reference to one element; writing through it copies the region if there are other references
-  // to the region.
+  // A reference to one element of the array; writing through it copies the region if there are
+  // other references to the region.
   class Proxy {
    public:
     Proxy(OShmPtr<T>* owner, int index) : owner_(owner), index_(index) {}

@@ -25,8 +25,8 @@ class OSubject {
   OSubject();
   ~OSubject();
 
-  // Sets the entry that receives READY messages.  This entry becomes the id of the subject.  Called
-  // in DoInit.
+  // Sets the entry that receives the readies of observers (OReadyMessage).  This entry becomes the
+  // id of the subject.  Called in DoInit.
   OStatus SetReadyEntry(const OServiceEntry& entry);
   const SubjectID& GetID() const;
 
@@ -73,7 +73,7 @@ class OSubject {
   OStatus ClearBuffer(const OObserverInfo& info);
   OStatus ClearBuffer(const ObserverID& id);
 
-  // Called by the stub, the generated code of the object, when messages arrive.
+  // Called by the stub, the generated code of the object, when messages of observers arrive.
   OStatus ControlHandler(const OControlMessage& msg, OStatus status = oSUCCESS);
   OStatus ControlHandler(const OControlMessage* msg, OStatus status = oSUCCESS) {
     return ControlHandler(*msg, status);
@@ -84,19 +84,20 @@ class OSubject {
   int NumberOfObservers() const;
   ObserverConstIterator begin() const;
   ObserverConstIterator end() const;
-  // Returns end() if the id is unknown.
+  // Finds an observer of this subject by its id; returns end() if the id is unknown.
   ObserverConstIterator FindObserver(const ObserverID& id) const;
 
-  // Return the number of ready observers.  IsAllReady() returns 0 while ReadyStatus() of any
-  // observer is 0.
+  // Return the number of observers of this subject that are ready.  IsAllReady() returns 0 while
+  // ReadyStatus() of any observer is 0.
   int IsAllReady() const;
   int IsAnyReady() const;
   int IsReady() const { return IsAnyReady(); }
   int IsReady(const ObserverID& id) const;
   int IsReady(const OObserverInfo& info) const { return IsReady(info.GetObserverID()); }
 
-  // Returns > 0 if the observer is ready, < 0 if it has deasserted ready.  Returns 0 if it has not
-  // asserted ready since the last data were sent to it, or not at all, or if the id is unknown.
+  // Returns > 0 if the observer is ready, < 0 if it has deasserted ready.  Returns 0 if the
+  // observer has not asserted ready since the last data were sent to it, or not at all, or if the
+  // id is unknown.
   int ReadyStatus(const ObserverID& id) const;
   int ReadyStatus(const OObserverInfo& info) const { return ReadyStatus(info.GetObserverID()); }
 

@@ -15,10 +15,12 @@ const int otimeSTART_YEAR = 2000;
 class OTime {
  public:
   OTime();  // sets the clock to 0 and the time difference to undefined
-  // A time difference outside its range becomes otimeTIME_DIF_UNDEF.
+  // A `timeDif` outside of -12..12 (hours by which local time is ahead of UTC) becomes
+  // otimeTIME_DIF_UNDEF.
   OTime(time_t clock, sbyte timeDif);
 
-  // Returns oINVALID_ARG, and changes nothing, for a time difference outside the range.
+  // Returns oINVALID_ARG, and changes nothing, for a `timeDif` outside of -12..12 (hours by which
+  // local time is ahead of UTC) that is not otimeTIME_DIF_UNDEF.
   OStatus Set(time_t clock, sbyte timeDif);
   OStatus SetClock(time_t clock);
   OStatus SetLocalTime(time_t localTime);  // keeps the time difference

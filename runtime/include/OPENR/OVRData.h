@@ -5,7 +5,8 @@
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OStatus.h>
 
-// The largest number of vectors in one message.
+// The largest number of vectors to which one message between an OPENR:: function and the system
+// refers.
 const size_t ovrdataMAX_SIZE = 8;
 
 struct OVRData {

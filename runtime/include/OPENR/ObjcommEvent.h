@@ -38,7 +38,7 @@ class OControlEvent {
   ObjcommCommand command_;
 };
 
-// The event of observer ObsIndex() when the service manager asks it to connect to a subject, or to
+// The event of observer ObsIndex() when the object manager asks it to connect to a subject, or to
 // disconnect.
 class OConnectEvent {
  public:

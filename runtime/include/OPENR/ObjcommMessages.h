@@ -1,4 +1,4 @@
-// The messages that subjects, observers and the service manager exchange.
+// The messages that subjects, observers and the object manager exchange.
 //
 // On a 32-bit target the sizes are those of the robot.  On a 64-bit host pointers make the messages
 // larger, which does no harm, because they never leave the process.
@@ -35,7 +35,7 @@ struct OControlMessage {
 
   OControlMessage() { Set(objcommCMD_UNDEF, 0, 0, 0, ""); }
 
-  // A name that is too long is cut.
+  // Cuts `name`, the name of the service, if it is longer than oserviceNAME_MAX.
   OControlMessage(ObjcommCommand what, ObserverID id, size_t skip, size_t least, size_t most,
                   const char* name)
       : observerID(id) {
@@ -99,12 +99,13 @@ struct ONotifyMessage {
   int NumberOfData() const { return numOfData; }
   int NumberOfNotify() const { return numOfNotify; }
 
-  // Returns the number of bytes in use.
+  // Returns the number of bytes of the message that are in use.
   size_t GetSizeOfMessage() const {
     return sizeof *this - (MAX_NUM_DATA - numOfData) * sizeof(TransferedData);
   }
 
-  // Removes the data from the message.  Releases no references: the caller must do that.
+  // Removes the data from the message.  Releases no references to their regions: the caller must do
+  // that.
   void Clear() {
     numOfData = 0;
     numOfNotify = 0;
@@ -123,8 +124,8 @@ struct ONotifyMessage {
   }
 };
 
-// ---- messages of version 1, which contain data or addresses instead of regions; not sent on the
-// host
+// ---- older messages between subjects and observers (version 1), which contain data or addresses
+// instead of regions; not sent on the host
 
 struct ONotifyMessageV10 {
   OMessageType msgType;
@@ -134,8 +135,8 @@ struct ONotifyMessageV10 {
   char data[236];         // a sequence of chunks
 };
 
-// The two kinds of chunk: OChunkMSG contains the data; OChunkSHM contains the place of the data in
-// shared memory.
+// The two forms of a data item in an ONotifyMessageV10, an older notification that the host does
+// not send: OChunkMSG contains the data; OChunkSHM contains the place of the data in shared memory.
 struct OChunkMSG {
   ObjcommDataType type;  // the type objcommDATA_TYPE_MSG
   unsigned int size;     // in bytes

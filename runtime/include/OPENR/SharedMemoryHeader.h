@@ -5,7 +5,8 @@
 
 #include <Types.h>
 
-// The header has 16 bytes on the robot, where ODataVectorInfo begins with the same four fields.
+// The header at the start of shared memory, 16 bytes on the robot, where ODataVectorInfo begins
+// with the same four fields.
 struct SharedMemoryHeader {
   MemoryRegionID memID;
   void* physAddr;

@@ -21,7 +21,8 @@ struct IfUnsigned<unsigned int, Result> {
   typedef Result Type;
 };
 
-// A size_t for the time of a call; the destructor copies its value to `number`.
+// A size_t for the result of a call; the destructor copies its value to `number`, the caller's
+// unsigned int.
 class SizeResult {
  public:
   explicit SizeResult(unsigned int* number) : number_(number), size_(number == 0 ? 0 : *number) {}

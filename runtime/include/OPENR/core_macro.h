@@ -8,14 +8,15 @@
 
 #include "entry.h"
 
-// Makes every OSubject and OObserver; must come before all other macros.
+// Makes every OSubject and OObserver of the object; must come before all other macros.
 #define NEW_ALL_SUBJECT_AND_OBSERVER                                       \
   {                                                                        \
     for (int i = 0; i < numOfSubject; i++) subject[i] = new OSubject();    \
     for (int i = 0; i < numOfObserver; i++) observer[i] = new OObserver(); \
   }
 
-// Registers the name of every service with the service manager.
+// Registers the name of every service of the object with the object manager, which connects
+// services.
 #define REGISTER_ALL_ENTRY                                                               \
   {                                                                                      \
     for (int i = 0; i < numOfSubject; i++)                                               \
@@ -24,7 +25,7 @@
       RegisterServiceEntry(OServiceEntry(myOID_, Entry_Connect[i]), observerService[i]); \
   }
 
-// Sets the Ready entry of every subject and the Notify entry of every observer.
+// Sets the Ready entry of every subject of the object and the Notify entry of every observer.
 #define SET_ALL_READY_AND_NOTIFY_ENTRY        \
   {                                           \
     OServiceEntry entry;                      \
@@ -42,7 +43,8 @@
 #define ENABLE_ALL_SUBJECT \
   {}
 
-// Drops the data that wait in the subjects.  NotifyObservers() still works afterwards.
+// Drops the data that wait in the subjects of the object.  NotifyObservers() still works
+// afterwards.
 #define DISABLE_ALL_SUBJECT                                           \
   {                                                                   \
     for (int i = 0; i < numOfSubject; i++) subject[i]->ClearBuffer(); \
@@ -62,7 +64,7 @@
 #define DELETE_ALL_SUBJECT_AND_OBSERVER \
   {}
 
-// Old names of the macros.
+// Old names of macros in core_macro.h.
 #define ASSERT_TO_ALL_OBSERVER ASSERT_READY_TO_ALL_OBSERVER
 #define DEASSERT_TO_ALL_OBSERVER DEASSERT_READY_TO_ALL_OBSERVER
 #define NewComData NEW_ALL_SUBJECT_AND_OBSERVER

@@ -96,7 +96,7 @@ const word obcbALL = 0x007f;
 const longword obcbttRELATIVE = 0;
 const longword obcbttABSOLUTE = 0x80000000;
 
-// ---- data streams of the charging station
+// ---- data streams of the robot's charging station
 
 const byte odstSOUND = 0;
 const byte odstLCD = 1;

@@ -108,7 +108,7 @@ struct OLEDCommandValue3 {
   word reserved;
 };
 
-// ---- commands of older robots
+// ---- command structs for older robots
 
 // A command of the type odataJOINT_COMMAND: the set point and the gains of a joint.
 struct OJointCommandValue {
@@ -126,7 +126,7 @@ struct OJointCommandValue {
   }
 };
 
-// A command of the type odataLED_COMMAND.
+// A command of the type odataLED_COMMAND, for the LEDs of older robots.
 struct OLEDCommandValue {
   OLEDValue led;
   word period;  // duration in units of 16 frames (128 ms)

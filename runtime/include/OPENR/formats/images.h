@@ -40,7 +40,8 @@ struct OFbkImageVectorData {
 
 // ---- colour detection tables
 
-// A channel is a bit mask.  A pixel of layer C has the bits of all channels that detect its colour.
+// A channel of colour detection as a bit mask.  A pixel of image layer C has the bits of all
+// channels that detect its colour.
 typedef longword OCdtChannel;
 const OCdtChannel ocdtCHANNEL_UNDEF = 0;
 const OCdtChannel ocdtCHANNEL0 = 0x01;
@@ -60,7 +61,8 @@ const longword ocdtCb_MIN_MASK = 0x00ff0000;
 const longword ocdtCr_MAX_MASK = 0x0000ff00;
 const longword ocdtCr_MIN_MASK = 0x000000ff;
 
-// The table of one channel, 144 bytes: for each luminance segment the range of Cr and Cb to detect.
+// The table of one channel of colour detection, 144 bytes: for each luminance segment the range of
+// Cr and Cb to detect.
 struct OCdtInfo {
   ODataType type;  // the type odataCDT
   OPrimitiveID primitiveID;
@@ -68,10 +70,11 @@ struct OCdtInfo {
   longword table[ocdtMAX_Y_SEGMENT];  // from the highest byte: Cb max, Cb min, Cr max, Cr min
   longword padding[1];
 
-  // Empties the table of `chan` of the camera `id`.
+  // Empties the colour detection table of channel `chan` of the camera `id`.
   void Init(OPrimitiveID id, OCdtChannel chan);
 
-  // Sets one segment; a `y_segment` outside 0..31 changes nothing.
+  // Sets the colours that the camera shall detect in luminance segment `y_segment`: ranges of Cr
+  // and Cb.  A `y_segment` outside of 0..31 changes nothing.
   void Set(int y_segment, byte cr_max, byte cr_min, byte cb_max, byte cb_min);
 };
 

@@ -1,7 +1,7 @@
-// Sensor vectors: every sensor and joint of the robot, four frames of 8 ms at a time.
+// Sensor vectors: the values of every sensor and joint of the robot, four frames of 8 ms at a time.
 //
-// The order of the elements is fixed per model; the ERS-210 has 31 (Model Information
-// ERS-210, 2).
+// The order of the elements is fixed for each model of robot; a vector of the ERS-210 has 31
+// elements (Model Information ERS-210, 2).
 #ifndef OPENR_FORMATS_SENSORS_H_INCLUDED
 #define OPENR_FORMATS_SENSORS_H_INCLUDED
 
@@ -9,11 +9,11 @@
 
 const size_t osensorframeMAX_FRAMES = 16;
 
-// Values that mark missing data.
+// Special values in sensor data, where no value was measured.
 const word osensorframeINVALID_SIGNAL = 0xffff;
 const slongword opsdINVALID_VALUE = 0;
 
-// Describes the samples of one primitive; 32 bytes.
+// Describes the sensor values of one primitive; 32 bytes.
 struct OSensorFrameInfo {
   ODataType type;            // selects the struct of the samples
   OPrimitiveID primitiveID;  // set even if the primitive was not opened
@@ -31,15 +31,15 @@ struct OSensorFrameInfo {
   }
 };
 
-// The general form of a sample, 16 bytes.
+// The general form of the sensor value of one frame, 16 bytes.
 struct OSensorValue {
   slongword value;
   word signal;  // raw reading of the sensor
   word padding[5];
 };
 
-// The samples of one primitive, oldest frame first, 256 bytes.  Programs cast a frame to the struct
-// that belongs to OSensorFrameInfo::type.
+// The sensor values of one primitive, oldest frame first, 256 bytes.  Programs cast a frame to the
+// struct that belongs to OSensorFrameInfo::type.
 struct OSensorFrameData {
   OSensorValue frame[osensorframeMAX_FRAMES];
 };
@@ -56,7 +56,7 @@ struct OSensorFrameVectorData {
   }
 };
 
-// ---- samples, 16 bytes each
+// ---- structs with the sensor value of one frame, 16 bytes each
 
 struct OAcceleration {
   slongword value;  // in 10^-6 m/s^2
