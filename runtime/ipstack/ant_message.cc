@@ -30,7 +30,8 @@ std::conditional_t<std::is_const_v<M>, const T, T>& As(M& m) {
 }
 
 // Finds the type of the TCP message `m` by its operation and calls visit(m, name), with `m` cast to
-// this type and a name for users.  The other Visit functions do the same for other protocols.
+// this type and the name of the message for texts that users read.  The other Visit functions do
+// the same for other protocols.
 template <typename M, typename V>
 void VisitTcp(M& m, V&& visit) {
   switch (m.dstOperation) {

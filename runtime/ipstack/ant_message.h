@@ -16,8 +16,8 @@ namespace openr_host {
 
 antModuleRef MakeModuleRef(int32_t protocol, uint32_t index);
 
-// Returns the protocol of `ref` (EndpointType_...), or 0 for the null reference and for references
-// that no stack has made.
+// Returns the protocol (EndpointType_...) of the endpoint to which `ref` refers.  Returns 0 for the
+// null reference and for references that no network stack has made.
 int32_t ProtocolOf(const antModuleRef& ref);
 
 // Returns the size of the struct of `message`.  Selector, protocol and operation of the message
@@ -38,8 +38,8 @@ std::string AntMessageText(const antEnvMsg& message, bool is_answer);
 // Sets the error field of `message`; its position depends on the type of `message`.
 void SetAntError(antEnvMsg* message, int32_t error);
 
-// Sets the counts in an error answer to 0, because programs look at counts without checking the
-// error.
+// Sets the counts of received bytes or found addresses in an error answer to 0, because programs
+// look at counts without checking the error.
 void ClearCounts(antEnvMsg* message);
 
 // Returns the XXH3 hash of `message` for the trace of a run: the hash of the transferred bytes at

@@ -90,8 +90,8 @@ DNSEndpointError DnsEndpoint::GetAddress(DNSEndpointGetAddressMsg* message) cons
   return DNS_SUCCESS;
 }
 
-// Finds an alias by its index.  Alias 0 is the official name, so the largest index is the number of
-// HostInfo::aliases.
+// Finds an alias of the host that the last query has found, by the index of the alias.  Alias 0 is
+// the official name, so the largest index is the number of HostInfo::aliases.
 DNSEndpointError DnsEndpoint::GetAlias(DNSEndpointGetAliasMsg* message) const {
   const auto index = static_cast<size_t>(message->index);
   const size_t count = host_.addresses.empty() ? 0 : 1 + host_.aliases.size();
@@ -139,8 +139,9 @@ void DnsEndpoint::AnswerReady() {
   }
 }
 
-// Answers the pending query.  After a failure the message keeps the name that the program asked
-// for.  Sony's sample NTP reads this name and uses it as an address if it is a dotted address.
+// Answers the pending query for a host.  After a failure the message keeps the name that the
+// program asked for.  Sony's sample NTP reads this name and uses it as an address if it is a dotted
+// address.
 void DnsEndpoint::FinishQuery(DNSEndpointError error) {
   ASSERT(query_.has_value());
   // Uses a generic lambda, because the messages for a query by name and by address have the same

@@ -17,8 +17,8 @@ class EventSink {
  public:
   virtual ~EventSink() = default;
 
-  // Stores `event`.  Does not answer any operation; AnswerReady() does that after all events of the
-  // poll have been stored.
+  // Stores `event` of a socket.  Does not answer any operation of the program; AnswerReady() does
+  // that after all events of the poll have been stored.
   virtual void Take(const NetworkEvent& event) = 0;
 };
 
@@ -31,13 +31,14 @@ class Endpoint : public EventSink {
   Endpoint(IpStack* stack, int32_t protocol, ObjectId owner, int32_t pool_bytes)
       : stack_(stack), protocol_(protocol), owner_(owner), pool_bytes_(pool_bytes) {}
 
-  // Stores `operation`, or answers it at once with an error if it cannot be executed.
+  // Stores `operation`, a message of the program, or answers it at once with an error if it cannot
+  // be executed.
   virtual void Start(const Operation& operation) = 0;
 
   virtual void AnswerReady() = 0;
 
   // Returns whether the endpoint waits for an event of the network.  While an endpoint waits, the
-  // stack polls the network every frame.
+  // network stack polls the network every frame.
   virtual bool WaitsForNetwork() const = 0;
 
   // Prepares the endpoint for the events of a frame.  Called at the beginning of each poll of the

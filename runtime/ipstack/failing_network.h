@@ -38,14 +38,14 @@ class FailingNetwork : public Network {
   }
 
  private:
-  // Counts a command of `handle`.  Returns true if this is command number `nth`, which must fail;
-  // the caller then does not pass the command on.
+  // Counts a command for the socket `handle`.  Returns true if this is command number `nth`, which
+  // must fail; the caller then does not pass the command on.
   bool Fails(NetHandle handle);
 
   const std::unique_ptr<Network> inner_;
   int left_;
   const NetError error_;
-  // Handle of the failed command until Poll() reports the failure; 0 if there is none.
+  // The socket of the failed command until Poll() reports the failure; 0 if there is none.
   NetHandle failed_ = 0;
 };
 

@@ -79,7 +79,7 @@ NetAddress HostNetwork::ToHost(NetAddress remote, const HostPorts& ports) {
     return {ip == 0 ? 0x7f000001 : ip, own};
   }
   // Returns port 0 if a program connects to a port of the robot's own address on which the robot
-  // does not listen.  Then the connect fails and does not reach a program of the host.
+  // does not listen.  Then the attempt to connect fails and does not reach a program of the host.
   if (remote.ip == ip_ && !addresses_.Has(ip_)) return {remote.ip, 0};
   return addresses_.ToHost(remote);
 }
@@ -175,8 +175,9 @@ void HostNetwork::Close(NetHandle handle) {
 
 void HostNetwork::Bind(NetHandle handle, uint16_t port, bool any_port) {
   const uint32_t ip = BindIp(handle);
-  // Binds the socket to any address if the stack has chosen the port.  In this case the program is
-  // a client, which must reach other hosts; a socket bound to 127.0.0.1 cannot reach them.
+  // Binds the socket to address 0.0.0.0, that is, to no certain address of the host, if the stack
+  // has chosen the port.  In this case the program is a client, which must reach other hosts; a
+  // socket bound to 127.0.0.1 cannot reach them.
   NoteBindError(ip, udp_.Bind(handle, {any_port ? 0 : ip, port}, any_port, &events_));
 }
 

@@ -28,8 +28,9 @@ namespace openr_host {
 
 struct HostNetworkOptions {
   uint32_t bind_ip = 0x7f000001;  // the host's address for server ports; 0 for all interfaces
-  // Fixed ports.  The key is a port of the robot, the value the host's port that it must get (0:
-  // any free port).  A port without an entry keeps its number if that number is free on the host.
+  // Ports of the robot for which the user wants a certain port of the host.  The key is a port of
+  // the robot, the value the host's port that it must get (0: any free port).  A port without an
+  // entry keeps its number if that number is free on the host.
   std::map<uint16_t, uint16_t> tcp_ports;
   std::map<uint16_t, uint16_t> udp_ports;
   // Pairs of an address that programs use and the host's address in its place.  If several pairs
@@ -89,7 +90,8 @@ class HostNetwork : public Network {
   };
 
   // Translates the address `remote`, to which a program sends, to an address of the host.  `ports`
-  // are the ports of the protocol.  Returns port 0 if the program may not reach this address.
+  // maps the robot's ports of the protocol (TCP or UDP) to ports of the host.  Returns port 0 if
+  // the program may not reach this address.
   NetAddress ToHost(NetAddress remote, const HostPorts& ports);
   // Translates `remote`, the address of a peer on the host, to the address under which programs
   // know the peer.
@@ -118,7 +120,8 @@ class HostNetwork : public Network {
   AddressMap addresses_;
   uint32_t ip_ = 0;
   uint32_t bind_ip_;  // host's address for server ports at the robot's own address
-  // Addresses that At() has selected for sockets that are not bound yet.
+  // The addresses of the robot that the program has selected with At() for sockets that are not
+  // bound yet.
   std::map<NetHandle, uint32_t> at_;
   // The addresses of the robot, besides its own address, at which sockets are bound.  The value is
   // the address of the host that replaces the robot's address.

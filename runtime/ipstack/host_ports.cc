@@ -24,8 +24,9 @@ int HostPorts::Bind(uint16_t port, const std::function<int(uint16_t)>& take,
         protocol, port, first, std::strerror(error));
     return error;
   }
-  // Tries the next numbers first, so that the user finds the port near the number that the program
-  // uses.  Takes any free port only if all these numbers are in use.
+  // If the wanted port of the host is in use, tries the port numbers above `port`, so that the user
+  // finds the port near the number that the program uses.  Takes any free port only if all these
+  // numbers are in use.
   for (int next = port + 1; error == EADDRINUSE && next <= port + kNextPorts && next <= 65535;
        ++next)
     error = take(static_cast<uint16_t>(next));

@@ -28,8 +28,8 @@ NetError ErrorOf(int status) {
 NetError ResolveOnHost(const std::string& name, HostInfo* host) {
   addrinfo hints{};
   hints.ai_family = AF_INET;
-  // Asks for one socket type only, because otherwise the list contains each address once for each
-  // type.
+  // Asks the resolver for addresses of one socket type only, because otherwise its list contains
+  // each address once for each type.
   hints.ai_socktype = SOCK_STREAM;
   hints.ai_flags = AI_CANONNAME;
   addrinfo* list = nullptr;

@@ -30,7 +30,8 @@ const sockaddr* Generic(const sockaddr_in* address) {
 
 void SetOption(int fd, int level, int option) {
   const int on = 1;
-  // Ignores an error of setsockopt(), because the socket also works without the option.
+  // Ignores an error of setsockopt(), because the socket also works without the option that is set
+  // here.
   setsockopt(fd, level, option, &on, sizeof on);
 }
 

@@ -29,7 +29,7 @@ class Fd {
   int fd_ = -1;
 };
 
-// Converts an errno to an error of the stack.
+// Converts an errno of the host to the error that a Network reports to the network stack.
 NetError NetErrorOf(int error);
 
 // Opens a socket.  On failure returns an invalid Fd and sets errno.
@@ -43,8 +43,8 @@ int ListenOn(const Fd& fd, NetAddress local, int backlog);
 // connection takes time; then ConnectResult() returns the result.
 int ConnectTo(const Fd& fd, NetAddress remote);
 
-// Asks whether `fd` is connected after ConnectTo(): returns EINPROGRESS while the connection is
-// being established, then 0 or an errno.
+// Returns the result of ConnectTo() for the socket `fd`: EINPROGRESS while the connection is being
+// established, then 0 or an errno.
 int ConnectResult(const Fd& fd);
 
 // Accepts the next connection to `listener`.  If no connection waits, or on an error, returns an

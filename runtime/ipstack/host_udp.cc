@@ -60,8 +60,8 @@ void HostUdp::Poll(std::vector<NetworkEvent>* events) {
       any = true;
       events->push_back(std::move(event));
     }
-    // Ends the request of ReceiveFrom() as soon as datagrams have arrived, even if they are fewer
-    // than the request allows.
+    // Ends the request that ReceiveFrom() has made for this UDP socket as soon as datagrams have
+    // arrived, even if they are fewer than the request allows.
     if (any) socket.want = 0;
   }
 }

@@ -36,8 +36,8 @@ class HostUdp {
  private:
   struct Socket {
     Fd fd;
-    // The largest number of datagrams that the pending ReceiveFrom() may return; 0 if
-    // no ReceiveFrom() is pending.
+    // The largest number of datagrams that the pending ReceiveFrom() of this UDP socket may return;
+    // 0 if no ReceiveFrom() is pending.
     size_t want = 0;
   };
 

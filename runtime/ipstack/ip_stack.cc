@@ -63,8 +63,8 @@ IpStack::IpStack(std::shared_ptr<Network> network, IpStackOptions options)
   network_->Attach(address_);
 
   const auto take = [this](void* payload) { TakeMessage(payload); };
-  // These entries must be added in the order of the documented selectors 0 to 2, because EntryFor()
-  // adds the documented selector to first_entry_.
+  // Adds the entries of the network stack in the order of their documented selectors, 0 to 2,
+  // because EntryFor() adds the documented selector to first_entry_.
   first_entry_ = AddExtra("Initialize", take);
   AddExtra("HartBeat", take);
   AddExtra("External", take);
@@ -170,8 +170,9 @@ void IpStack::HandleStackMessage(Operation* operation) {
         return Answer(operation, sender != nullptr && sender->is_system
                                      ? parameters_.Set(operation->As<antEnvInitSetParamMsg>())
                                      : ANT_FAIL);
-      // Answers with success to every object and does nothing, because the stack runs since the
-      // boot and no document says whether the robot refuses a program (docs/openr/network.md, 3.3).
+      // Answers with success to every object and does nothing, because the network stack runs since
+      // the boot and no document says whether the robot refuses a program (docs/openr/network.md,
+      // 3.3).
       case antEnv_Operation_InitStart:
         return Answer(operation, ANT_SUCCESS);
       default:
@@ -234,8 +235,9 @@ void IpStack::HandleEndpointMessage(Operation* operation) {
   const int32_t protocol = ProtocolOf(ref);
   const auto found = endpoints_.find(ref.index);
   if (found == endpoints_.end() || found->second->protocol() != protocol) {
-    // Recognises a closed endpoint by its index: indexes are given out in order, so an unknown
-    // index that is not larger than the last index belonged to a closed endpoint.
+    // Recognises the reference to a closed endpoint by its index: endpoints get their indexes in
+    // order, so an unknown index that is not larger than the last index belonged to a closed
+    // endpoint.
     const bool was_closed = found == endpoints_.end() && ref.index != 0 && ref.index <= last_index_;
     return Answer(operation,
                   was_closed && protocol != 0 ? ClosedError(protocol) : InvalidError(protocol));
@@ -248,8 +250,8 @@ void IpStack::HandleEndpointMessage(Operation* operation) {
 void IpStack::Answer(Operation* operation, int32_t error, const void* data, size_t size) {
   antEnvMsg& message = operation->message();
   SetAntError(&message, error);
-  // Sets the counts in an answer with an error to 0, because such an answer has no data.  The error
-  // 0 means success in every protocol.
+  // Sets the counts of received data in an answer with an error to 0, because such an answer has no
+  // data.  The error 0 means success in every protocol.
   if (error != 0) ClearCounts(&message);
   const uint64_t hash = AntMessageHash(message, data, size);
   if (operation->ticket.box != 0) {
@@ -292,9 +294,9 @@ void IpStack::KeepPolling() {
   bool needed = false;
   for (const auto& [index, endpoint] : endpoints_) needed = needed || endpoint->WaitsForNetwork();
   if (!needed) return;
-  // Subtracts creep_us(), because the message must be due exactly at the beginning of the frame and
-  // Post() adds creep_us() to the delay. creep_us() is 1 us while very many messages are delivered
-  // at one instant; it makes time go on.
+  // Subtracts creep_us(), because the Poll message must be due exactly at the beginning of the
+  // frame and Post() adds creep_us() to the delay. creep_us() is 1 us while very many messages are
+  // delivered at one instant; it makes time go on.
   const int64_t now_us = system().now_us();
   const int64_t delay_us = kFrameUs - now_us % kFrameUs - system().creep_us();
   system().Post(system().NewMessage(host().id, poll_entry_), delay_us);

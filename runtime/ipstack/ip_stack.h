@@ -58,9 +58,9 @@ class IpStack : public CodeObject {
   IpStack(std::shared_ptr<Network> network, IpStackOptions options);
   ~IpStack() override;
 
-  // Returns the stack of the current object's robot, or null if the robot has no stack.
+  // Returns the network stack of the current object's robot, or null if the robot has none.
   static IpStack* OfCurrent();
-  // Returns the stack of `robot`, or null if the robot has no stack.
+  // Returns the network stack of `robot`, or null if the robot has none.
   static IpStack* Of(System* system, int robot);
 
   // Returns the selector of IPStack's entry for `selector`.  `selector` is the documented number in
@@ -91,9 +91,8 @@ class IpStack : public CodeObject {
   TcpPorts& tcp_ports() { return tcp_ports_; }
   uint32_t address() const { return address_; }
 
-  // Returns whether a program may use `ip` as its own address: the any address, loopback, the
-  // robot's own address, or one of the other addresses that the options give
-  // (IpStackOptions::addresses).
+  // Returns whether a program may use `ip` as its own address: 0.0.0.0, loopback, the robot's own
+  // address, or one of the other addresses that the options give (IpStackOptions::addresses).
   bool IsOwnAddress(uint32_t ip) const;
 
   // Returns `ip` if it is an address of the robot besides its own address
@@ -101,11 +100,11 @@ class IpStack : public CodeObject {
   uint32_t FurtherAddress(uint32_t ip) const;
 
   // Returns the local address that the stack puts into its answers to a program that has bound to
-  // `ip`.  For loopback and the any address, the local address is the robot's own address.
+  // `ip`.  For loopback and 0.0.0.0, the local address is the robot's own address.
   uint32_t LocalAddress(uint32_t ip) const { return FurtherAddress(ip) == 0 ? address_ : ip; }
 
-  // Returns a number for a new socket, and sends the events of this socket to `sink`.  Drop()
-  // closes the socket.
+  // Returns a number for a new socket, and sends the events of this socket to `sink`.  Drop(),
+  // called with this number, closes the socket.
   NetHandle Open(EventSink* sink);
   void Drop(NetHandle handle, bool reset);
 
@@ -115,8 +114,8 @@ class IpStack : public CodeObject {
   bool TakeUdpPort(uint16_t port) { return udp_ports_.insert(port).second; }
   void ReturnUdpPort(uint16_t port) { udp_ports_.erase(port); }
 
-  // Sends the message of `operation` back with `error` in its error field.  `data` are the
-  // transferred bytes, which the hash of the answer includes.
+  // Sends the message of `operation` back to the object that has sent it, with `error` in its error
+  // field.  `data` are the transferred bytes, which the hash of the answer includes.
   void Answer(Operation* operation, int32_t error, const void* data = nullptr, size_t size = 0);
 
   // Adds a finding about the object that has sent `operation`.
@@ -149,8 +148,8 @@ class IpStack : public CodeObject {
   TcpPorts tcp_ports_;
   std::set<uint16_t> udp_ports_;  // ports that UDP endpoints have bound
   std::vector<uint32_t> dns_servers_;
-  // The endpoints that are not deleted yet.  The key is the index in the endpoint's reference
-  // (antModuleRef).
+  // The endpoints of this network stack that are not deleted yet.  The key is the index in the
+  // endpoint's reference (antModuleRef).
   std::map<uint32_t, std::unique_ptr<Endpoint>> endpoints_;
   std::map<NetHandle, EventSink*> sinks_;
   uint32_t last_index_ = 0;

@@ -93,7 +93,7 @@ void LoopbackNetwork::Send(NetHandle handle, const void* data, size_t size) {
 }
 
 // Moves the bytes that wait on `connection` into the pipe to the peer, as many as fit, and adds an
-// event with their number.
+// event that tells the sender their number.
 void LoopbackNetwork::Push(NetHandle handle, Connection* connection) {
   Pipe& pipe = connection->peer();
   if (pipe.gone && !connection->out.empty()) connection->link->reset = true;
@@ -167,7 +167,7 @@ void LoopbackNetwork::Drop(NetHandle handle, bool reset) {
     Connection& connection = found->second;
     if (reset) connection.link->reset = true;
     // Passes the bytes that are not sent yet to the peer, because the kernel of a real host also
-    // sends them after a close.
+    // sends them after a program has closed the connection.
     connection.peer().bytes += connection.out;
     connection.peer().ended = true;
     connection.in().gone = true;

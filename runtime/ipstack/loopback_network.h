@@ -23,7 +23,8 @@ class LoopbackNetwork;
 // The hub that connects all LoopbackNetworks of a test, and their table of names.
 class LoopbackHub {
  public:
-  // The hosts that Resolve() finds.  The key is the name without a final dot.
+  // The hosts that LoopbackNetwork::Resolve() finds.  The key is the name of the host without a
+  // final dot.
   std::map<std::string, HostInfo> names;
 
  private:
@@ -111,8 +112,8 @@ class LoopbackNetwork : public Network {
   void Add(NetworkEvent::Kind kind, NetHandle handle, NetError error = NetError::kNone);
   void MatchAccepts(Listener* listener);
   void Push(NetHandle handle, Connection* connection);
-  // Appends the events of `connection`.  Returns false if both sides have ended `connection` or one
-  // side has reset it, so that it can be deleted.
+  // Adds the new events of `connection` to the events that Poll() will return.  Returns false if
+  // both sides have ended `connection` or one side has reset it, so that it can be deleted.
   bool PollConnection(NetHandle handle, Connection* connection);
 
   const std::shared_ptr<LoopbackHub> hub_;

@@ -57,7 +57,8 @@ struct NetworkEvent {
     kEnd,        // answer to Receive(): the peer has ended the stream
     kClosed,     // answer to Close(): both sides have ended
     kDatagram,   // answer to ReceiveFrom(): `bytes` came from `remote`
-    // Answer to Resolve() or ResolveAddress().  If there is no such host, `host` has no addresses.
+    // The event that answers Resolve() or ResolveAddress().  If there is no such host, `host` has
+    // no addresses.
     kResolved,
     kFailed,  // the socket failed and can only be dropped; `error` tells why
     kNote,    // `bytes` is a text for the user
@@ -107,8 +108,8 @@ class Network {
 
   // ---- Commands for UDP sockets
 
-  // Binds `port`.  `any_port` is true if the stack has chosen the port.  Then no peer expects a
-  // certain number, so the host may use another port.
+  // Binds `port`.  `any_port` is true if the network stack has chosen the port.  Then no peer
+  // expects a certain number, so the host may use another port.
   virtual void Bind(NetHandle handle, uint16_t port, bool any_port) = 0;
   // Copies the bytes at `data` and sends them as one datagram.  A datagram that cannot be sent is
   // lost, as in any UDP network; an event kNote may inform the user.

@@ -1,4 +1,4 @@
-// An operation: a message to the stack that the stack has not answered yet.
+// An operation: a message of a program that the network stack has not answered yet.
 #pragma once
 
 #include <antEnvMsg.h>
@@ -21,7 +21,8 @@ struct Operation {
   antEnvMsg& message() { return *reinterpret_cast<antEnvMsg*>(bytes); }
   const antEnvMsg& message() const { return *reinterpret_cast<const antEnvMsg*>(bytes); }
 
-  // Returns the message as the type T.  REQUIRES: T is the type for the message's operation code.
+  // Returns the message of this operation as the type T, such as TCPEndpointSendMsg.  REQUIRES: T
+  // is the type for the message's operation code.
   template <typename T>
   T& As() {
     static_assert(sizeof(T) <= sizeof bytes);

@@ -26,12 +26,13 @@ class Parameters {
   // ETHER_IP unless it is "".
   Parameters(MemoryStick* stick, const std::string& address);
 
-  // Looks up the key that `message` names and stores the value in `message`.  Returns
-  // ANT_REGISTRY_NO_KEY for an unknown key.  A text is cut to ANTENV_VALUE_LENGTH_MAX.
+  // Looks up the setting of the network stack whose key `message` names and stores the value in
+  // `message`.  Returns ANT_REGISTRY_NO_KEY for an unknown key.  A text is cut to
+  // ANTENV_VALUE_LENGTH_MAX.
   antError Get(antEnvInitGetParamMsg* message) const;
 
-  // Sets the setting whose key is in `message`.  Returns ANT_REGISTRY_WRONG_TYPE unless the value
-  // is a text or a number.
+  // Changes the setting of the network stack whose key is in `message`.  Returns
+  // ANT_REGISTRY_WRONG_TYPE unless the value is a text or a number.
   antError Set(const antEnvInitSetParamMsg& message);
 
   const WlanConfig& wlan() const { return wlan_; }

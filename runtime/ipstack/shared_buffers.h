@@ -1,5 +1,5 @@
-// The shared buffers.  IPStack sends an object's data from a shared buffer and writes received data
-// into a shared buffer.
+// The buffers that programs and the network stack share.  The stack sends an object's data from a
+// shared buffer and writes received data into a shared buffer.
 //
 // Each buffer is a region of the System's table.  The owner of a buffer is the object that has
 // asked for the buffer.
@@ -21,35 +21,38 @@ class SharedBuffers {
   explicit SharedBuffers(RegionTable* regions) : regions_(regions) {}
 
   static constexpr uint32_t kPageBytes = 4096;  // sizes are rounded up to pages
-  // The largest size of all buffers together.  The robot's limit is not known.  We allow more than
-  // all memory of the robot, so that only a faulty program reaches the limit.
+  // The largest size of all shared buffers together.  The robot's limit is not known.  We allow
+  // more than all memory of the robot, so that only a faulty program reaches the limit.
   static constexpr uint64_t kBytesMax = uint64_t{64} << 20;
 
-  // Makes a buffer of `bytes` bytes.  Returns ANT_FAIL for 0 bytes, and ANT_NOMEMORY if all buffers
-  // together would be larger than kBytesMax.
+  // Makes a shared buffer of `bytes` bytes.  Returns ANT_FAIL for 0 bytes, and ANT_NOMEMORY if all
+  // shared buffers together would be larger than kBytesMax.
   antError Create(uint32_t bytes, ObjectId owner, antSharedBuffer* buffer);
 
-  // Deletes a buffer.  Returns ANT_INVALIDPTR for an unknown buffer, and ANT_FAIL while the buffer
-  // is mapped.
+  // Deletes a shared buffer.  Returns ANT_INVALIDPTR for an unknown buffer, and ANT_FAIL while the
+  // buffer is mapped.
   antError Destroy(const antSharedBuffer& buffer);
 
-  // Makes a buffer usable and sets `*base` to the address of its first byte.  A second call for the
-  // same buffer changes nothing.
+  // Makes a shared buffer usable for the program and sets `*base` to the address of its first byte.
+  // A second call for the same buffer changes nothing.
   antError Map(const antSharedBuffer& buffer, void** base);
-  // Ends the use that Map() has begun.  A second call for the same buffer changes nothing.
+  // Ends the use of a shared buffer that Map() has begun.  A second call for the same buffer
+  // changes nothing.
   antError UnMap(const antSharedBuffer& buffer);
 
-  // Adds a buffer to this table in a worker process, which runs objects outside of the master
-  // process.  Called after the stack, which runs in the master, has created the buffer.
+  // Adds a shared buffer to this table in a worker process, which runs objects outside of the
+  // master process.  Called after the network stack, which runs in the master, has created the
+  // buffer.
   void Adopt(const antSharedBuffer& buffer, ObjectId owner);
-  // Removes a buffer from this table in a worker process.  Called after the stack in the master has
-  // destroyed the buffer.
+  // Removes a shared buffer from this table in a worker process.  Called after the network stack in
+  // the master has destroyed the buffer.
   void Forget(const antSharedBuffer& buffer) { buffers_.erase(buffer.GetCookie()); }
 
-  // Returns whether `size` bytes from `begin` on lie inside one mapped buffer, and `size` > 0.
+  // Returns whether `size` bytes from `begin` on lie inside one mapped shared buffer, and `size` >
+  // 0.
   bool Contains(const void* begin, int64_t size) const;
 
-  // Deletes all buffers of an object that has ended.
+  // Deletes all shared buffers of an object that has ended.
   void ForgetObject(ObjectId owner);
 
   size_t count() const { return buffers_.size(); }
@@ -63,7 +66,8 @@ class SharedBuffers {
     bool mapped = false;
   };
 
-  // Returns the table's entry for `buffer`; null if the table does not have the buffer.
+  // Returns the entry for `buffer` in this table of shared buffers; null if the table does not have
+  // the buffer.
   Buffer* Find(const antSharedBuffer& buffer);
 
   RegionTable* const regions_;

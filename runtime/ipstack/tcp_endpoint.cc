@@ -296,8 +296,8 @@ void TcpEndpoint::Accepted(const NetworkEvent& event) {
   const bool welcome = (wanted_.ip == 0 || wanted_.ip == event.remote.ip) &&
                        (wanted_.port == 0 || wanted_.port == event.remote.port);
   stack_->tcp_ports().Forget(local_port_, this);
-  // Resets this connection, because the program waits for one certain peer and another peer has
-  // connected.  Then the endpoint waits for the next connection.
+  // Resets this connection, because the Listen of the program waits for one certain peer and
+  // another peer has connected.  Then the endpoint waits for the next connection.
   if (!welcome) {
     stack_->Drop(socket_, true);
     socket_ = stack_->Open(this);
@@ -322,8 +322,8 @@ void TcpEndpoint::Fail(NetError error) {
   state_ = State::kFailed;
 }
 
-// Ends the wait of this endpoint for a connection to its local port.  If the stack has chosen the
-// port for this Listen, also closes the port, because no other endpoint listens on it.
+// Ends the wait of this endpoint for a connection to its local port.  If the network stack has
+// chosen the port for this Listen, also closes the port, because no other endpoint listens on it.
 void TcpEndpoint::LeavePort() {
   stack_->tcp_ports().Forget(local_port_, this);
   if (own_port_) stack_->tcp_ports().Close(local_port_);

@@ -75,8 +75,8 @@ class TcpEndpoint : public Endpoint {
   void FinishSend();
   void FinishReceive();
   void FinishClose();
-  // Answers the pending `operation` with `error` and removes the operation.  `data` are the
-  // transferred bytes.
+  // Answers the pending `operation`, a message of the program, with `error` and removes the
+  // operation.  `data` are the transferred bytes.
   void Finish(std::optional<Operation>* operation, TCPEndpointError error,
               const void* data = nullptr, size_t size = 0);
 

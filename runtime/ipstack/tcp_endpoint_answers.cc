@@ -40,8 +40,8 @@ void TcpEndpoint::FinishSend() {
   const auto& message = send_->As<TCPEndpointSendMsg>();
   if (state_ == State::kFailed) return Finish(&send_, error_);
   if (unsent_ + message.size > pool_bytes_) return;
-  // Checks the buffer again, because the program may have destroyed or unmapped it while the Send
-  // waited.
+  // Checks the shared buffer with the data again, because the program may have destroyed or
+  // unmapped it while the Send waited.
   if (!stack_->buffers().Contains(message.buffer, message.size)) {
     return Finish(&send_, TCP_BUFFER_INVALID);
   }
@@ -59,7 +59,8 @@ void TcpEndpoint::FinishReceive() {
   auto& message = receive_->As<TCPEndpointReceiveMsg>();
   const auto min = static_cast<size_t>(message.sizeMin);
   const auto max = static_cast<size_t>(message.sizeMax);
-  // Delivers fewer bytes than sizeMin after the end of the stream, because no more bytes come.
+  // Delivers fewer bytes than sizeMin after the peer has ended the stream, because no more bytes
+  // come.
   const bool enough = in_.size() >= min || (ended_ && !in_.empty());
   if (!enough && state_ != State::kFailed && !ended_) {
     if (!asked_) {
@@ -69,8 +70,8 @@ void TcpEndpoint::FinishReceive() {
     return;
   }
   if (!enough) return Finish(&receive_, state_ == State::kFailed ? error_ : TCP_CONNECTION_CLOSED);
-  // Checks the buffer again, because the program may have destroyed or unmapped it while the
-  // Receive waited.
+  // Checks the shared buffer for the data again, because the program may have destroyed or unmapped
+  // it while the Receive waited.
   if (!stack_->buffers().Contains(message.buffer, message.sizeMax)) {
     return Finish(&receive_, TCP_BUFFER_INVALID);
   }

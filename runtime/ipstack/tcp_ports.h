@@ -34,8 +34,8 @@ class TcpPorts {
 
   bool IsOpen(uint16_t port) const { return ports_.contains(port); }
 
-  // Closes the socket of `port`.  Called for a port that the stack has chosen for one endpoint,
-  // when the Listen of this endpoint ends.
+  // Closes the socket of `port`.  Called for a port that the network stack has chosen for one
+  // endpoint, when the Listen of this endpoint ends.
   void Close(uint16_t port);
   void CloseAll();
 

@@ -212,8 +212,8 @@ void UdpEndpoint::FinishSend() {
   const auto& message = send_->As<UDPEndpointSendMsg>();
   if (error_ != UDP_SUCCESS) return Finish(&send_, error_);
   if (sent_in_frame_ + message.size > pool_bytes_) return;
-  // The buffer is checked again, because the program may have destroyed or unmapped it while the
-  // Send waited.
+  // The shared buffer with the data is checked again, because the program may have destroyed or
+  // unmapped it while the Send waited.
   if (!stack_->buffers().Contains(message.buffer, message.size)) {
     return Finish(&send_, UDP_BUFFER_INVALID);
   }
@@ -244,8 +244,8 @@ void UdpEndpoint::FinishReceive() {
     asked_ = true;
     return;
   }
-  // The buffer is checked again, because the program may have destroyed or unmapped it while the
-  // Receive waited.
+  // The shared buffer for the data is checked again, because the program may have destroyed or
+  // unmapped it while the Receive waited.
   if (!stack_->buffers().Contains(message.buffer, room)) {
     return Finish(&receive_, UDP_BUFFER_INVALID);
   }

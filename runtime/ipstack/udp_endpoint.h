@@ -54,7 +54,8 @@ class UdpEndpoint : public Endpoint {
   uint32_t local_ip_ = 0;  // the address that the program gave; 0 for any address
   uint16_t port_ = 0;
   NetAddress peer_;  // the peer that Connect has set; its ip is 0 if there is no peer
-  // The error that ended the use of the socket; UDP_SUCCESS: the socket works.
+  // The error after which this endpoint cannot use its socket any more; UDP_SUCCESS: the socket
+  // works.
   UDPEndpointError error_ = UDP_SUCCESS;
   // True while a Network::ReceiveFrom() has not been answered.
   bool asked_ = false;
