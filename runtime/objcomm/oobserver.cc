@@ -44,8 +44,9 @@ void OObserver::SetSkip(size_t skip) { state_->skip = skip; }
 void OObserver::SetBufCtrlParam(size_t skip, size_t min, size_t max) {
   state_->skip = skip;
   state_->min = std::max<size_t>(min, 1);
-  // Raises `max` to `min` at least.  With a smaller maximum the subject would drop notifications
-  // before `min` of them are collected, and so never send any.
+  // Raises `max`, the number of notifications that may wait for a ready, to at least `min`.  With a
+  // smaller maximum the subject would drop notifications before `min` of them are collected, and so
+  // never send any.
   state_->max = std::max(max, state_->min);
 }
 
@@ -93,8 +94,8 @@ std::optional<OControlReplyMessage> AskSubject(ObserverState* state, const OServ
   System* const system = state->system;
   OControlReplyMessage reply;
   std::memset(static_cast<void*>(&reply), 0, sizeof reply);
-  // Sets the status of the reply to oFAIL.  If the call below fails, this status remains, and the
-  // connection counts as refused.
+  // Sets the status of the subject's reply to oFAIL.  If the call of the subject's entry below
+  // fails, this status remains, and the connection counts as refused.
   reply.status = oFAIL;
   const ObjectId target = ObjectIdOf(entry.GetOID());
   if (target != state->object->id) {
@@ -142,7 +143,8 @@ OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
     const auto reply = is_lost ? std::nullopt : AskSubject(state_, msg.entry, &control);
     answer.status = reply ? reply->status : oFAIL;
     if (!reply) {
-      // Prints nothing, because the loss of the process is reported by the runtime.
+      // Prints nothing about the failed connection, because the runtime itself reports the loss of
+      // the process.
       if (connect) state_->MissSubject(msg.subName);
     } else if (reply->status != oSUCCESS) {
       state_->system->Print(fmt::format(

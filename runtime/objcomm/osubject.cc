@@ -102,7 +102,7 @@ OStatus OSubject::SetData(RCRegion* region) {
   if (region == nullptr) return oINVALID_ARG;
   return InApi([state = state_, region] {
     OStatus status = oSUCCESS;
-    // If the notification of one observer fails, goes on with the next observer, so that all other
+    // If SetData() fails for one observer, goes on with the next observer, so that all other
     // observers get the data.  Returns the status of the last failure.
     for (ObserverLink& link : state->links) {
       const OStatus one = state->SetData(&link, region);
@@ -187,8 +187,8 @@ namespace {
 // buffer.
 size_t Remain(const SubjectState& state, const ObserverLink& link) {
   const size_t used = link.fresh.size() + link.pending.size();
-  // The buffer holds one entry less than its size, because the robot's buffer is a ring buffer in
-  // which one entry always stays empty.
+  // The subject's buffer holds one entry less than its size, because the robot's buffer is a ring
+  // buffer in which one entry always stays empty.
   const size_t room = std::max<size_t>(state.buffer_size, 1) - 1;
   return used >= room ? 0 : room - used;
 }
