@@ -5,8 +5,8 @@
 namespace openr_host {
 namespace {
 
-// The limit for the unpacked size, our choice and far above any file of a stick.  The limit
-// protects the host's memory, because even a small file may unpack to very many bytes.
+// The limit for the unpacked size of a gzip file, our choice and far above any file of a stick.
+// The limit protects the host's memory, because even a small file may unpack to very many bytes.
 constexpr size_t kBytesMax = 512u << 20;
 
 }  // namespace

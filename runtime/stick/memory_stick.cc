@@ -80,8 +80,8 @@ std::optional<std::vector<std::string>> PartsOf(std::string_view name) {
 bool IsBelow(const std::string& path, const std::string& folder) {
   std::error_code error;
   const auto real_path = std::filesystem::canonical(path, error);
-  // Refuses a path whose real path is not known, such as a dangling link: a file that is created
-  // through the link may be outside of `folder`.
+  // Refuses a path whose real path cannot be found, such as a link to a missing file: a file that
+  // is created through the link may be outside of `folder`.
   if (error) return false;
   const auto real_folder = std::filesystem::canonical(folder, error);
   const auto [end, rest] =
@@ -122,8 +122,8 @@ void MemoryStick::HashFile(std::string_view name, std::string_view otherwise, Ha
     file.open(location.path, std::ios::binary);
   if (!file.is_open()) {
     const int why = WhyUnread(name);
-    // Throws after an error of the host, such as too many open files.  If the file were hashed as
-    // missing instead, two runs with the same stick would have different hashes.
+    // Throws an exception after an error of the host, such as too many open files.  If the file
+    // were hashed as missing instead, two runs with the same stick would have different hashes.
     if (why != ENOENT && why != EACCES && why != EISDIR && why != EINVAL)
       ThrowUnreadable(location.path, std::strerror(why));
     return hasher->AddText(otherwise);
@@ -131,7 +131,8 @@ void MemoryStick::HashFile(std::string_view name, std::string_view otherwise, Ha
   const uint64_t size = std::filesystem::file_size(location.path, error);
   if (error) ThrowUnreadable(location.path, error.message());
   hasher->Add(size);
-  // Reads the file piece by piece, because it may be larger than the memory of the host.
+  // Reads the file of the stick piece by piece, because it may be larger than the memory of the
+  // host.
   std::string piece;
   for (uint64_t left = size; left > 0 && file; left -= piece.size()) {
     piece.resize(std::min<uint64_t>(left, kPieceBytes));
@@ -162,7 +163,8 @@ MemoryStick::Location FolderStick::Locate(std::string_view name) {
     const bool is_last = i + 1 == parts->size();
     if (entry.empty() && !is_last) return {"", false, ENOENT};
     if (entry.empty()) {
-      // Checks the folder, because it may be a link that leads out of the stick.
+      // If the stick does not have the file, checks the folder for it instead, because this folder
+      // may be a link that leads out of the stick.
       if (!IsBelow(path, root_)) return {"", false, EACCES};
       return {path + "/" + UpperCase(part), false, 0};
     }
@@ -188,7 +190,8 @@ uint64_t FolderStick::ContentHash() {
   for (fs::recursive_directory_iterator it(root_, kOptions, error), end; !error && it != end;
        it.increment(error)) {
     const std::string extension = UpperCase(it->path().extension().string());
-    // Leaves out the record of a crash in an earlier run, because this run does not read that file.
+    // Leaves the crash record of an earlier run out of the hash, because this run does not read
+    // that file.
     const bool is_crash_record = UpperCase(it->path().filename().string()) == kCrashRecord;
     std::error_code no_file;  // is set for a dangling link, which is left out because it is no file
     if (it->is_regular_file(no_file) && extension != ".BIN" && extension != ".DBG" &&
