@@ -33,7 +33,7 @@ struct Panel {
 struct Chart {
   std::string title;
   std::string subtitle;
-  std::string x_label, y_label;  // texts at the two axes of each plot, with units
+  std::string x_label, y_label;  // labels of the two axes, which all panels share, with units
   int columns = 3;               // number of panels in a row; >= 1
   // Smallest span of a vertical axis, in the unit of the axis, so that small noise does not fill
   // the plot.
@@ -44,9 +44,9 @@ struct Chart {
 
 enum class FileType { kSvg, kPng };
 
-// The type of the function openr_draw_chart(), which the program finds by its name in
-// libopenr_chart.so.  The function sets `bytes` to the content of the chart's file.  If that fails,
-// it sets `error` to the error.
+// The type of the function openr_draw_chart(), which openr finds by its name in libopenr_chart.so.
+// The function draws the chart and sets `bytes` to the content of a file of the type `type`.  If
+// drawing fails, it sets `error` to the reason.
 using DrawChartFunction = void(const Chart& chart, FileType type, std::string* bytes,
                                std::string* error);
 constexpr char kDrawChartName[] = "openr_draw_chart";
@@ -55,8 +55,8 @@ constexpr char kDrawChartName[] = "openr_draw_chart";
 // .svg or .png; "" if the name is good.
 std::string WhyNoChartName(const std::string& file);
 
-// Draws the chart and writes it to `file`.  Returns "", or the error.  The first call loads
-// libopenr_chart.so and Cairo.
+// Draws the chart and writes it to `file`.  Returns "", or the reason why the chart cannot be drawn
+// or written.  The first call loads libopenr_chart.so and Cairo.
 std::string WriteChart(const Chart& chart, const std::string& file);
 
 }  // namespace openr_host::chart

@@ -41,14 +41,16 @@ struct Span {
   double low, high;
 };
 
-// The values of an axis at which the chart has numbers: `first`, `first` + `step`, and so on.
+// The numbers that are printed along an axis: `first`, `first` + `step`, and so on to the end of
+// the axis.
 struct Ticks {
   double first, step;
   int decimals;
 };
 
-// Returns ticks for an axis with the values `span`: multiples of 1, 2 or 5 times a power of ten, at
-// most `count` of them.
+// Returns the numbers to print along an axis whose values reach from span.low to span.high:
+// multiples of a step that is 1, 2 or 5 times a power of ten.  The step is at least 1/`count` of
+// the axis.
 Ticks TicksOf(const Span& span, int count) {
   const double rough = (span.high - span.low) / count;
   const double power = std::pow(10, std::floor(std::log10(rough)));
@@ -68,7 +70,7 @@ void Widen(const std::vector<double>& values, Span* span) {
 }
 
 // Returns `text` with '?' in place of all bytes except printable ASCII.  Cairo refuses text that is
-// not UTF-8, and names in motion files may have any bytes.
+// not UTF-8, and a chart shows names from motion files, which may have any bytes.
 std::string Printable(std::string text) {
   for (char& c : text) {
     if (c < ' ' || c > '~') c = '?';
@@ -288,8 +290,8 @@ class Painter {
     cairo_set_font_size(cairo_, size);
   }
 
-  // Writes a text whose base line begins at x, y.  With `anchor` 0.5 the middle of the text is at
-  // x; with `anchor` 1 its end is at x.
+  // Draws a text whose base line begins at x, y.  With `anchor` 0.5 the middle of the text is at x;
+  // with `anchor` 1 its end is at x.
   void Text(double x, double y, const std::string& text, double size, bool is_bold,
             const Rgb& colour, double anchor = 0) {
     const double width = WidthOfText(text, size, is_bold);
