@@ -25,8 +25,8 @@
 namespace openr_host {
 namespace {
 
-// Reads a value of the type T at `offset` of `content` into `value`.  Returns false if the content
-// is too short, because the content may have been cut.
+// Reads a value of the type T at `offset` of a message's bytes, `content`, into `value`.  Returns
+// false if the bytes end before, because only the beginning of a long message is kept.
 template <typename T>
 bool ReadAt(const std::string& content, size_t offset, T* value) {
   if (offset > content.size() || content.size() - offset < sizeof(T)) return false;
@@ -44,9 +44,9 @@ std::string TextIn(const char (&text)[N]) {
 // Converts an angle of OPEN-R, in 10^-6 rad, to degrees.
 double DegreesOf(slongword urad) { return Degrees(urad * 1e-6); }
 
-// Calls tell(info) for each element of the data vector in `content`, and returns all lines that
-// `tell` has returned.  Stops at the end of `content`, which may have been cut, or when `tell`
-// returns "".
+// Calls tell(info) for each element of a data vector; `info` describes the element, such as the
+// commands for one primitive.  Returns all lines that `tell` has returned.  Stops when `tell`
+// returns "", or at the end of `content`, the bytes of the vector, whose end may have been cut off.
 template <typename Info, typename Tell>
 std::string DecodeElements(const std::string& content, Tell tell) {
   ODataVectorInfo vector;
@@ -62,8 +62,9 @@ std::string DecodeElements(const std::string& content, Tell tell) {
   return text;
 }
 
-// Reads the last frame (8 ms) of an element of a vector into `value`.  `info` describes the
-// element.  Returns false if the element has no frame, or if the content was cut before the frame.
+// Reads the last frame (8 ms) of an element of a data vector, such as the last command for one
+// primitive, into `value`.  `info` describes the element.  Returns false if the element has no
+// frame, or if `content`, the bytes of the vector, was cut before the frame.
 template <typename Info, typename Value>
 bool ReadLastFrame(const std::string& content, const Info& info, size_t frames_max, Value* value) {
   if (info.numFrames == 0) return false;
@@ -129,8 +130,8 @@ std::string DecodeSounds(const RobotModel& model, const std::string& content) {
   return DecodeElements<OSoundInfo>(content, [&](const OSoundInfo& info) {
     std::string text = fmt::format("{} {} bytes, frame {}", LocatorOf(model, info.primitiveID),
                                    info.dataSize, info.frameNumber);
-    // Leaves the format out if the sampling rate is 0, because programs that play a sound may leave
-    // it open.
+    // Leaves out the rate, the bits and the channels of a sound whose sampling rate is 0, because
+    // programs that play a sound need not set these fields.
     if (info.samplingRate != 0)
       text += fmt::format(", {} Hz, {} bits, {}", info.samplingRate, info.bitsPerSample,
                           info.channel == osoundchannelSTEREO ? "stereo" : "mono");
@@ -218,8 +219,8 @@ std::string DecodeBatch(const RobotModel& model, const std::string& content) {
 
 std::string DecodeSetValue(const RobotModel& model, const std::string& content) {
   SetValueMessage message;
-  // Reads the last message only, because a notification may have several messages and the last one
-  // is the newest.
+  // Reads the last SetValueMessage only, because a notification may have several of them and the
+  // last one is the newest.
   if (content.size() < sizeof message ||
       !ReadAt(content, content.size() - sizeof message, &message))
     return "";
@@ -321,8 +322,9 @@ std::string DecodeUnknown(const std::string& content) {
   return text;
 }
 
-// Returns the type of the data in a notification to `entry`, which is a service or an entry; "" if
-// `entry` gets no notifications.
+// Returns the type of the data in a notification, such as MoverCommand.  `entry` is the name of a
+// service, or the name of an entry: a service with a kind, such as "... (Notify)".  Returns "" for
+// an entry of another kind, such as "... (Ready)", because it gets no notifications.
 std::string TypeOfEntry(const std::string& entry) {
   const size_t kind = entry.find(" (");
   if (kind != std::string::npos && entry.substr(kind) != " (Notify)") return "";
@@ -374,11 +376,11 @@ std::string DecodeReceived(const System& system, ObjectId target, uint32_t selec
 std::string DecodeHandled(const System& system, const Message& message) {
   std::string content;
   if (message.kind == PayloadKind::kNotify) {
-    // Looks regions up by their ids.  The pointers of the message may lead to regions that do not
-    // exist any more, but an id is never used again.
+    // Looks the regions of the notification up by their ids.  The pointers of the message may lead
+    // to regions that do not exist any more, but an id is never used again.
     const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
-    // Limits the number of regions, because the handler may have damaged the message before it
-    // crashed.
+    // Limits the number of the notification's regions, because the handler may have damaged the
+    // message before it crashed.
     const int count = std::min<int>(notify.numOfData, MAX_NUM_DATA);
     for (int i = 0; i < count; ++i) {
       const TransferedData& data = notify.data[i];
