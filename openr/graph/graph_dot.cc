@@ -132,8 +132,8 @@ class DotWriter {
 
   const GraphView& graph_;
   std::map<std::pair<int, std::string>, int> wires_;
-  // The place of each service in the drawing: its box and its row in the box, such as "o1:s2".  The
-  // key is the number of the robot and the name of the service.
+  // The place of each service in the drawing: the box of its object and its row in this box, such
+  // as "o1:s2".  The key is the number of the robot and the name of the service.
   std::map<std::pair<int, std::string>, std::string> ports_;
   std::string text_;
 };

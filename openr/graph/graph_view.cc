@@ -53,9 +53,9 @@ GraphView CollectGraph(System* system_pointer) {
     const Robot& robot = system.robot(wire.robot);
     GraphConnection seen{wire.robot, wire.subject, wire.observer, wire.where, false, 0};
     const SubjectState* const subject = FindSubject(system, robot, wire.subject);
-    // Finds the subject's link to this observer by counting: a subject keeps its `links` in the
-    // order of the lines in CONNECT.CFG.  A line that names an unknown observer makes no link, so
-    // it is not counted.
+    // Finds the ObserverLink of this connection by counting: the subject has one link for each of
+    // its connections, in the order of the lines in CONNECT.CFG.  A line that names an unknown
+    // observer makes no link, so it is not counted.
     if (subject != nullptr && robot.directory.contains(wire.observer)) {
       const size_t link = links_used[{wire.robot, wire.subject}]++;
       seen.connected = link < subject->links.size();

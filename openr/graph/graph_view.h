@@ -22,7 +22,7 @@ struct GraphObject {
   int robot = 0;
   std::string name;
   std::string path;   // path of the object's image; empty for parts of the system
-  std::string state;  // text of the last line "state: ..." that the object printed
+  std::string state;  // text after "state: " in the last such line that the object printed
   bool is_system = false;
   std::vector<GraphService> services;  // services of the object, sorted by name
 };
@@ -32,12 +32,13 @@ struct GraphConnection {
   std::string subject, observer;  // names of the two connected services
   std::string where;              // line that makes the connection, such as "CONNECT.CFG:4"
   bool connected = false;  // true: the connection was made; false: the runtime refused the line
-  uint64_t events = 0;     // number of events that were sent over the connection so far
+  uint64_t events = 0;     // number of messages that the subject sent to the observer so far
 };
 
 struct GraphView {
   double virtual_time_s = 0;
-  // All objects of the stick, and the system objects that have services.
+  // All objects of the stick, and those parts of the system that have services, such as the robot's
+  // devices.
   std::vector<GraphObject> objects;
   std::vector<GraphConnection> connections;  // all connections, in the order of CONNECT.CFG
 };
