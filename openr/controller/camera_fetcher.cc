@@ -8,7 +8,7 @@ namespace {
 namespace remote = openr::remote;
 
 constexpr int kLargestLayer = 0;
-// Time between two attempts to fetch a picture while the robot serves another client.
+// Time between two attempts to fetch a camera picture while the robot serves another client.
 constexpr std::chrono::milliseconds kBusyWait{100};
 // Number of attempts in a row without a picture after which TakeProblem() tells that no pictures
 // come.  The attempts last 10 s.  Another client occupies the camera for a far shorter time, so a

@@ -10,8 +10,8 @@
 
 namespace openr_host {
 
-// Fetches pictures in a thread with a connection of its own, because a picture has 153 packets, and
-// commands on the same connection would wait for them.
+// Fetches pictures of the robot's camera in a thread with a connection of its own, because a
+// picture has 153 packets, and commands on the same connection would wait for them.
 class CameraFetcher {
  public:
   CameraFetcher(const openr::remote::Address& address, openr::remote::Options options);
@@ -19,12 +19,12 @@ class CameraFetcher {
   CameraFetcher(const CameraFetcher&) = delete;
   CameraFetcher& operator=(const CameraFetcher&) = delete;
 
-  // Puts the newest picture into `*rgb`, three bytes a pixel from the top left, and returns true,
-  // if a new picture has come since the last call.
+  // Puts the newest picture of the camera into `*rgb`, three bytes a pixel from the top left, and
+  // returns true, if a new picture has come since the last call.
   bool Take(std::string* rgb);
 
-  // Returns the reason why no pictures come.  Returns "" if pictures come, if none has come for
-  // less than 10 s, or if the reason was returned before.
+  // Returns the reason why no pictures come from the robot's camera.  Returns "" if pictures come,
+  // if none has come for less than 10 s, or if the reason was returned before.
   std::string TakeProblem();
 
  private:
@@ -34,7 +34,7 @@ class CameraFetcher {
   const openr::remote::Options options_;
   std::atomic<bool> is_ended_ = false;
   std::mutex mutex_;
-  std::string picture_;  // the newest picture; "" if Take() has already returned it
+  std::string picture_;  // newest picture of the camera; "" if Take() has already returned it
   std::string problem_;
   std::thread thread_;
 };

@@ -105,8 +105,8 @@ bool Session::WaitForNextStep() {
   }
 }
 
-// Makes an iteration of the loop while main() of the controller waits in robot_step().  When openr
-// is to end, ends the process here, because nothing can make main() return while it waits.
+// Runs an iteration of the controller's loop while its main() waits in robot_step().  When openr is
+// to end, ends the process here, because nothing can make main() return while it waits.
 void Session::StepInMain() {
   port_.core()->LedReady();
   if (!WaitForNextStep()) std::exit(End());
@@ -137,8 +137,8 @@ int Session::End() {
   return status_;
 }
 
-// Returns a text with the mean duration of iterations on the robot's clock.  This clock may run
-// slower or faster than the clock of this computer.
+// Returns a text with the mean duration of the controller's iterations on the robot's clock.  This
+// clock may run slower or faster than the clock of this computer.
 std::string Session::RobotTime() const {
   const auto count = static_cast<double>(clock_.iterations());
   if (count == 0 || last_frame_ <= first_frame_) return "";

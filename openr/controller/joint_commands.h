@@ -20,17 +20,18 @@ struct RobotCommand {
 
 // Compares the commands that a controller wants with the values that were sent to the robot before.
 // Unchanged values are not sent again, so a command that another client has given meanwhile stays
-// (Hohl 2004, 4.2.3).  Values are compared in the units of the protocol, such as 0.01 degree.
+// (Hohl 2004, 4.2.3).  Values are compared in the units of the remote control, such as 0.01 degree.
 class JointCommands {
  public:
-  // Begins with the values that JointMover has before its first command (Messages.h): no commanded
-  // position, the largest speed, and the default acceleration.
+  // Begins with the values that the object JointMover has before its first command (Messages.h): no
+  // commanded position, the largest speed, and the default acceleration.
   explicit JointCommands(const RobotConstants* robot);
 
-  // Returns the requests that bring the robot to the state `now`, and marks their values as sent.
-  // The order is positions, speeds, accelerations (Hohl 2004, 4.2.3); motors are switched with the
-  // positions.  Returns no positions while a motion plays (`is_playing`), because the robot would
-  // refuse them; a later call returns them.
+  // Returns the requests that bring the robot from the values that were sent last to `now`, the
+  // values that the controller wants, and marks these values as sent.  The order is positions,
+  // speeds, accelerations (Hohl 2004, 4.2.3); motors are switched with the positions.  Returns no
+  // positions while a motion plays (`is_playing`), because the robot would refuse them; a later
+  // call returns them.
   std::vector<RobotCommand> Changes(const BatchMoverCommand& now, bool is_playing);
 
   // Marks the position of a joint as not sent, because the robot has refused it.  So a later call
@@ -39,7 +40,8 @@ class JointCommands {
 
  private:
   struct Sent {
-    // The position that was sent last, in 0.01 degree; nullopt: no position was sent.
+    // The commanded position of the joint that was sent last, in 0.01 degree; nullopt: none was
+    // sent.
     std::optional<Sint32> position;
     Sint32 speed;
     Sint32 acceleration;

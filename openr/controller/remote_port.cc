@@ -21,14 +21,14 @@ namespace remote = openr::remote;
 using Clock = std::chrono::steady_clock;
 
 constexpr int kFrameMs = 8;
-// Longest wait for packets, so that Ctrl-C is noticed soon.
+// Longest wait for packets of the robot without a look whether Ctrl-C was pressed.
 constexpr std::chrono::milliseconds kSlice{50};
 // Number of events from the robot after which RemotePort looks for the robot's answers to commands,
 // even if more events wait.  Without this limit many events could keep RemotePort from reading the
 // answers.
 constexpr int kEventsAtOnce = 64;
-// Number of different frame numbers: after the largest number, counting begins again at 0
-// (docs/remote-control.md).
+// Number of different frame numbers of a robot: after the largest number, counting begins again at
+// 0 (docs/remote-control.md).
 constexpr uint32_t kFramesMax = 0x0ffffff1;
 
 // Returns whether the frame number `frame` is later than `other`.  Takes into account that counting
@@ -80,8 +80,9 @@ bool RemotePort::TakeStep(int* step_ms) {
   return *step_ms > 0;
 }
 
-// Calls `function`, which asks the robot for something.  If the call fails, returns false and sets
-// `*refusal` to the reason.  If the connection has failed, keeps the error for Check().
+// Calls `function`, which sends the robot a request.  If the call fails, returns false and sets
+// `*refusal` to the reason.  If the connection to the robot has failed, also keeps the error, which
+// Check() throws later.
 template <typename Function>
 bool RemotePort::Guarded(const Function& function, std::string* refusal) {
   if (failure_) {
@@ -103,8 +104,8 @@ bool RemotePort::Guarded(const Function& function, std::string* refusal) {
 // ---- Functions that handle events from the robot
 
 void RemotePort::ReceiveUntil(Clock::time_point deadline, const std::function<bool()>& is_ended) {
-  // Receives at least once, even after the deadline, because a controller that is always late must
-  // get values, too.
+  // Receives packets of the robot at least once, even after the deadline, because a controller
+  // whose iterations are always late must get sensor values, too.
   do {
     auto event = robot_.NextEvent(std::min(deadline, Clock::now() + kSlice));
     for (int i = 0; i < kEventsAtOnce && event; ++i) {
@@ -149,7 +150,8 @@ void RemotePort::TakeSensors(const remote::Sensors& sensors, uint32_t frame) {
   if (!playing_.empty()) TellMotion(key_frame, state_ == moverACCEPTING_COMMANDS && key_frame < 0);
   for (const auto& [joint, why] : busy_) {
     if (state_ > moverACCEPTING_COMMANDS) {
-      // Marks the position as not sent, so that Changes() returns it again when the motion is over.
+      // Marks the position of the joint as not sent, so that Changes() returns it again when the
+      // motion is over.
       joints_.Forget(joint);
     } else {
       WarnOfRefusal(why);
@@ -201,8 +203,8 @@ void RemotePort::TakeAnswers(bool waits) {
       if (answers[i].status == rcOK) continue;
       const std::string why = fmt::format("{} was refused: {}", command.what, answers[i].error);
       if (answers[i].status == rcerrorBUSY && command.joint >= 0) {
-        // Keeps the refusal until the next sensor values, which tell whether a motion plays.  If
-        // so, the motion is the reason, and the position is sent again later.
+        // Keeps the refusal of a joint's position until the next sensor values, which tell whether
+        // a motion plays.  If so, the motion is the reason, and the position is sent again later.
         busy_.emplace_back(command.joint, why);
       } else {
         WarnOfRefusal(why);
@@ -211,7 +213,8 @@ void RemotePort::TakeAnswers(bool waits) {
   }
 }
 
-// Warns at most once a second, because a controller may give a refused command in each iteration.
+// Warns the user that the robot has refused a command.  Warns at most once a second, because a
+// controller may give the command in each iteration of its loop.
 void RemotePort::WarnOfRefusal(const std::string& text) {
   const Clock::time_point now = Clock::now();
   if (warned_ != Clock::time_point{} && now - warned_ < std::chrono::seconds(1)) return;

@@ -26,8 +26,8 @@ namespace openr_host {
 class RemotePort : public ControllerPort {
  public:
   // Connects to the robot and subscribes to its sensor values.  `folder` is the controller's
-  // folder.  `on_step` makes an iteration of the loop while the controller waits in robot_step().
-  // If openr has to end, `on_step` does not return.  Throws remote::Error; throws
+  // folder.  `on_step` runs an iteration of the controller's loop while the controller waits in
+  // robot_step().  If openr has to end, `on_step` does not return.  Throws remote::Error; throws
   // std::runtime_error if the design of the robot is unknown.
   RemotePort(const openr::remote::Address& address, openr::remote::Options options,
              std::string folder, std::function<void()> on_step);
@@ -35,13 +35,14 @@ class RemotePort : public ControllerPort {
 
   ControllerCore* core() { return &core_; }
 
-  // Receives sensor values and answers until `deadline`, or until `is_ended` returns true.  Throws
-  // remote::Error if the connection fails, or if the robot has sent nothing within the time limit.
+  // Receives sensor values and answers of the robot until `deadline`, or until `is_ended` returns
+  // true.  Throws remote::Error if the connection fails, or if the robot has sent nothing within
+  // the time limit.
   void ReceiveUntil(std::chrono::steady_clock::time_point deadline,
                     const std::function<bool()>& is_ended);
 
-  // Throws the connection error that another function has kept.  Does nothing if there was no
-  // error.
+  // Throws the connection error that an earlier function of ControllerPort has kept.  Does nothing
+  // if there was no error.
   void Check() const;
 
   // Waits for the answers to all commands that the robot has not answered yet.  Throws
@@ -115,7 +116,8 @@ class RemotePort : public ControllerPort {
 
   // The positions and motors that the controller wants for all joints; nullopt: no change.
   std::optional<BatchMoverCommand> wanted_;
-  // Joints whose new positions the robot has refused as BUSY, and the text of the warning for each.
+  // Joints whose new positions the robot has refused as BUSY, perhaps because a motion plays, and
+  // the text of the warning for each.
   std::vector<std::pair<int, std::string>> busy_;
   Uint32 wanted_ears_ = 0;
   Uint32 sent_leds_ = 0;  // the lights that were commanded last; at first all lights are off
@@ -129,9 +131,9 @@ class RemotePort : public ControllerPort {
   int step_ms_ = 0;
   int rounded_ms_ = 0;  // the rounded time step about which the user was told last
   bool is_continued_ = false;
-  std::chrono::steady_clock::time_point heard_{};   // time of the last event or answer
+  std::chrono::steady_clock::time_point heard_{};   // time of the robot's last event or answer
   std::chrono::steady_clock::time_point warned_{};  // time of the last WarnOfRefusal()
-  // Id of the INFO request that waits for its answer; 0: none.
+  // Id of the INFO request to a silent robot that waits for its answer; 0: none.
   openr::remote::RequestId life_ = 0;
 };
 
