@@ -12,7 +12,8 @@
 namespace openr_host {
 namespace {
 
-// Number of digits of a hexadecimal word; such a word needs no "0x".
+// Number of hexadecimal digits of a 32-bit word.  A text with as many digits is taken for a
+// hexadecimal number, even without "0x".
 constexpr size_t kHexDigits = 8;
 constexpr uint32_t kWordBytes = 4;
 // Largest number of words of a stack dump that are kept, so that a damaged address in the dump
@@ -24,10 +25,10 @@ constexpr const char* kRegisterNames[kRobotRegisters] = {
     "t3",   "t4", "t5", "t6", "t7", "s0", "s1", "s2", "s3", "s4", "s5",
     "s6",   "s7", "t8", "t9", "k0", "k1", "gp", "sp", "fp", "ra"};
 
-// Names in front of numbers.  A number after one of these names is always hexadecimal.
+// Names of numbers in a crash record.  A number after one of these names is always hexadecimal.
 constexpr const char* kHexNames[] = {"cause", "epc", "badvaddr", "context", "gp", "ra", "sp"};
 
-// A number in a line of the record, with its name: the words in front of this number, up to the
+// A number in a line of a crash record, with its name: the words in front of this number, up to the
 // number before it, in lower case.
 struct NamedNumber {
   std::vector<std::string> words;
@@ -49,7 +50,7 @@ std::string LowerCase(std::string_view text) {
 }
 
 // Returns the number that the text `word` stands for; nullopt if it is no number.  `before` has the
-// words in front of it, which may tell that it is hexadecimal.
+// words in front of it; after "epc" and other names of registers the number is hexadecimal.
 std::optional<NamedNumber> NumberIn(std::string_view word, const std::vector<std::string>& before) {
   NamedNumber number;
   std::string_view digits = word;
@@ -58,8 +59,8 @@ std::optional<NamedNumber> NumberIn(std::string_view word, const std::vector<std
     digits.remove_prefix(2);
     number.is_hex = true;
   }
-  // Keeps the last 8 digits of a longer number.  Only the time stamp is longer (16 digits), and its
-  // value is not used.
+  // Keeps the last 8 digits of a longer number.  Only the time stamp of a crash record is longer
+  // (16 digits), and its value is not used.
   if (number.is_hex && digits.size() > kHexDigits) digits.remove_prefix(digits.size() - kHexDigits);
   const char* const end = digits.data() + digits.size();
   const auto result = std::from_chars(digits.data(), end, number.value, number.is_hex ? 16 : 10);
@@ -133,8 +134,8 @@ class Reader {
   }
 
  private:
-  // Returns the address and the words in a line of the stack dump; an empty list for any other
-  // line.  Stops at two blanks, because the same bytes follow them as text.
+  // Returns the address and the words in a line of a crash record's stack dump; an empty list for
+  // any other line.  Stops at two blanks, because the same bytes follow them as text.
   static std::vector<uint32_t> WordsOfDump(const std::string& text) {
     std::vector<uint32_t> words;
     const std::string numbers = text.substr(0, text.find("  ", kHexDigits + 2));
@@ -145,8 +146,8 @@ class Reader {
     return words;
   }
 
-  // Reads a line of the stack dump: an address, ':' and the words at this address.  Returns false
-  // for any other line.
+  // Reads a line of a crash record's stack dump: an address, ':' and the words at this address.
+  // Returns false for any other line.
   bool ReadDump(const std::string& text) {
     const std::string address_text = text.substr(0, text.find(':'));
     const std::vector<NamedNumber> address = Split(address_text);
@@ -179,8 +180,8 @@ class Reader {
     if (log_.stack.size() < kStackWordsMax) log_.stack.emplace(address, value);
   }
 
-  // Reads a line of the list of objects: name, context, thread, OID and, in some records, the meta
-  // space.  Returns false for any other line.
+  // Reads a line of a crash record's list of objects: name, context, thread, OID and, in some
+  // records, the meta space.  Returns false for any other line.
   bool ReadObject(const std::string& text) {
     if (!section_.empty() && section_.find("object list") == std::string::npos) return false;
     const size_t end = text.find_first_of(" \t");
@@ -237,8 +238,8 @@ class Reader {
   }
 
   EmonLog log_;
-  std::string section_;        // the last heading in brackets, in lower case; "": there was none
-  std::vector<uint32_t> row_;  // words of the last line of the dump
+  std::string section_;  // heading in brackets that was read last, in lower case; "": none yet
+  std::vector<uint32_t> row_;  // words of the last line of the stack dump
   uint32_t row_at_ = 0;        // address of the first word in row_
   bool repeats_ = false;       // true: the last line was '*', which stands for lines equal to row_
 };

@@ -30,7 +30,8 @@ struct EmonLog {
     std::string meta_space;  // meta space of the object; "" if the record does not have it
   };
 
-  // Exception code of the processor.  If no line of the record has it, it is taken from `cause`.
+  // Exception code of the processor.  If no line of the record has it, it is taken from the
+  // register Cause.
   std::optional<uint32_t> code;
   std::optional<uint32_t> cause;        // value of the register Cause
   std::optional<uint32_t> bad_address;  // value of the register BadVAddr

@@ -29,7 +29,8 @@ struct EmonStory {
   // return address.  Some may be left from functions that had already returned.
   std::vector<CodePlace> calls;
   bool has_more_calls = false;  // true: more calls were found, and left out of `calls`
-  // Reason why the place, its function or its line is not known; "": nothing is missing.
+  // Reason why the instruction that failed, its function or its line is not known; "": nothing is
+  // missing.
   std::string problem;
 };
 

@@ -19,11 +19,11 @@ namespace fs = std::filesystem;
 
 constexpr uint32_t kLinkedAt = 0x400000;  // address at which the SDK links images
 
-// Headers of a 32-bit ELF file that are needed to find code.
+// The headers of a 32-bit ELF file that are needed to find its code.
 struct Headers {
   std::optional<Elf32_Shdr> text;
   std::optional<uint32_t> gp;  // value of the register gp in the section .reginfo
-  uint32_t first_load = 0;     // lowest address of a segment
+  uint32_t first_load = 0;     // lowest address of a segment that is loaded
   bool has_names = false;      // true: the file has a table of symbols
 };
 
@@ -35,7 +35,8 @@ std::optional<T> ReadAt(const std::string& bytes, uint64_t at) {
   return value;
 }
 
-// Returns the headers of the file `bytes`; nullopt if it is no 32-bit ELF file for MIPS.
+// Returns the headers of the file with the bytes `bytes`; nullopt if it is no 32-bit ELF file for
+// MIPS.
 std::optional<Headers> HeadersIn(const std::string& bytes) {
   const auto header = ReadAt<Elf32_Ehdr>(bytes, 0);
   if (!header || std::memcmp(header->e_ident, ELFMAG, SELFMAG) != 0 ||
@@ -69,8 +70,8 @@ std::optional<Headers> HeadersIn(const std::string& bytes) {
   return result;
 }
 
-// Returns the address for which the code was linked, minus the address that the headers give the
-// code.
+// Returns the address for which an image's code was linked, minus the address that the headers of
+// the file give the code.
 uint32_t MovedBy(const Headers& headers) {
   return headers.first_load == 0 && headers.gp.value_or(0) >= kLinkedAt ? kLinkedAt : 0;
 }
@@ -112,7 +113,7 @@ void RobotCode::ReadHeaders(const std::string& name, const std::string& problem)
 }
 
 // Takes the names of functions from `file`, if it has a table of symbols and comes from the same
-// build as the image, and if no file with names was found before.
+// build as this image, and if no file with names was found before.
 void RobotCode::FindNames(const fs::path& file) {
   std::error_code error;
   if (!names_.empty() || !fs::is_regular_file(file, error)) return;

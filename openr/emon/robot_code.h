@@ -31,7 +31,7 @@ class RobotCode {
   // Returns whether the instruction at `address` - 8 is a call, so that `address` may be a return
   // address.  The instruction at `address` - 4, the delay slot, runs before the call does.
   bool IsAfterCall(uint32_t address) const;
-  // Returns the function and the source line of the robot's address `address`.
+  // Returns the function and the source line of the instruction at `address` in the robot's memory.
   CodeLookup LookUp(uint32_t address) const;
   // Converts the robot's address `address` to the address in the file, which disassemblers print.
   uint32_t InFile(uint32_t address) const { return address - loaded_by_ - moved_by_; }
@@ -46,9 +46,10 @@ class RobotCode {
   std::string bytes_;  // bytes of the image, decompressed
   bool is_compressed_ = false;
   std::filesystem::path names_;
-  uint32_t names_moved_by_ = 0;  // as moved_by_, for the file with the names
-  uint32_t text_ = 0;            // address of the code in the file
-  uint32_t text_offset_ = 0;     // place of the code in bytes_
+  // The address for which the code was linked, minus its address in the headers of the file names_.
+  uint32_t names_moved_by_ = 0;
+  uint32_t text_ = 0;         // address of the code, as the headers of the file give it
+  uint32_t text_offset_ = 0;  // place of the code's first byte in bytes_
   uint32_t text_bytes_ = 0;
   uint32_t file_gp_ = 0;  // value of the register gp that belongs to the addresses in the file
   // The address for which the code was linked, minus its address in the headers.  It is not 0 for a
