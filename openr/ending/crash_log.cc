@@ -40,14 +40,17 @@ namespace openr_host {
 namespace {
 
 constexpr int kCrashSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL};
-// Size of the signal handler's stack, large enough to make a report on it.
+// Size of the stack on which the signal handler runs, large enough for all functions that report a
+// crash.
 constexpr size_t kAlternateStackBytes = 256 << 10;
 
-// Paths of the record files; the index is the robot's number.  Null while no CrashLog exists.
+// Paths of the files for crash records; the index is the robot's number.  Null while no CrashLog
+// exists.
 std::vector<std::string>* g_files = nullptr;
-bool g_adds = false;  // true: a record is added to the end of its file; false: it replaces the file
-// The text that follows the name of the record file in the error finding about a crash.  Without a
-// value, the finding does not name the file.  Null while no CrashLog exists.
+// True: a crash record is added to the end of its file; false: it replaces the file
+bool g_adds = false;
+// The text that follows the name of the crash record's file in the error finding about a crash.
+// Without a value, the finding does not name the file.  Null while no CrashLog exists.
 std::optional<std::string>* g_place = nullptr;
 char g_stack[kAlternateStackBytes];
 
@@ -131,7 +134,7 @@ bool GoesOnInSignal(const siginfo_t& info, void* context) {
 #endif
 }
 
-// Returns the path of the record file of `robot`; null if `robot` has no record file.
+// Returns the path of the file for crash records of `robot`; null if `robot` has no such file.
 const std::string* FileOf(int robot) {
   if (g_files == nullptr || robot < 0 || static_cast<size_t>(robot) >= g_files->size())
     return nullptr;
@@ -161,8 +164,8 @@ class RecordFile {
     if (error_ != 0) RemovePart();
   }
 
-  // Prints on standard error that the record file was written, or why it was not written.  Returns
-  // true if it was written.
+  // Prints on standard error that the crash record was written to its file, or why it was not
+  // written.  Returns true if it was written.
   bool Tell() const {
     if (name_ == nullptr) return false;
     SignalText note;
@@ -180,8 +183,8 @@ class RecordFile {
   }
 
  private:
-  // Removes the part of this record that was written, because readers would take the part for the
-  // whole record.  Records of other processes stay.
+  // Removes the part of this crash record that was written, because programs that read the file
+  // would take the part for the whole record.  Records of other processes in this file stay.
   void RemovePart() const {
     if (begin_ > 0) {
       static_cast<void>(ftruncate(descriptor_, begin_) == 0);
@@ -192,7 +195,7 @@ class RecordFile {
 
   const std::string* const name_;
   int descriptor_ = -1;
-  off_t begin_ = 0;  // size of the file before this record
+  off_t begin_ = 0;  // size of the file before this record was added
   int error_ = 0;    // errno of the first call that failed; 0: none failed
 };
 
@@ -217,7 +220,8 @@ unsigned MemoryExceptionCode(const void* context) {
 // Returns the code of the exception that the robot's processor raises for the signal
 // (field-notes.md 4.1); 0 for an error that it does not notice.
 unsigned RobotExceptionCode(int signal, const siginfo_t& info, const void* context) {
-  // The runtime has announced a fault, such as "a division by zero at Dog.cc:5 (exception 9)".
+  // If the runtime itself has found the fault, takes the code from the text with which the runtime
+  // has announced it, such as "a division by zero at Dog.cc:5 (exception 9)".
   if (*AnnouncedFault() != 0) {
     static constexpr char kException[] = "(exception ";
     const char* const begin = std::strstr(AnnouncedFault(), kException);
@@ -380,9 +384,9 @@ CrashLog::~CrashLog() {
 }
 
 void CrashLog::BeginAfresh(const std::string& file) {
-  // Ignores errors.  A file that does not exist need not be removed.  If the file cannot be
-  // removed, writing the record to it will most likely fail too, and RecordFile::Tell() reports
-  // that.
+  // Ignores errors when it removes an old record file.  A file that does not exist need not be
+  // removed.  If the file cannot be removed, writing the record to it will most likely fail too,
+  // and RecordFile::Tell() reports that.
   std::error_code error;
   std::filesystem::remove(file, error);
 }

@@ -25,7 +25,7 @@ struct Walk {
   uintptr_t* addresses;
   size_t max;
   size_t count = 0;
-  bool is_outside = false;  // true: the walk has passed the frames of the signal handler
+  bool is_outside = false;  // true: the walk of the stack has passed the signal handler's frames
 };
 
 _Unwind_Reason_Code Take(_Unwind_Context* context, void* data) {

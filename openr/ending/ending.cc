@@ -30,8 +30,8 @@ Ending* g_ending = nullptr;
 Current g_current;          // the object and handler that ran when the end of the process began
 bool g_is_awaited = false;  // true while an EndingAnswer exists
 int g_answer = -1;
-// The file that also gets the JSON answer.  Its paths are made together with the EndingAnswer,
-// because OnSignalDuringEnding() must not allocate memory.
+// The file that also gets the JSON answer of a command whose run has ended early.  Its paths are
+// made together with the EndingAnswer, because OnSignalDuringEnding() must not allocate memory.
 std::optional<PreparedFile> g_answer_file;
 
 void AnswerInSignal(const Ending& ending) {

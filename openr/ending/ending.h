@@ -54,7 +54,8 @@ void RunEndingActions(Ending* ending);
 // EndingAnswer may exist at a time.
 class EndingAnswer {
  public:
-  // The JSON answer is written to `descriptor` (-1: none) and to `file` ("": none).
+  // The JSON answer about a run that has ended early is written to `descriptor` (-1: none) and to
+  // `file` ("": none).
   explicit EndingAnswer(int descriptor, const std::string& file = "");
   ~EndingAnswer();
   EndingAnswer(const EndingAnswer&) = delete;

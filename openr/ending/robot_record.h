@@ -21,7 +21,7 @@ struct RobotException {
   bool is_in_own_code = false;
 };
 
-// Heading of the first part that WriteRobotRecord() writes.
+// Heading of the first part of a crash record in the form of the robot's EMON.LOG.
 inline constexpr char kRobotRecordBegin[] = "[exception info]";
 
 // Passes the parts of the record one after the other to `write`: exception info, object info,

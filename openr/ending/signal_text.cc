@@ -53,7 +53,8 @@ void AddSize(const Message& message, SignalText* text) {
   size_t size = message.size;
   if (message.kind == PayloadKind::kNotify) {
     const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
-    // Limits the count, because the object that crashed may have damaged the message.
+    // Limits the number of the notification's regions, because the object that crashed may have
+    // damaged the message.
     const int count = std::min<int>(notify.numOfData, MAX_NUM_DATA);
     size = 0;
     for (int i = 0; i < count; ++i) size += notify.data[i].size;
@@ -85,8 +86,8 @@ SignalText& SignalText::AddQuoted(const SignalText& text) {
   std::string_view rest = text.text();
   while (rest.ends_with('\n')) rest.remove_suffix(1);
   Add("\"");
-  // Number of bytes that must be free before a character is added: room for the longest escaped
-  // character and for the closing quote.
+  // Number of bytes that must be free in text_ before a character of the JSON string is added: room
+  // for the longest escaped character and for the closing quote.
   constexpr size_t kTail = sizeof "\\n\"" - 1;
   for (const char c : rest) {
     if (size_ + kTail > sizeof text_) break;
@@ -139,7 +140,7 @@ void AddCurrentMessage(SignalText* text) {
   text->Add("\n");
 }
 
-// Writes the JSON in several SignalTexts, because each SignalText has a fixed size.
+// Writes the JSON report in several SignalTexts, because each SignalText has a fixed size.
 void WriteEndingAsJson(const SignalText& record, const SignalText& finding, const char* ended_by,
                        const Current& current, int descriptor) {
   if (descriptor < 0) return;
