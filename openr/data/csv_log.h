@@ -24,9 +24,9 @@ class CsvLog : public DataLog {
   SimulationView view_;
   const std::vector<Column> columns_;
   GrowingFile file_;
-  int64_t last_us_ = -1;    // time of the last line that was added
-  int64_t written_us_ = 0;  // time of the last line that is in the file
-  std::string lines_;       // lines that are not in the file yet
+  int64_t last_us_ = -1;    // virtual time of the last line that was added to the log
+  int64_t written_us_ = 0;  // virtual time of the last line that is in the file
+  std::string lines_;       // lines of the log that are not in the file yet
 };
 
 }  // namespace openr_host

@@ -11,15 +11,16 @@
 namespace openr_host {
 namespace {
 
-// The name of a column with the time, and the factor that converts its values to seconds.
+// The name of a column of a table that has the time, and the factor that converts this time to
+// seconds.
 struct TimeColumn {
   const char* name;
   double factor;
 };
 constexpr TimeColumn kTimeColumns[] = {{"time_s", 1}, {"time_ms", 1e-3}, {"time_us", 1e-6}};
 
-// Splits a line into fields.  A field in quotes may have commas.  Two quotes in such a field stand
-// for one quote.
+// Splits a line of comma-separated values into fields.  A field in quotes may have commas.  Two
+// quotes in such a field stand for one quote.
 std::vector<std::string> FieldsOf(std::string_view line) {
   std::vector<std::string> fields(1);
   bool is_quoted = false;
@@ -39,7 +40,7 @@ std::vector<std::string> FieldsOf(std::string_view line) {
   return fields;
 }
 
-// Returns the number in `text`; NaN if `text` is empty; nullopt if `text` is no number.
+// Returns the number in a field of a table; NaN if `text` is empty; nullopt if `text` is no number.
 std::optional<double> NumberOfField(const std::string& text) {
   if (text.empty()) return std::numeric_limits<double>::quiet_NaN();
   double number = 0;

@@ -30,8 +30,8 @@ class DataLog {
   // adds nothing.
   virtual void Sample() = 0;
 
-  // Completes the file.  Returns "", or the error that happened while the file was written.
-  // Further calls do nothing.
+  // Completes the file of the log.  Returns "", or the error that happened while the file was
+  // written.  Further calls do nothing.
   virtual std::string Finish() = 0;
 };
 

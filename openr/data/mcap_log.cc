@@ -20,15 +20,17 @@
 namespace openr_host {
 namespace {
 
-// Longest virtual time between the ends of two chunks of messages.
+// Longest virtual time between the ends of two chunks of messages in an MCAP file.
 constexpr int64_t kChunkUs = 1'000'000;
-// Number of bytes at which a chunk of messages ends, even if kChunkUs have not passed yet.
+// Number of bytes at which a chunk of messages in an MCAP file ends, even if kChunkUs have not
+// passed yet.
 constexpr size_t kChunkBytes = 1 << 20;
 constexpr int64_t kPoseDistanceUs = 32'000;  // least virtual time between two messages with poses
-// The largest number of characters that the file gets of the text of a finding or an input.
+// Largest number of characters of a finding's or an input's text that are written to an MCAP file;
+// the rest is left out.
 constexpr size_t kTextMax = 2000;
 
-// The place of a quantity in the file: a robot, a topic, and a member of the topic's messages.
+// The place of a quantity in an MCAP file: a robot, a topic, and a member of the topic's messages.
 struct QuantityPlace {
   size_t robot = 0;
   std::string topic, key;
@@ -93,7 +95,8 @@ void McapLog::AddValueTopics() {
   }
 }
 
-// Adds the topics of poses, shapes and pictures to the file, and the message with the shapes.
+// Adds the topics of poses, shapes and camera pictures to the MCAP file, and the message with the
+// shapes.
 void McapLog::AddScene() {
   poses_ = writer_.AddChannel("/tf", writer_.AddSchema("foxglove.FrameTransforms", kPosesSchema));
   const uint16_t scene = writer_.AddSchema("foxglove.SceneUpdate", kSceneSchema);

@@ -22,15 +22,15 @@ class McapLog : public DataLog {
   std::string Finish() override;
 
  private:
-  // A topic of the file: the values of one robot in one group of quantities, such as "joint".
+  // A topic of the MCAP file: the values of one robot in one group of quantities, such as "joint".
   struct Values {
     uint16_t channel = 0;
-    std::vector<std::string> keys;  // names of the members of a message, written as JSON
+    std::vector<std::string> keys;  // names of the members of the topic's messages, in JSON
     std::vector<size_t> columns;    // index in columns_ of the quantity of each member
   };
   struct CameraTopic {
     uint16_t channel = 0;
-    int64_t last_us = -1;  // time of this camera's last picture; -1: no picture yet
+    int64_t last_us = -1;  // virtual time of this camera's last picture; -1: no picture yet
     bool is_broken = false;
   };
 
@@ -55,8 +55,8 @@ class McapLog : public DataLog {
   std::vector<CameraTopic> cameras_;
   uint16_t poses_ = 0, findings_ = 0, inputs_ = 0;
   size_t finding_count_ = 0;  // number of findings that the file already has
-  int64_t last_us_ = -1;      // time of the last values that were written
-  int64_t chunk_us_ = 0;      // time at which the last chunk ended
+  int64_t last_us_ = -1;      // virtual time of the last values that were written
+  int64_t chunk_us_ = 0;      // virtual time at which the last chunk of messages ended
   Picture picture_;
   bool is_finished_ = false;
 };

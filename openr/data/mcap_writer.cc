@@ -14,8 +14,8 @@ uint32_t Crc(uint32_t crc, std::string_view bytes) {
       crc32_z(crc, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
 }
 
-// Builds the fields of a record in the form that the section "Serialization" of the MCAP
-// specification describes.
+// Builds the fields of a record of an MCAP file in the form that the section "Serialization" of the
+// MCAP specification describes.
 class McapFields {
  public:
   McapFields& U8(uint8_t value) { return Number(value, 1); }
@@ -109,8 +109,8 @@ void McapWriter::EndChunk() {
                                                      .U64(chunk_times_.last)
                                                      .U64(chunk_.size())
                                                      .U32(Crc(0, chunk_))
-                                                     // No name of a compression: the chunk is not
-                                                     // compressed.
+                                                     // Leaves the name of the compression empty,
+                                                     // because the chunk is not compressed.
                                                      .Text("")
                                                      .U64(chunk_.size())
                                                      .Bytes(chunk_));
@@ -140,8 +140,8 @@ std::string McapWriter::Statistics() const {
                                              .U64(sum)
                                              .U16(schema_count_)
                                              .U32(static_cast<uint32_t>(message_counts_.size()))
-                                             .U32(0)  // number of attachments
-                                             .U32(0)  // number of metadata records
+                                             .U32(0)  // number of attachments in the file
+                                             .U32(0)  // number of metadata records in the file
                                              .U32(static_cast<uint32_t>(chunks_.size()))
                                              .U64(times_.first)
                                              .U64(times_.last)

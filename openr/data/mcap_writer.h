@@ -37,10 +37,10 @@ constexpr std::string_view kMcapMagic("\x89MCAP0\r\n", 8);
 
 class McapWriter {
  public:
-  // The type of a function that appends bytes to the file.
+  // The type of a function that appends bytes to the MCAP file.
   using Sink = std::function<void(std::string_view bytes)>;
 
-  // Writes the beginning of the file.  `library` names the program that writes it.
+  // Writes the beginning of the MCAP file.  `library` names the program that writes it.
   McapWriter(std::string_view library, Sink sink);
 
   // Adds a JSON schema with the name `name`.  Returns the number of the schema.
@@ -52,7 +52,7 @@ class McapWriter {
   // Adds a message to the channel `channel`.  Messages may come in any order of time.
   void Add(uint16_t channel, int64_t time_us, std::string_view json);
 
-  // Writes a chunk with the messages that were added since the last chunk.
+  // Writes a chunk, a block of the file, with the messages that were added since the last chunk.
   void EndChunk();
   size_t chunk_bytes() const { return chunk_.size(); }
 

@@ -9,15 +9,15 @@ namespace openr_host {
 namespace {
 
 struct NamedUnit {
-  const char* ending;  // end of the names of all quantities with this unit
+  const char* ending;  // how the names of all quantities with this unit end
   QuantityUnit unit;
 };
 constexpr NamedUnit kNamedUnits[] = {{"_deg_s", {"deg/s", 1, 4}}, {"_m_s", {"m/s", 1, 0.02}},
                                      {"_deg", {"deg", 1, 4}},     {"_mm", {"mm", 1, 4}},
                                      {"_m", {"m", 1, 0.02}},      {"_percent", {"%", 1, 2}}};
 
-// Returns the kinds of the sensors of all robots, by their short names.  A short name stands for
-// the same kind in all models.
+// Returns the kinds of the sensors of all robots; the key is the short name of a sensor, such as
+// "chin".  A short name stands for the same kind in all models of robots.
 const std::map<std::string, SensorKind>& SensorKinds() {
   static const std::map<std::string, SensorKind> kinds = [] {
     std::map<std::string, SensorKind> all;
@@ -30,7 +30,7 @@ const std::map<std::string, SensorKind>& SensorKinds() {
   return kinds;
 }
 
-// Returns the unit in which charts show sensors of this kind.
+// Returns the unit in which charts show the values of sensors of the kind `kind`.
 QuantityUnit UnitOfSensor(SensorKind kind) {
   const char* const text = SiUnitOf(kind);
   switch (kind) {

@@ -24,7 +24,7 @@ struct Table {
 // have been read; null: nothing is called.
 using OnBytesRead = std::function<void(size_t count)>;
 
-// The type of the functions that read a table.
+// The type of the functions that read a table of values over time from a file.
 using TableReader = Table(const std::string& file, std::string_view bytes,
                           const OnBytesRead& on_read);
 

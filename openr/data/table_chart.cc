@@ -120,7 +120,7 @@ class ChartMaker {
     std::vector<const Series*> series;
   };
 
-  // Returns why the chart has no values.
+  // Returns the reason why there is no value to draw in the chart.
   std::string WhyEmpty() const {
     const bool has_values =
         std::any_of(table_.series.begin(), table_.series.end(),
