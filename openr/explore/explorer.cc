@@ -16,8 +16,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr size_t kTail = 12;        // number of last messages that the report of a failure shows
-constexpr size_t kSeedsNamed = 10;  // most seeds with differences that a result names
+constexpr size_t kTail = 12;  // number of last messages that the report of a failing run shows
+// Largest number of seeds that a result lists because their two runs differed
+constexpr size_t kSeedsNamed = 10;
 
 bool IsBroken(const Json& answer) { return !answer.at("broken").is_null(); }
 

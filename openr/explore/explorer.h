@@ -16,14 +16,15 @@ struct ExplorePlan {
   RunOptions run;
   ForkLimits limits;
   uint64_t first_seed = 1;
-  uint64_t runs = 100;  // number of seeds; in a search, the largest number of runs
+  uint64_t runs = 100;  // number of seeds; for SearchOrders(): the largest number of runs
   int jobs = 1;         // number of child processes that make runs at the same time
-  // True: a search tries only one of several orders with equal results.
+  // True: SearchOrders() tries only one of several orders of messages with equal results.
   bool reduce = true;
   bool stop_at_first = true;  // true: stops at the first seed that breaks a property
-  int shorten_runs = 2000;    // most runs that are made to shorten a failure; 0: no shortening
+  // Most runs that are made to find which deviations a failure needs; 0: none
+  int shorten_runs = 2000;
   // A function that is called after each run with the number of runs so far, to show progress; may
-  // be empty.  Runs that only shorten a failure do not count.
+  // be empty.  Runs that only remove deviations from a failing run do not count.
   std::function<void(uint64_t runs)> progress;
 };
 

@@ -31,7 +31,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr char kReady[] = "ready";
-// Time slice of the second run; no multiple of a frame, so slices end inside frames.
+// Time slice of the second run of a seed; no multiple of a frame, so slices end inside frames.
 constexpr int64_t kOddSliceUs = 50'021;
 
 void SilenceOutput() {

@@ -17,8 +17,8 @@ struct ForkLimits {
   int wall_s = 120;  // most real time that a run may take; only a run that hangs needs so long
 };
 
-// Field of the answer about a run that was killed after ForkLimits::wall_s.  Such an answer has no
-// hashes.
+// Field of the JSON answer about a run that was killed after ForkLimits::wall_s.  Such an answer
+// has no hashes.
 inline constexpr char kNotEnded[] = "not_ended";
 
 class ForkServer {

@@ -158,7 +158,8 @@ class RuleProperty : public Property {
   const PropertyRule rule_;
   Quantity quantity_;
   Value last_;
-  bool has_been_ = false;  // for kEventually: true if the comparison was true at least once
+  // For an `eventually` line: true if its comparison was true at least once
+  bool has_been_ = false;
   bool was_looked_at_ = false;
 };
 

@@ -91,19 +91,19 @@ ScheduleFile ReadScheduleFile(const std::string& path, Json* deviations) try {
   simulation.world = json.at("world").get<std::string>();
   simulation.body = json.at("body").get<std::string>();
   simulation.robots = json.at("robots").get<int>();
-  // Uses the defaults if the fields "together" and "more_sticks" are missing, because older files
-  // do not have them.  In the runs of these files each robot had a world of its own, and all robots
-  // had one stick.
+  // Uses the defaults if the fields "together" and "more_sticks" are missing, because older
+  // schedule files do not have them.  In the runs of these files each robot had a world of its own,
+  // and all robots had one stick.
   simulation.together = json.value("together", false);
   simulation.more_sticks = json.value("more_sticks", simulation.more_sticks);
   simulation.strict = json.at("strict").get<bool>();
   simulation.guard_regions = json.at("guard").get<bool>();
   simulation.cost_file = json.at("cost").get<std::string>();
-  // Takes "drain" if the field "battery" is missing, because older files do not have the field and
-  // their runs had a battery that drains.
+  // Takes "drain" if the field "battery" is missing, because older schedule files do not have the
+  // field and their runs had a battery that drains.
   simulation.battery = json.value("battery", "drain");
-  // Takes the test pattern if the field "images" is missing.  Older files do not have this field,
-  // and the cameras of their runs saw the test pattern.
+  // Takes the test pattern if the field "images" is missing.  Older schedule files do not have this
+  // field, and the cameras of their runs saw the test pattern.
   simulation.images = json.value("images", kImagesOfPattern);
   schedule.stick.for_us = json.at("for_us").get<int64_t>();
   schedule.stick.properties = json.at("properties").get<std::vector<std::string>>();
