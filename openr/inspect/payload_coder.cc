@@ -26,9 +26,9 @@ uint32_t ChangedWords(const char* now, const char* last) {
     return _mm_cmpeq_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(now + at)),
                            _mm_loadu_si128(reinterpret_cast<const __m128i*>(last + at)));
   };
-  // Packs the results of the comparisons.  A result has 32 bits for each word, all of them equal.
-  // Each step halves this number, to 16 bits and to 8 bits, and the last step takes one bit for
-  // each word.
+  // Packs the results of the comparisons, 32 equal bits for each word, into one bit for each word:
+  // the first two steps halve the bits of a result to 16 and to 8, and the last step takes one of
+  // them.
   const __m128i first = _mm_packs_epi32(equal(0), equal(16));
   const __m128i second = _mm_packs_epi32(equal(32), equal(48));
   return static_cast<uint32_t>(_mm_movemask_epi8(_mm_packs_epi16(first, second))) ^ 0xffffu;

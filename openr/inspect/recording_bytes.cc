@@ -36,7 +36,8 @@ RecordingBytes::RecordingBytes(const std::string& file) {
     return;
   }
   descriptor_ = open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  // The size is that of the open file, because another run may have put a new one in its place.
+  // Takes the size of the open file and not of the file at this path, because another run may have
+  // put a new file in its place.
   if (descriptor_ < 0 || fstat(descriptor_, &facts) != 0) FailToRead(file);
   size_ = static_cast<uint64_t>(facts.st_size);
 }
@@ -45,8 +46,8 @@ RecordingBytes::~RecordingBytes() {
   if (descriptor_ >= 0) close(descriptor_);
 }
 
-// Uses pread() and a place of its own, because the copies of a process in a session of openr replay
-// --step share the place of the open file.
+// Uses pread() with an offset of its own, because all processes of a session of openr replay --step
+// share the offset of the open file.
 std::string_view RecordingBytes::Read(uint64_t at, uint64_t count) {
   count = at > size_ ? 0 : std::min(count, size_ - at);
   if (descriptor_ < 0) return std::string_view(part_).substr(at, count);

@@ -29,7 +29,7 @@ class RecordingBytes {
 
  private:
   uint64_t size_ = 0;
-  int descriptor_ = -1;  // -1: all bytes are in part_
+  int descriptor_ = -1;  // the open file; -1: all bytes are in part_
   std::string part_;     // bytes of the file, to which Read() returns a view
   int error_ = 0;
 };

@@ -443,7 +443,8 @@ bool Replayer::Step() {
 }
 
 void Replayer::RunOne(int64_t time_us) {
-  // Applies inputs first, because the next entry after them may be later than `time_us`.
+  // Applies the inputs that are due before it looks at the time of the next entry of the recording,
+  // because this entry may be later than `time_us`.
   while (ApplyInput()) {
   }
   if (!WhyOver().empty()) return;

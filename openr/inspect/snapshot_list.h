@@ -44,7 +44,7 @@ class SnapshotList {
   const ProcessSnapshot& operator[](size_t index) const { return all_[index]; }
 
  private:
-  // Removes the snapshot `index`, and returns its process.
+  // Removes the snapshot `index` from the list, and returns its process.
   pid_t Remove(size_t index);
 
   size_t size_ = 0;

@@ -6,7 +6,7 @@
 
 namespace openr_host {
 
-// The help text of the prompt, one line for each command.
+// The help text for the prompt of openr replay --step, one line for each command.
 inline constexpr char kStepHelp[] =
     "step [N]             N messages forward (s)\n"
     "back [N]             N messages back (b)\n"
@@ -20,7 +20,8 @@ inline constexpr char kStepHelp[] =
     "print queue | waiting | objects | joints | findings | hash | message | QUANTITY (p)\n"
     "quit (q)\n";
 
-// The words with which the commands begin, for completion.
+// The first words of the commands, which the Tab key completes at the prompt of openr replay
+// --step.
 inline const std::vector<std::string> kStepVerbs = {"step",   "back",   "goto",  "run",  "break",
                                                     "breaks", "delete", "print", "help", "quit"};
 

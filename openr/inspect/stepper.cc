@@ -34,7 +34,7 @@
 namespace openr_host {
 namespace {
 
-// The number of messages between two snapshots, before old snapshots are thinned out.
+// The number of messages of a replay between two snapshots, before old snapshots are thinned out.
 constexpr uint64_t kSnapshotMessages = 1000;
 
 // Returns the number that `text` has; nullopt if `text` is no number, or if the number is too
@@ -72,7 +72,8 @@ class Stepper {
     } catch (const ReaderGone&) {
       shared_->NoteLostText(EPIPE);
     } catch (const std::system_error& error) {
-      if (std::ferror(stdout) == 0) throw;  // fmt::print() could write; the error is another one
+      // Standard output works, so the error has another reason
+      if (std::ferror(stdout) == 0) throw;
       shared_->NoteLostText(error.code().value());
     }
     Leave();
@@ -162,8 +163,8 @@ class Stepper {
     _exit(0);
   }
 
-  // Reads the next command.  Returns false at the end of the input, and when text was lost, because
-  // nobody would read the answer.
+  // Reads the user's next command.  Returns false at the end of the input, and when text was lost,
+  // because nobody would read the answer.
   bool ReadLine(std::string* line) {
     if (!shared_->FlushText()) return false;
     return prompt_.Read(replayer_->count() == 0
@@ -360,9 +361,9 @@ class Stepper {
   uint64_t last_snapshot_ = 0;
 };
 
-// Returns the names of quantities for the completion of `start`.  Leaves out the long names of
-// robot 0, "robots[0]. ...", unless the user has begun to type "robots", because each of these
-// quantities has a short name, too.
+// Returns the names of quantities from which the Tab key completes `start`, the word that the user
+// is typing.  Leaves out the long names of robot 0, "robots[0]. ...", unless the user has begun to
+// type "robots", because each of these quantities has a short name, too.
 std::vector<std::string> Stepper::QuantitiesFor(const std::string& start) const {
   std::vector<std::string> names = QuantitiesOf(view_.run());
   if (start.starts_with("rob")) {
@@ -371,8 +372,8 @@ std::vector<std::string> Stepper::QuantitiesFor(const std::string& start) const 
   return names;
 }
 
-// Returns the words that may follow `words` in a command of the session, for the completion of
-// `start`.
+// Returns the words that may follow `words` in a command of the session.  From these words the Tab
+// key completes `start`, the word that the user is typing.
 std::vector<std::string> Stepper::WordsAfter(const std::vector<std::string>& words,
                                              const std::string& start) const {
   if (words.empty()) return kStepVerbs;

@@ -29,7 +29,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kMagic = "OPENRTRC";
 constexpr size_t kBlockBytes = 64 << 10;
-// Bytes before the content of a block: its size and its checksum.
+// Bytes before the content of a block of a recording: its size and its checksum.
 constexpr size_t kBlockHead = 4 + 8;
 
 std::string HeaderText(const TraceHeader& h) {
@@ -97,7 +97,8 @@ TraceHeader HeaderOf(std::string_view text) {
 TraceWriter::TraceWriter(const std::string& file, const TraceHeader& header)
     : file_(file), payloads_(header.payloads), coder_(header.payloads) {
   std::string problem;
-  descriptor_ = OpenNewGrowingFile(file, &problem);  // somebody may be replaying the old recording
+  // Keeps the old recording for a process that replays it
+  descriptor_ = OpenNewGrowingFile(file, &problem);
   if (descriptor_ < 0) throw std::runtime_error(problem);
   ByteWriter head;
   head.U32(kTraceVersion);

@@ -72,7 +72,7 @@ struct TraceEntry {
     kOldShutdown = 6,  // kind of an old version, see kOldestTraceVersion
     kEnd = 7,          // the last entry; fields: time_us, trace_hash, state_hash
     kOldConsole = 8,   // kind of an old version, see kOldestTraceVersion
-    kStick = 9,        // content of a file or folder before a change; fields: what, name, payload
+    kStick = 9,  // content of a path of the stick before a change; fields: what, name, payload
     kLoss = 10,  // loss of a worker process; what follows cannot be replayed; fields: time_us, name
     // The end of the run.  The field `name` says how the run ended, as a word of EndName(), and
     // `payload` is the reason as text.  This entry is missing if the recorded process was killed.
@@ -147,7 +147,7 @@ class TraceCoder {
   const bool payloads_;
   uint64_t number_ = 0;
   int64_t time_us_ = 0;
-  std::map<std::pair<int32_t, size_t>, LastPayload> last_;  // key: sender and size
+  std::map<std::pair<int32_t, size_t>, LastPayload> last_;  // last payloads; key: sender and size
   uint64_t kept_ = 0;  // number of bytes of all payloads in last_ that were read
   std::vector<Link> links_;
   // The numbers of the links (paths from one sender to one entry of one receiver); used only for
@@ -230,8 +230,8 @@ class TraceReader {
 
   const TraceHeader& header() const { return header_; }
 
-  // Returns the next entry, which stays in the file; null at the end of the readable part of the
-  // file.
+  // Returns the next entry of the recording without taking it; null at the end of the readable part
+  // of the file.
   const TraceEntry* Peek();
   // Takes the next entry and returns it.  Peek() then returns the entry behind it.  REQUIRES:
   // Peek() is not null.

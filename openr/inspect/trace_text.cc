@@ -74,8 +74,8 @@ std::string Indented(const std::string& text) {
   return indented;
 }
 
-// Returns the robot model that is needed to decode the content of messages; nullopt if the content
-// is not shown.
+// Returns the model of the recorded robot, which is needed to decode the content of messages;
+// nullopt if the content is not shown.
 std::optional<RobotModel> ModelForValues(const TraceReader& reader, const TraceFilter& filter) {
   if (!filter.values) return {};
   return LoadRobotModel(ModelFile(reader.header().robot));
@@ -139,7 +139,7 @@ void WriteTraceCsv(TraceReader* reader, const TraceFilter& filter, const TextSin
 void WriteTracePerfetto(TraceReader* reader, const TraceFilter& filter, const TextSink& out) {
   const std::optional<RobotModel> model = ModelForValues(*reader, filter);
   PerfettoWriter writer(out);
-  double at_us = -1;  // time at which the last slice begins in the drawing
+  double at_us = -1;  // virtual time at which the newest slice, a handled message, is drawn
   while (reader->Peek() != nullptr) {
     const TraceEntry entry = reader->Take();
     const TraceRecord& record = entry.record;
