@@ -110,7 +110,8 @@ class HelpFormatter : public CLI::Formatter {
   }
 
  private:
-  // Returns the words of a call up to a subcommand of `command`, and a blank.
+  // Returns the words before the name of a subcommand of `command` when the user calls it, with a
+  // blank at the end, such as "openr rc HOST ".
   std::string WordsUpTo(const CLI::App& command) const {
     std::string words = command.get_parent() == nullptr ? "" : WordsUpTo(*command.get_parent());
     words += command.get_name() + " ";

@@ -10,10 +10,10 @@ namespace {
 
 using Value = OptionInfo::Value;
 
-// The beginning of the completion script.  This part of the script finds out which command stands
-// before the word to complete.  BashCompletion() puts the names of all commands between kBegin and
-// kAfterCommands.  The words after `help` are completed as if `help` were not there: `help run`
-// like `run`.
+// The beginning of the script by which bash completes the words of a command line of openr.  This
+// part of the script finds out which command stands before the word to complete.  BashCompletion()
+// puts the names of all commands between kBegin and kAfterCommands.  The words after `help` are
+// completed as if `help` were not there: `help run` like `run`.
 constexpr char kBegin[] = R"(# Completion of openr for bash; made by: openr completion bash
 _openr() {
   local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]} path=openr i given=()
@@ -68,8 +68,8 @@ void AddPaths(const CommandInfo& command, std::vector<std::string>* patterns) {
   }
 }
 
-// Returns the argument with which the script calls its function _openr_files for values of this
-// kind; "" if such values name no files.
+// Returns the argument with which the script for bash calls its function _openr_files to complete a
+// value of the kind `value`; "" if such values name no files.
 const char* KindOf(Value value) {
   if (value == Value::kFolder) return "-d";
   return value == Value::kFile || value == Value::kWorld ? "-f" : "";
@@ -83,8 +83,8 @@ std::vector<std::string> WordsFor(const OptionInfo& option, const DataNames& nam
   return option.choices;
 }
 
-// Adds to the script, for each flag with a value, a pattern of the shell's `case` statement.  The
-// code after the pattern completes the words that can follow the flag.
+// Adds to the bash script, for each flag with a value, a pattern of the shell's `case` statement.
+// The code after the pattern completes the words that can follow the flag.
 void AddValues(const CommandInfo& command, const DataNames& names, std::string* script) {
   for (const OptionInfo& option : command.options) {
     if (option.value == Value::kNone) continue;
@@ -102,7 +102,8 @@ void AddValues(const CommandInfo& command, const DataNames& names, std::string* 
   for (const CommandInfo& below : command.commands) AddValues(below, names, script);
 }
 
-// Adds to the script the code that completes an input, which begins after `place` words.
+// Adds to the bash script the code that completes an input, such as "press chin".  The input begins
+// after `place` words of the command line.
 void AddInputs(const std::vector<InputInfo>& inputs, size_t place, std::string* script) {
   std::string verbs, cases;
   for (const InputInfo& input : inputs) {
@@ -116,8 +117,8 @@ void AddInputs(const std::vector<InputInfo>& inputs, size_t place, std::string* 
       place, verbs, place, place, cases);
 }
 
-// Adds to the script, for each command, a pattern of the shell's `case` statement.  The code after
-// the pattern sets `words` to the words that may come next, then '|', then the flags of the
+// Adds to the bash script, for each command, a pattern of the shell's `case` statement.  The code
+// after the pattern sets `words` to the words that may come next, then '|', then the flags of the
 // command.  The code also sets `kind`, which says whether file or folder names may come next.
 void AddWords(const CommandInfo& command, const DataNames& names, std::string* script) {
   std::vector<std::string> words, flags;

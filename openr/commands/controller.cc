@@ -104,8 +104,8 @@ int (*LoadController(const ControllerFlags& flags))() {
 }
 
 int Run(const ControllerFlags& flags) {
-  // Loads our own library before the controller's library.  The controller's library names ours
-  // without a folder, so the dynamic linker can only use a copy that is already loaded.
+  // Loads libopenr_controller.so before the controller's library.  The controller's library names
+  // it without a folder, so the dynamic linker can only use a copy that is already loaded.
   auto* const run = Load<RunController>(ControllerLibrary(), kRunControllerName);
   auto* const controller_main = LoadController(flags);
   if (controller_main == nullptr) return kExitWrong;

@@ -62,8 +62,8 @@ class DistributedRun {
   // process had ended.
   void ReportLosses();
 
-  // Shortens the time limits for answers of workers.  Called when a crash or a handler limit ends
-  // the run, so that the report is written soon.
+  // Shortens the time limits for answers of workers.  Called when the run ends because an object
+  // has crashed or a handler has run too long, so that the report is written soon.
   void ShortenTimeouts();
 
   // Adds a description of each worker to `report`, the report of the run: its objects, its losses

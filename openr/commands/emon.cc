@@ -23,8 +23,8 @@ namespace openr_host {
 namespace {
 
 constexpr InputKind kEmonLog = {"crash record of a robot, OPEN-R/EMON.LOG", ".LOG"};
-// The beginning of a record that a run on a computer has written (ending/crash_log.h).  The record
-// of a robot has the words "exception code" instead.
+// The beginning of a crash record that a run on a computer has written (ending/crash_log.h).  The
+// crash record of a robot has the words "exception code" instead.
 constexpr char kOwnRecord[] = "EXCEPTION ";
 
 struct EmonFlags {
@@ -33,8 +33,8 @@ struct EmonFlags {
   bool is_json = false;
 };
 
-// Returns the part of a run's record that people read, with functions and lines; "" for the record
-// of a robot.  This part ends where the part in the form of a robot's record begins.
+// Returns the part of a run's crash record that people read, with functions and lines; "" for the
+// crash record of a robot.  This part ends where the part in the form of a robot's record begins.
 std::string TextOfRun(const std::string& record) {
   if (!record.starts_with(kOwnRecord)) return "";
   return record.substr(0, record.find(kRobotRecordBegin));
@@ -46,7 +46,7 @@ std::string LastRecord(const std::string& text) {
   return last == std::string::npos ? text : text.substr(last + 1);
 }
 
-// Prints what the record of a run on a computer says.  Needs no image, because such a record
+// Prints what the crash record of a run on a computer says.  Needs no image, because such a record
 // already names functions and lines.  `log` has no value if the record has no part in the robot's
 // form.
 void TellRun(const EmonFlags& flags, const std::string& text, const std::optional<EmonLog>& log) {

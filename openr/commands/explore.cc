@@ -293,7 +293,7 @@ std::string Summary(const Json& result, const ExploreFlags& flags) {
 bool WriteFailure(const Json& result, const ExploreFlags& flags) {
   if (flags.file.empty()) return true;
   if (!result.contains("failure")) {
-    // Removes an old file, which would look like the result of this exploration.
+    // Removes an old schedule file, which would look like the result of this exploration.
     RemoveFile(flags.file);
     return true;
   }

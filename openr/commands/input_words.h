@@ -1,4 +1,5 @@
-// The words of which inputs (docs/inputs.md) consist, for the completion of inputs.
+// The words of which inputs (docs/inputs.md) consist, from which shells and prompts complete
+// inputs.
 #pragma once
 
 #include <set>

@@ -142,8 +142,8 @@ Outcome Work(const WorkerOptions& options, bool is_known) {
     if (ending->object == nullptr) return;
     const CurrentScope scope(ending->object->system, ending->object);
     worker->ReportCrash(ending->finding.text());
-    // Calls TellHandled() after ReportCrash(), so that the run gets the report even if this call
-    // crashes.
+    // Calls TellHandled(), which prints the message whose handler ran, after ReportCrash(), so that
+    // the run gets the report even if TellHandled() crashes.
     TellHandled(*ending);
   });
   const std::string problem = worker->Run();
@@ -257,7 +257,7 @@ int JoinInChild(const JoinFlags& flags, bool is_known, pid_t* child, std::string
   if (g_ended_by != 0) kill(*child, SIGTERM);
   const int status = WaitForEnd(*child);
   g_child = 0;
-  char path[PATH_MAX];  // the path of a folder, which fits into a pipe as well
+  char path[PATH_MAX];  // path of the stick's folder; a pipe has room for PATH_MAX bytes
   const ssize_t size = read(ends[0], path, sizeof path);
   stick->assign(path, static_cast<size_t>(std::max<ssize_t>(size, 0)));
   close(ends[0]);
@@ -278,7 +278,8 @@ int JoinAgainAndAgain(const JoinFlags& flags) {
     const int status = JoinInChild(flags, is_offline, &child, &stick);
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : kExitWrong;
     if (code == kExitGood) return kExitGood;
-    // This process starts again and not its child, so that it goes on to start workers.
+    // Starts this process and not its child again with the library of AddressSanitizer, because
+    // this process goes on to start workers.
     if (code == kNeedsSanitizer) StartWithSanitizerOf(stick);
     if (code == kRefused || (code == kOffline && is_first)) return kExitWrong;
     if (g_ended_by != 0) EndBySignal();

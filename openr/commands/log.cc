@@ -1,4 +1,5 @@
-// The command openr log: shows, plots and compares log files of motions (AIBO_1.1).
+// The command openr log: shows, plots and compares log files of motions that a robot has played
+// (file format AIBO_1.1).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -44,11 +45,12 @@ struct LogFlags {
   // Names of the groups of values (commanded, measured or simulated) on the two sides of a
   // comparison; "": the content of the log decides.
   std::string group, other_group;
-  std::string output;  // file for the chart; "": no chart
+  std::string output;  // file for the chart of the log; "": no chart
   bool json = false;
 };
 
-// A log of a motion, with the times at which its records were made.
+// A log of a motion, and the time of each of its records.  A record has the commanded angles of all
+// joints at one key frame of the motion, and the measured and simulated angles if they are known.
 struct TimedLog {
   std::string name;
   LogFile log;
@@ -93,8 +95,8 @@ int CountOf(const LogFile& log, LogGroup group) {
   return count;
 }
 
-// Returns the name of the kind of log, as Hohl 2004 uses it in section 3.3.6. The kind depends on
-// the numbers of records with measured and with simulated values.
+// Returns the name of the kind of motion log, as Hohl 2004 uses it in section 3.3.6.  The kind
+// depends on the numbers of key frames with measured and with simulated values.
 const char* CaseOf(int measured, int simulated) {
   if (measured > 0 && simulated > 0) return "synchronised play-back";
   if (measured > 0) return "play-back on the robot";
@@ -143,9 +145,9 @@ const std::optional<LogValues>* ValuesOf(const LogRecord& record, LogGroup group
   return group == LogGroup::kMeasured ? &record.measured : &record.simulated;
 }
 
-// Prints the columns of one group of values (commanded, measured or simulated): the joints, and for
-// measured and simulated values also the paws.  If the record does not have this group, prints
-// empty fields.
+// Prints the columns of one group of values (commanded, measured or simulated) for a key frame of a
+// motion log: the joints, and for measured and simulated values also the paws.  If the record of
+// this key frame does not have the group, prints empty fields.
 void PrintFields(const LogRecord& record, LogGroup group) {
   const std::optional<LogValues>* const values = ValuesOf(record, group);
   const size_t joints = record.commanded_cdeg.size();

@@ -1,4 +1,4 @@
-// Reads motion files and names of charts from the command line, for several commands.
+// Reads from the command line motion files and the names of files for charts, for several commands.
 #pragma once
 
 #include <CLI/CLI.hpp>

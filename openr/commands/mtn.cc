@@ -38,8 +38,8 @@ struct MtnFlags {
   Json answers = Json::array();  // answers for all files; used with --json
 };
 
-// Reads the file `name` into `motion`.  Returns false, and sets `problem`, if the file cannot be
-// read or is no motion file.
+// Reads the motion file `name` into `motion`.  Returns false, and sets `problem`, if the file
+// cannot be read or is no motion file.
 bool Load(const std::string& name, MtnFile* motion, std::string* problem) {
   *problem = WhyNotReadable(name, "motion file", ".MTN");
   if (!problem->empty()) return false;

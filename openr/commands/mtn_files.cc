@@ -66,13 +66,13 @@ void ThrowIfAny(const std::string& problem) {
 
 struct FromCsvFlags {
   std::string file, output;
-  std::string like;  // value of --like: the motion file from which names are taken; "": none
+  std::string like;  // motion file from which the new motion gets its names (--like); "": none
   std::optional<std::string> name, creator, label;
 };
 
-// Sets the names of `motion`.  Each name is taken from its flag; without the flag, from the motion
-// file of --like; without this file, it has a default.  The defaults are the name of the table's
-// file, and the creator and design label of our own motions.
+// Sets the name, the creator and the design label of `motion`.  Each of them is taken from its
+// flag; without the flag, from the motion file of --like; without this file, it has a default.  The
+// defaults are the name of the table's file, and the creator and design label of our own motions.
 void SetNames(const FromCsvFlags& flags, MotionFile* motion) {
   motion->name = std::filesystem::path(flags.file).stem().string();
   if (!flags.like.empty()) {
@@ -117,8 +117,8 @@ std::vector<OdaMember> MembersOf(const std::string& file, const std::string& byt
   }
 }
 
-// Returns `name` with '?' in place of all bytes except printable ASCII.  A container file may come
-// from anywhere, so control bytes in its names must not reach the terminal.
+// Returns `name` with '?' in place of all bytes except printable ASCII.  A container of motion
+// files (.ODA) may come from anywhere, so control bytes in its names must not reach the terminal.
 std::string Printable(std::string name) {
   for (char& c : name) {
     if (c < ' ' || c > '~') c = '?';
@@ -148,8 +148,8 @@ void UnpackOda(const OdaFlags& flags) {
   const std::vector<OdaMember> members = MembersOf(flags.file, bytes);
   const std::filesystem::path folder = flags.folder;
   for (const OdaMember& member : members) {
-    // Refuses to write over a symbolic link, even with --overwrite, because the link may lead to a
-    // file outside of the folder.
+    // Does not write a file of the container over a symbolic link, even with --overwrite, because
+    // the link may lead to a file outside of the folder.
     std::error_code error;
     if (flags.overwrites && !std::filesystem::is_symlink(folder / member.file, error)) continue;
     if (std::filesystem::symlink_status(folder / member.file, error).type() ==

@@ -65,7 +65,7 @@ std::string LinesNotIn(const std::string& text, const std::string& wanted) {
   return lacking;
 }
 
-// Returns the reason why no new object can have the name; "" if it can.
+// Returns the reason why no new object can have the name `name`; "" if it can.
 std::string WhyNoNewObject(const std::string& name) {
   const std::string problem = WhyNoObjectName(name);
   return problem.empty() ? WhyNoClass(name, SdkRoot()) : problem;

@@ -84,7 +84,7 @@ Table TableOfRecording(const PlotFlags& flags) {
   return table;
 }
 
-// Returns the values in a log of a motion (AIBO_1.1) over time.
+// Returns the values in the log of a motion (file format AIBO_1.1) over time.
 Table TableOfMotionLog(const PlotFlags& flags, const std::string& bytes) {
   const LogFile log = ParseLog(bytes);
   const std::vector<double> times_ms =
@@ -107,8 +107,8 @@ Table TableOfMotionLog(const PlotFlags& flags, const std::string& bytes) {
 }
 
 // Reads the file as a table.  The first bytes of the file tell its format.  A file whose first
-// bytes tell nothing is read as CSV, or as MCAP if its name says so, for the error to be about
-// MCAP.
+// bytes tell nothing is read as CSV, or as MCAP if its name ends so, because the error message must
+// then be about MCAP.
 Table ReadTable(const PlotFlags& flags) {
   const std::string bytes = BytesOf(flags.file);
   if (bytes.starts_with(kMcapMagic)) return ReadWithProgress(ReadMcapTable, flags.file, bytes);

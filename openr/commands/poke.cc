@@ -31,7 +31,8 @@ struct LiveFlags {
   int robot = 0;
 };
 
-// Returns the text of the answer to "inputs": one line for each input that the robot knows.
+// Returns the text of the answer to the request "inputs": one line for each input that the robot
+// knows.
 std::string InputsText(const Json& answer) {
   const Json& inputs = answer.at("inputs");
   size_t width = 0;
@@ -157,7 +158,8 @@ class RunConsole {
     return ShowInputs();
   }
 
-  // Returns the words that may follow `words` in a line, for completion.
+  // Returns the words that may follow `words` in a line that the user types; the Tab key offers
+  // them.
   std::vector<std::string> WordsAfter(const std::vector<std::string>& words);
 
  private:
@@ -284,8 +286,8 @@ int RunAttach(const LiveFlags& flags) {
   for (std::string line; lines.Read(prompt, &line) && line != "quit";) {
     if (!line.empty() && !console.Line(line)) good = false;
   }
-  // Returns kExitWrong after an error only if the lines come from a script.  A person at a terminal
-  // has seen each error at once.
+  // Returns kExitWrong after a line with an error only if the lines come from a script.  A person
+  // at a terminal has seen each error at once.
   return good || is_terminal ? kExitGood : kExitWrong;
 }
 

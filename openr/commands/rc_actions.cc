@@ -27,8 +27,8 @@ void Say(const RcFlags& flags, uint32_t frame, const Json& json, const std::stri
   PrintRcAnswer(flags.json, frame, json, text);
 }
 
-// Time between two requests for the records of the log.  It is short, because the robot keeps only
-// the records of the last 8 s of its own time.
+// Time between two requests for new records of a motion's log.  It is short, because the robot
+// keeps only the records of the last 8 s of its own time.
 constexpr useconds_t kLogPollUs = 5'000;
 
 void WriteLog(const RcFlags& flags, const remote::LogReader& log) {
@@ -155,7 +155,8 @@ void RcPlayAction(remote::Connection* robot, const RcFlags& flags) {
                   play.loops == 1 ? "once" : fmt::format("{} times", play.loops)));
   if (flags.log.empty()) return;
   while (log.Take() != moverACCEPTING_COMMANDS) usleep(kLogPollUs);
-  log.Take();  // fetches the last key frames, which may have been recorded before the state changed
+  // Fetches key frames that the robot recorded between the last Take() and the motion's end.
+  log.Take();
   WriteLog(flags, log);
 }
 

@@ -29,8 +29,8 @@ using Json = nlohmann::ordered_json;
 // Duration of a sensor vector, which has 4 frames of 8 ms.
 constexpr int64_t kFollowVectorUs = 32'000;
 constexpr int64_t kFollowPeriodMaxUs = 10'000'000;
-// Number of statuses after which a report is printed.  This makes one report a second, because
-// RemotePair tells its status every 200 ms.
+// Number of status reports of RemotePair after which a line is printed.  This makes one line a
+// second, because RemotePair reports its status every 200 ms.
 constexpr int kStatusesPerReport = 5;
 
 // A robot of a pair, with the result of the action at this robot.
@@ -38,7 +38,7 @@ struct Partner {
   std::string address;
   std::unique_ptr<remote::Connection> connection;
   std::string problem;
-  Json refusal;  // answer for --json if the robot has refused; null if it has not
+  Json refusal;  // answer for --json if the robot has refused the request; else null
 };
 
 void Act(Partner* robot, const RcFlags& flags, const RcAction& action) {

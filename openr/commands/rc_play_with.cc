@@ -49,7 +49,8 @@ void TakeBoth(remote::LogReader* log, remote::LogReader* other) {
     const int state = log->Take();
     plays = other->Take() != moverACCEPTING_COMMANDS || state != moverACCEPTING_COMMANDS;
   }
-  log->Take();  // fetches the key frames that were recorded just before the state changed
+  // Fetches key frames that were recorded between the last Take() and the motion's end.
+  log->Take();
   other->Take();
 }
 

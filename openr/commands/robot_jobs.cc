@@ -37,7 +37,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Longest wait for data from the copies of this process, so that Ctrl-C is noticed soon.
+// Longest wait for data from the processes of the robots, so that Ctrl-C is noticed soon.
 constexpr int kInterruptMs = 200;
 // Most findings that are printed; the report has all findings.
 constexpr size_t kFindingsPrinted = 20;
@@ -45,7 +45,7 @@ constexpr size_t kFindingsPrinted = 20;
 struct RunningCopy {
   int robot = 0;
   ProcessCopy process;
-  std::string said;  // the part of its report that the copy has sent so far
+  std::string said;  // the part of its report that the robot's process has sent so far
 };
 
 // Reads the data that `copy`, the process of one robot, has sent.  Does not wait for more data.
@@ -202,7 +202,7 @@ void RobotJobs::RunInCopy(int robot, int answer) {
   robot_ = robot;
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   const EndingAnswer ending_answer(-1);
-  // Has a value if the finding about a crash must name the record's file (CrashLog).
+  // Has a value if the finding about a crash must name the file of the crash record (CrashLog).
   std::optional<std::string> place;
   if (stick_.is_default()) place = "";
   const CrashLog crash_log({stick_.crash_log()}, true, place);
@@ -244,8 +244,8 @@ ProcessCopy RobotJobs::Start(int robot) {
   sigaddset(&signals, SIGTERM);
   sigprocmask(SIG_BLOCK, &signals, &before);
   const ProcessCopy copy = StartCopy([&](int answer) {
-    // Gives the copy a process group of its own.  So Ctrl-C on the terminal reaches only the
-    // process that the user has started.
+    // Gives the robot's process a process group of its own.  So Ctrl-C on the terminal reaches only
+    // the process that the user has started.
     setpgid(0, 0);
     interrupts_.StartAgain();
     sigprocmask(SIG_SETMASK, &before, nullptr);

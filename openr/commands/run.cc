@@ -108,7 +108,8 @@ void ReportTheEnding(Ending* ending, Simulation* simulation, DistributedRun* dis
   WriteReport(report, flags);
   ending->answered = true;
   distribution->EndProcesses();
-  // Calls TellHandled() last, so that the report is written even if this call crashes.
+  // Calls TellHandled(), which prints the message whose handler ran, last, so that the report is
+  // written even if TellHandled() crashes.
   TellHandled(*ending);
 }
 
@@ -394,8 +395,9 @@ bool CommandedRun::Report() {
   if (!boots_ && !is_stopped) fmt::print(stderr, "openr: the robot does not boot\n");
   EndConsoleLine();
   nlohmann::ordered_json report = MakeReport(&simulation_, facts_);
-  // Flushed only now, because the state hash in the report contains the files of the stick, and a
-  // replay of the run does not flush.
+  // Writes out the bytes that objects' open files still hold only now, after the state hash,
+  // because this hash contains the files of the stick, and a replay of the run does not write such
+  // bytes.
   for (const auto& object : system().objects()) {
     if (object != nullptr) FlushStreams(object.get());
   }

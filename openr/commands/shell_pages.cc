@@ -46,8 +46,9 @@ void WritePages(const CommandInfo& program, const std::string& output) {
       fmt::format("wrote {} to {}\n", Counted(program.commands.size() + 1, "page"), output));
 }
 
-// The words of all inputs (docs/inputs.md) that completion offers.  They stand here again because
-// the runtime and the robots of a run define them, and `openr completion` has no run.
+// The words of all inputs (docs/inputs.md) that the script of `openr completion` offers.  They
+// stand here again because the runtime and the robots of a run define them, and `openr completion`
+// has no run.
 constexpr const char* kInputs[] = {"battery",
                                    "break JOINT SENSOR FAULT for",
                                    "charger on off",
@@ -69,8 +70,8 @@ constexpr const char* kInputs[] = {"battery",
                                    "turn JOINT for",
                                    "type"};
 
-// Returns an input of `openr poke` as the completion of the shell offers it: its first word, and
-// all words that may follow.  `usage` is one of kInputs; for JOINT, SENSOR and FAULT in it, all
+// Returns an input of `openr poke` as the script of `openr completion` offers it: its first word,
+// and all words that may follow.  `usage` is one of kInputs; for JOINT, SENSOR and FAULT in it, all
 // names of joints, sensors and faults are added.
 InputInfo MakeInput(const std::string& usage, const std::set<std::string>& joints,
                     const std::set<std::string>& sensors) {

@@ -33,7 +33,7 @@ namespace {
 
 struct WlanFlags {
   WlanConfig config;
-  bool is_given = false;  // true: the user has given one setting or more by a flag
+  bool is_given = false;  // true: the user has given a setting of the wireless network by a flag
   bool has_key = false;   // true: one of the flags was --wep-key
 };
 
@@ -72,8 +72,8 @@ void AddWlanFlags(CLI::App* command, WlanFlags* flags) {
       ->check(CLI::IsMember({"infrastructure", "adhoc", "automatic"}));
 }
 
-// Asks for all settings on the terminal.  If standard input is a pipe, reads one answer from each
-// line of the pipe.
+// Asks for all settings of the wireless network on the terminal.  If standard input is a pipe,
+// reads one answer from each line of the pipe.
 void AskAll(WlanConfig* config) {
   fmt::print(stderr, "An empty answer takes the value in brackets.\n");
   const auto ask = [](const std::string& question,
@@ -106,7 +106,7 @@ void TellDefaultKey(const WlanFlags& flags) {
                   flags.config.wep_key));
 }
 
-// Prints warnings on standard error about wireless settings that make no sense.
+// Prints warnings on standard error about wireless settings in the file that make no sense.
 void TellSense(const std::string& file, const std::string& text) {
   fmt::print(stderr, "{}", Render(CheckWlanSense(file, ParseWlanConfig(file, text))));
 }
@@ -152,8 +152,8 @@ struct CheckCommand {
 // Returns a size in KB of 1024 bytes, rounded up.
 uint64_t InKilobytes(uint64_t bytes) { return (bytes + 1023) / 1024; }
 
-// Shows the sizes and compares them with no limit, because no source says how much a Programming
-// Memory Stick holds (docs/robot-build.md).
+// Returns the number and size of the stick's files as text.  Compares them with no limit, because
+// no source says how much a Programming Memory Stick holds (docs/robot-build.md).
 std::string SummaryOf(const StickSummary& stick) {
   return fmt::format("{}, {} KB, of which {} of objects {} {} KB; base image: {}\n",
                      Counted(static_cast<uint64_t>(stick.num_files), "file"),

@@ -20,7 +20,7 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kSliceUs = 50'000;  // longest wait for data, so that Ctrl-C is noticed soon
+constexpr int64_t kSliceUs = 50'000;  // longest wait for a status, so that Ctrl-C is noticed soon
 // Time in microseconds for which --once listens.  It is longer than a second, because each run
 // sends its status once a second.
 constexpr int64_t kOthersUs = 1'500'000;

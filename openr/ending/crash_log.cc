@@ -47,7 +47,7 @@ constexpr size_t kAlternateStackBytes = 256 << 10;
 // Paths of the files for crash records; the index is the robot's number.  Null while no CrashLog
 // exists.
 std::vector<std::string>* g_files = nullptr;
-// True: a crash record is added to the end of its file; false: it replaces the file
+// True: a crash record is added to the end of its file; false: it replaces the file.
 bool g_adds = false;
 // The text that follows the name of the crash record's file in the error finding about a crash.
 // Without a value, the finding does not name the file.  Null while no CrashLog exists.

@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr size_t kTail = 12;  // number of last messages that the report of a failing run shows
-// Largest number of seeds that a result lists because their two runs differed
+// Largest number of seeds that a result lists because their two runs differed.
 constexpr size_t kSeedsNamed = 10;
 
 bool IsBroken(const Json& answer) { return !answer.at("broken").is_null(); }

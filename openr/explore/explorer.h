@@ -21,7 +21,7 @@ struct ExplorePlan {
   // True: SearchOrders() tries only one of several orders of messages with equal results.
   bool reduce = true;
   bool stop_at_first = true;  // true: stops at the first seed that breaks a property
-  // Most runs that are made to find which deviations a failure needs; 0: none
+  // Most runs that are made to find which deviations a failure needs; 0: none.
   int shorten_runs = 2000;
   // A function that is called after each run with the number of runs so far, to show progress; may
   // be empty.  Runs that only remove deviations from a failing run do not count.

@@ -72,7 +72,7 @@ class Stepper {
     } catch (const ReaderGone&) {
       shared_->NoteLostText(EPIPE);
     } catch (const std::system_error& error) {
-      // Standard output works, so the error has another reason
+      // Throws the error on if standard output works, because the error then has another reason.
       if (std::ferror(stdout) == 0) throw;
       shared_->NoteLostText(error.code().value());
     }

@@ -97,7 +97,7 @@ TraceHeader HeaderOf(std::string_view text) {
 TraceWriter::TraceWriter(const std::string& file, const TraceHeader& header)
     : file_(file), payloads_(header.payloads), coder_(header.payloads) {
   std::string problem;
-  // Keeps the old recording for a process that replays it
+  // Opens a new file and leaves the old recording to a process that may be replaying it.
   descriptor_ = OpenNewGrowingFile(file, &problem);
   if (descriptor_ < 0) throw std::runtime_error(problem);
   ByteWriter head;
