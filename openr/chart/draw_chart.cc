@@ -14,7 +14,7 @@
 namespace openr_host::chart {
 namespace {
 
-// Sizes in units of the picture; a unit is one point in an SVG file.
+// Sizes in the drawing of a chart, in units of the picture; a unit is one point in an SVG file.
 constexpr double kMargin = 24;
 constexpr double kTickRoom = 40;  // width to the left of each plot, for the numbers at its axis
 constexpr double kColumnGap = 22, kRowGap = 14;
