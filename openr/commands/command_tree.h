@@ -1,5 +1,5 @@
-// The description of all commands as data.  The manual pages and the completion script are made
-// from this description.
+// The description of all commands as data.  The manual pages, and the script by which bash
+// completes command lines, are made from this description.
 #pragma once
 
 #include <string>

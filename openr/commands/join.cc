@@ -39,7 +39,7 @@ struct JoinFlags {
   int64_t wait_us = 60'000'000;
   int64_t handler_limit_us = 10'000'000;
   pid_t parent = 0;       // process id of the run that has started this worker; 0: none
-  std::string crash_log;  // file to which a worker with a parent writes crash records
+  std::string crash_log;  // file for the crash records of a worker that a run has started
 };
 
 std::string WhyNoStick(const std::string& folder) {

@@ -41,7 +41,7 @@ struct LogFlags {
   // The files to read.  Only the command `compare` uses `other`; "" means that it compares two
   // groups of values in `file`.
   std::string file, other;
-  std::string motion;  // motion file of the log; "": the user has named none
+  std::string motion;  // motion file that was played for the log; "": not named
   // Names of the groups of values (commanded, measured or simulated) on the two sides of a
   // comparison; "": the content of the log decides.
   std::string group, other_group;

@@ -38,7 +38,8 @@ struct RunFlags {
   std::string console_file;
   std::string stdin_file;
   std::string events_file;
-  // Value of --jobs; 0: the flag was not given, so all robots are in one System of this process.
+  // Value of --jobs: how many robots run at the same time, each in a process of its own; 0: the
+  // flag was not given, so all robots are in one System of this process.
   int jobs = 0;
   std::string gdb;  // value of --gdb, the name of an object; "": no debugger
   int64_t handler_limit_us = 10'000'000;

@@ -59,7 +59,7 @@ enum Column {
 };
 constexpr size_t kColumns = kState + 1;
 using Row = std::array<std::string, kColumns>;
-// Number of characters in each column; 0: the column is left out.
+// Number of characters in each column of the table; 0: the column is left out.
 using Widths = std::array<size_t, kColumns>;
 
 Row RowOf(const RunStatus& run, const RunStatus::Object& object, bool has_robots) {
