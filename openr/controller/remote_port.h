@@ -81,7 +81,7 @@ class RemotePort : public ControllerPort {
   void ContinueLoop() override { is_continued_ = true; }
   void EndLoop() override {}
 
-  // A packet of commands (BATCH) whose answers have not come yet.
+  // A packet of commands (BATCH) that was sent to the robot and whose answers have not come yet.
   struct Batch {
     openr::remote::RequestId id;
     std::vector<RobotCommand> commands;
@@ -114,7 +114,8 @@ class RemotePort : public ControllerPort {
   std::unique_ptr<CameraFetcher> camera_;
   std::exception_ptr failure_;
 
-  // The positions and motors that the controller wants for all joints; nullopt: no change.
+  // The joint positions, and the motors to switch on or off, that the controller wants; nullopt: no
+  // change.
   std::optional<BatchMoverCommand> wanted_;
   // Joints whose new positions the robot has refused as BUSY, perhaps because a motion plays, and
   // the text of the warning for each.
@@ -122,14 +123,14 @@ class RemotePort : public ControllerPort {
   Uint32 wanted_ears_ = 0;
   Uint32 sent_leds_ = 0;  // the lights that were commanded last; at first all lights are off
   Uint32 sent_ears_ = 0;
-  int state_ = -1;  // state of JointMover (MoverState); -1: not known yet
+  int state_ = -1;  // state of the robot's object JointMover (MoverState); -1: not known yet
   int battery_percent_ = 0;
   std::string playing_;      // file of the motion that plays for the controller; "": none
   uint32_t play_frame_ = 0;  // frame number in the answer to MTN_PLAY for this motion
   // Time step that came with the last SendLeds(); 0: SendLeds() was not called since the last
   // TakeStep().
   int step_ms_ = 0;
-  int rounded_ms_ = 0;  // the rounded time step about which the user was told last
+  int rounded_ms_ = 0;  // the rounded time step that the user was told last; 0: none
   bool is_continued_ = false;
   std::chrono::steady_clock::time_point heard_{};   // time of the robot's last event or answer
   std::chrono::steady_clock::time_point warned_{};  // time of the last WarnOfRefusal()

@@ -35,8 +35,8 @@ class StepClock {
 
  private:
   bool has_begun_ = false;
-  Time begin_{};    // time at which the present iteration has begun
-  Time planned_{};  // time at which the present iteration was to begin
+  Time begin_{};    // time at which the present iteration of the loop has begun
+  Time planned_{};  // time at which the present iteration of the loop was to begin
   Time next_{};
   Time warned_{};
   Duration step_{};
