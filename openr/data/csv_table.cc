@@ -72,7 +72,7 @@ class CsvReader {
 
  private:
   struct Values {
-    // True: the column has a field that is not a number, so the column is left out.
+    // True: the column of the table has a field that is not a number, so the column is left out.
     bool is_text = false;
     bool has_number = false;
     Series series;
@@ -156,12 +156,12 @@ class CsvReader {
   }
 
   const std::string& file_;
-  const size_t size_;  // bytes of the whole file
+  const size_t size_;  // number of bytes of the whole table
   std::string_view rest_;
   const OnBytesRead& on_read_;
-  int number_ = 0;  // number of the last line that was read
+  int number_ = 0;  // number of the table's line that was read last
   std::vector<std::string> names_;
-  size_t time_ = 0;    // index of the column with the time
+  size_t time_ = 0;    // index of the table's column with the time
   double factor_ = 1;  // factor that converts the values of the time column to seconds
   std::vector<Values> columns_;
   std::string note_;

@@ -129,7 +129,7 @@ void McapLog::AddValues(int64_t now_us) {
     text = "{" + TimestampText(now_us);
     for (size_t i = 0; i < values.keys.size(); ++i) {
       const double value = std::get<double>(columns_[values.columns[i]].read(view_.run()));
-      if (std::isnan(value)) continue;  // leaves the member out, because JSON has no NaN
+      if (std::isnan(value)) continue;  // leaves the quantity out, because JSON has no NaN
       text += "," + values.keys[i] + ":";
       AppendNumber(value, &text);
     }

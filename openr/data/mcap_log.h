@@ -26,7 +26,7 @@ class McapLog : public DataLog {
   struct Values {
     uint16_t channel = 0;
     std::vector<std::string> keys;  // names of the members of the topic's messages, in JSON
-    std::vector<size_t> columns;    // index in columns_ of the quantity of each member
+    std::vector<size_t> columns;    // index in columns_ of the quantity for each of `keys`
   };
   struct CameraTopic {
     uint16_t channel = 0;
@@ -54,7 +54,7 @@ class McapLog : public DataLog {
   // The camera topic of each robot; the index is the number of the robot.
   std::vector<CameraTopic> cameras_;
   uint16_t poses_ = 0, findings_ = 0, inputs_ = 0;
-  size_t finding_count_ = 0;  // number of findings that the file already has
+  size_t finding_count_ = 0;  // number of findings that the MCAP file already has
   int64_t last_us_ = -1;      // virtual time of the last values that were written
   int64_t chunk_us_ = 0;      // virtual time at which the last chunk of messages ended
   Picture picture_;

@@ -110,7 +110,7 @@ class McapReader {
 
   void ReadChunk(RecordFields* record) {
     if (depth_ > 0) Refuse("has a chunk within a chunk, which the format forbids");
-    record->Take(8 + 8 + 8);  // skips two times and a size, because they are not needed
+    record->Take(8 + 8 + 8);  // skips two times and a size of the chunk, which are not needed
     const uint32_t crc = record->U32();
     const std::string_view compression = record->Text();
     if (!compression.empty()) {

@@ -68,7 +68,7 @@ void McapWriter::Write(std::string_view bytes) {
 }
 
 uint16_t McapWriter::AddSchema(std::string_view name, std::string_view json_schema) {
-  const uint16_t number = ++schema_count_;  // numbers begin with 1, because 0 means "no schema"
+  const uint16_t number = ++schema_count_;  // schemas are numbered from 1; 0 means "no schema"
   const std::string record = McapRecord(
       McapOp::kSchema, McapFields().U16(number).Text(name).Text("jsonschema").Text(json_schema));
   schemas_ += record;

@@ -17,7 +17,7 @@
 
 namespace openr_host {
 
-// The opcodes of the records that this program writes and reads.
+// The opcodes of the MCAP records that openr writes and reads.
 enum class McapOp : uint8_t {
   kHeader = 0x01,
   kFooter = 0x02,
