@@ -26,7 +26,8 @@ class RobotCode {
   // (file_gp_), so the difference is the distance by which the robot has moved the code.
   void SetGp(uint32_t gp) { loaded_by_ = gp - file_gp_; }
 
-  // Returns whether the robot's address `address` is in the code.  REQUIRES: SetGp() was called.
+  // Returns whether `address`, an address in the robot's memory, is in the code of this image.
+  // REQUIRES: SetGp() was called.
   bool Contains(uint32_t address) const;
   // Returns whether the instruction at `address` - 8 is a call, so that `address` may be a return
   // address.  The instruction at `address` - 4, the delay slot, runs before the call does.
