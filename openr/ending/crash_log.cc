@@ -306,7 +306,7 @@ void OnCrashSignal(int signal, siginfo_t* info, void* context) {
   RobotException exception{.code = RobotExceptionCode(signal, *info, context),
                            .is_in_own_code = t_current.image_code};
   if (is_access) exception.bad_address = reinterpret_cast<uint64_t>(info->si_addr);
-  BeginEnding(&ending);  // clears t_current, which was read above for this reason
+  BeginEnding(&ending);  // clears t_current, the running object, so it was read above
   WriteRecordInSignal(&ending, &exception, context, robot);
   ending.finding.Add("; on the robot this stops all objects");
   FinishEnding();
@@ -331,7 +331,8 @@ void OnSanitizerReport(const char* report) {
   const char* const begin = std::strstr(report, kBegin);
   if (begin == nullptr) return;
   std::string_view rest = begin + sizeof kBegin - 1;
-  // Begins the kind of some errors: "attempting double-free on ...".
+  // AddressSanitizer puts this word before the names of some errors: "attempting double-free on
+  // ...".
   static constexpr std::string_view kAttempting = "attempting ";
   if (rest.starts_with(kAttempting)) rest.remove_prefix(kAttempting.size());
   StopAsTheRobotDoes("AddressSanitizer: " + std::string(rest.substr(0, rest.find_first_of(" \n"))));

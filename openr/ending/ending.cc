@@ -28,7 +28,7 @@ constexpr int kHandledSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIG
 EndingAction* g_newest = nullptr;
 Ending* g_ending = nullptr;
 Current g_current;          // the object and handler that ran when the end of the process began
-bool g_is_awaited = false;  // true while an EndingAnswer exists
+bool g_is_awaited = false;  // true while an EndingAnswer exists: the end is reported
 int g_answer = -1;
 // The file that also gets the JSON answer of a command whose run has ended early.  Its paths are
 // made together with the EndingAnswer, because OnSignalDuringEnding() must not allocate memory.

@@ -26,7 +26,7 @@ SignalText& AddWord(const char* name, uint64_t number, SignalText* text) {
 // Adds the line of `object` in the list of objects that a crash record has.
 void AddObject(const Object& object, SignalText* text) {
   text->Add(" ").Add(object.name.c_str());
-  for (int column = 0; column < 3; ++column) {  // the columns context, thread and OID
+  for (int column = 0; column < 3; ++column) {  // the id stands for context, thread and OID
     text->Add(" ");
     AddHex(OidValue(object.id), kWordDigits, text);
   }

@@ -15,7 +15,7 @@ class Object;
 struct RobotException {
   unsigned code = 0;         // exception code (field-notes.md 4.1); 0 if the robot would go on
   uint64_t bad_address = 0;  // address that could not be accessed; 0 for other exceptions
-  uint64_t epc = 0;          // address of the instruction in the file of its image
+  uint64_t epc = 0;          // address of the instruction that failed, in the image's file
   // True: the signal has interrupted the object's own code.  False: it has interrupted the runtime,
   // which may have been changing its table of objects, so the table cannot be read.
   bool is_in_own_code = false;

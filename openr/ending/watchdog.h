@@ -16,7 +16,8 @@ class Watchdog {
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
 
-  // Starts the timer again in a fork of the process, because a fork has no timers.
+  // Starts the timer of the handlers' time limit again in a fork of the process, because a fork has
+  // no timers.
   void StartAgain();
 
  private:
