@@ -81,7 +81,7 @@ class Sum {
  private:
   const ExplorePlan& plan_;
   uint64_t runs_ = 0, broken_ = 0, messages_ = 0;
-  std::map<std::string, uint64_t> ended_by_;  // number of runs that ended for each reason
+  std::map<std::string, uint64_t> ended_by_;  // key: how runs ended; value: number of such runs
   Hasher digest_;
   std::optional<Json> first_broken_;
 };

@@ -213,7 +213,8 @@ Quantity FindInRobot(const RunView& view, size_t robot, const std::string& name)
   Unknown("quantity of a robot", name, known);
 }
 
-// Returns whether `name` can be a quantity of a robot without "robots[0]." in front of it.
+// Returns whether `name` begins like the short name of a quantity of robot 0, which has no
+// "robots[0]." in front.
 bool IsOfFirstRobot(const std::string& name) {
   for (const char* const begin : {"joint.", "command.", "measured.", "sensor.", "thing."}) {
     if (name.starts_with(begin)) return true;

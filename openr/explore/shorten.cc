@@ -55,7 +55,7 @@ class Shortener {
         if (i < begin || i >= end) rest.push_back(script_[i]);
       }
       if (Try(std::move(rest))) {
-        any = true;  // `begin` stays, because the next part is at `begin` now
+        any = true;  // `begin` stays: after the removal, the next part of the list is there
       } else {
         begin = end;
       }
