@@ -10,7 +10,7 @@
 
 namespace openr_host {
 
-// The number of bytes that are compared in one step.
+// The number of bytes of a message that are compared in one step with the message before.
 constexpr size_t kPayloadBlock = 64;
 
 // The payload, that is the content, of the last message of one sender and one size.  Zeros fill it

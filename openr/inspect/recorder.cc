@@ -55,7 +55,7 @@ void Recorder::Begin(Simulation* simulation, const SimulationOptions& options,
   system.inputs().OnAdd([this, &system](int robot, std::string_view line) {
     writer_->AddInput(robot, line, system.now_us());
   });
-  // A stick of several robots is read-only, so it has no changes to record.
+  // Leaves out the changes of a stick that several robots share: it is read-only, so it has none.
   if (options.robots == 1) {
     const std::string root = simulation->stick() + "/";
     system.robot(0).stick->OnFirstChange([this, root](const MemoryStick::Location& location) {

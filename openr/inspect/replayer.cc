@@ -136,7 +136,7 @@ Replayer::Replayer(const ReplayOptions& replay) : file_(replay.file), reader_(re
   }
   SimulationOptions options = OptionsOf(reader_.header(), replay);
   const std::string stick = options.stick;
-  if (options.robots == 1) {  // a stick of several robots is read-only, so it needs no copy
+  if (options.robots == 1) {  // a stick that several robots share is read-only: needs no copy
     if (std::error_code error; !std::filesystem::is_directory(stick, error)) {
       throw std::runtime_error(
           fmt::format("{}: the stick {} is no longer there; give it with --stick", file_, stick));

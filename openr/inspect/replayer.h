@@ -72,7 +72,7 @@ class Replayer : public KnownRun {
   // Ends the comparison with the recording.  The run can then go on without the recording.
   void Leave() { at_end_ = true; }
 
-  // Returns the name of the object ReplayOptions::only, as the object itself has it.
+  // Returns the name of the object ReplayOptions::only with the capitals of the object's own name.
   const std::string& only() const { return only_; }
   // Returns how many messages of the object ReplayOptions::only were compared.
   uint64_t answer_count() const { return answer_count_; }

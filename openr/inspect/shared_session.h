@@ -12,7 +12,7 @@ namespace openr_host {
 // Data by which a process that ends tells the waiting process of an earlier snapshot what to do
 // next.
 struct SharedSession {
-  bool went_back;    // true: a copy has ended because the session goes back
+  bool went_back;    // true: a process has ended because the user goes back
   uint64_t target;   // number of messages after which going back ends
   int64_t until_us;  // virtual time up to which the session runs after going back; 0: none
   // True while a process runs the session.  A process that ends as it should sets it to false.  If

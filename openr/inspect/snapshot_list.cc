@@ -7,8 +7,8 @@
 namespace openr_host {
 namespace {
 
-// A snapshot is no longer needed when its age, the number of messages since its later neighbour in
-// the list, is at least this many times the number of messages between its two neighbours.
+// A snapshot is removed when the number of messages since the next snapshot in the list is at least
+// this many times the number of messages between the snapshot before and the next snapshot.
 constexpr uint64_t kAgePerDistance = 4;
 
 }  // namespace

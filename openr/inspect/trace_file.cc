@@ -252,7 +252,7 @@ TraceReader::TraceReader(const std::string& file) : file_(file), bytes_(file) {
 }
 
 void TraceReader::ReadHeader() {
-  // Most bytes of the version and of the text's length.
+  // Most bytes of the format's version and of the length of the header's text.
   constexpr uint64_t kLengthsMax = 4 + ByteWriter::kVarintBytesMax;
   ByteReader lengths(bytes_.Read(kMagic.size(), kLengthsMax));
   const uint32_t version = lengths.U32();

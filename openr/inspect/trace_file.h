@@ -210,9 +210,10 @@ class TraceWriter {
   const bool payloads_;
   TraceCoder coder_;
   int descriptor_ = -1;
-  int error_ = 0;  // errno of the first failed write
+  int error_ = 0;  // errno of the first write to the recording that failed
   ByteWriter block_;
-  // The value of Object::predecessors when the name of an object was written, by the object's id.
+  // For each object, by its id: how often it had been replaced (Object::predecessors) when its name
+  // was written to the recording.
   std::map<int32_t, int> objects_;
   std::set<std::pair<int32_t, uint32_t>> entries_;
   // For each link, by its number: how often the objects at its two ends had been replaced when
@@ -233,8 +234,8 @@ class TraceReader {
   // Returns the next entry of the recording without taking it; null at the end of the readable part
   // of the file.
   const TraceEntry* Peek();
-  // Takes the next entry and returns it.  Peek() then returns the entry behind it.  REQUIRES:
-  // Peek() is not null.
+  // Takes the next entry of the recording and returns it.  Peek() then returns the entry behind it.
+  // REQUIRES: Peek() is not null.
   TraceEntry Take();
 
   // Returns texts about damaged or missing places of the file that have been found so far, such as
