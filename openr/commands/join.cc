@@ -142,8 +142,8 @@ Outcome Work(const WorkerOptions& options, bool is_known) {
     if (ending->object == nullptr) return;
     const CurrentScope scope(ending->object->system, ending->object);
     worker->ReportCrash(ending->finding.text());
-    // Calls TellHandled(), which prints the message whose handler ran, after ReportCrash(), so that
-    // the run gets the report even if TellHandled() crashes.
+    // Calls TellHandled() after ReportCrash(), so that the run gets the report even if this call
+    // crashes.  TellHandled() prints the message whose handler has ended the process.
     TellHandled(*ending);
   });
   const std::string problem = worker->Run();

@@ -29,8 +29,8 @@ using Json = nlohmann::ordered_json;
 // Duration of a sensor vector, which has 4 frames of 8 ms.
 constexpr int64_t kFollowVectorUs = 32'000;
 constexpr int64_t kFollowPeriodMaxUs = 10'000'000;
-// Number of status reports of RemotePair after which a line is printed.  This makes one line a
-// second, because RemotePair reports its status every 200 ms.
+// Number of status reports about the pair of robots after which a line is printed.  This makes one
+// line a second, because RemotePair reports the status every 200 ms.
 constexpr int kStatusesPerReport = 5;
 
 // A robot of a pair, with the result of the action at this robot.

@@ -108,8 +108,8 @@ void ReportTheEnding(Ending* ending, Simulation* simulation, DistributedRun* dis
   WriteReport(report, flags);
   ending->answered = true;
   distribution->EndProcesses();
-  // Calls TellHandled(), which prints the message whose handler ran, last, so that the report is
-  // written even if TellHandled() crashes.
+  // Calls TellHandled() last, so that the report is written even if this call crashes.
+  // TellHandled() prints the message whose handler has ended the process.
   TellHandled(*ending);
 }
 
