@@ -68,9 +68,9 @@ std::optional<NamedNumber> NumberIn(std::string_view word, const std::vector<std
   return number;
 }
 
-// Returns the numbers in a line.  Leaves out a number with a '$' in front, such as "$14" in
-// "epc:$14: 0x00400010": it only numbers a register of the coprocessor, so it belongs to the name
-// "epc".
+// Returns the numbers in a line of a crash record.  Leaves out a number with a '$' in front, such
+// as "$14" in "epc:$14: 0x00400010": it only numbers a register of the coprocessor, so it belongs
+// to the name "epc".
 std::vector<NamedNumber> Split(std::string_view text) {
   std::vector<NamedNumber> numbers;
   std::vector<std::string> words;
