@@ -1,6 +1,6 @@
-// Writes a record when the crash of an object, which is a program of the robot, ends the run.  The
-// record goes to standard error and to the file OPEN-R/EMON.LOG of a Memory Stick, where the
-// emergency monitor of the real robot writes its record.
+// Writes a crash record when the crash of an object, which is a program of the robot, ends the
+// run.  The crash record goes to standard error and to the file OPEN-R/EMON.LOG of a Memory Stick,
+// where the emergency monitor of the real robot writes its crash record.
 //
 // On the real robot the crash of one object stops the whole robot.  So a crash ends the whole run
 // here, with exit status 1.

@@ -17,8 +17,8 @@ namespace openr_host {
 namespace {
 
 constexpr int kSignal = SIGVTALRM;
-// Number of checks, in the time limit of a handler, of whether it still runs; so a handler is ended
-// at most 1/8 of the limit too late.
+// Number of times that a handler is checked within its time limit; so a handler is ended at most
+// 1/8 of the limit too late.
 constexpr int kTicks = 8;
 
 timer_t g_timer;
