@@ -81,8 +81,8 @@ std::optional<RobotModel> ModelForValues(const TraceReader& reader, const TraceF
   return LoadRobotModel(ModelFile(reader.header().robot));
 }
 
-// Returns the content of the message `entry` in words.  Returns "" if `model` has no value or the
-// recording does not have the content.
+// Returns the content of the recorded message `entry` in words.  Returns "" if `model` has no value
+// or the recording does not have the content.
 std::string WordsOf(const std::optional<RobotModel>& model, const TraceReader& reader,
                     const TraceEntry& entry) {
   if (!model || entry.payload.empty()) return "";
