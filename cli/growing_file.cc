@@ -31,13 +31,13 @@ void GrowingFile::Append(std::string_view bytes, std::string_view end) {
     end_ = end;
     if (!is_shorter) return;
   } else if (!end_.empty()) {
-    // Writes the old end again, because the part of `bytes` that fitted on the disk has overwritten
-    // the old end.
+    // Writes the old `end_` again, the text that completes the file, because the part of `bytes`
+    // that fitted on the disk has overwritten it.
     go_back();
     WriteAll(descriptor_, end_);
   }
-  // Cuts off the bytes that follow the end of the records and of `end_`.  A device or a pipe cannot
-  // be cut, so a failure is ignored.
+  // Cuts off what follows the appended bytes and `end_` in the file.  A device or a pipe cannot be
+  // cut, so a failure is ignored.
   [[maybe_unused]] const int result =
       ftruncate(descriptor_, static_cast<off_t>(size_ + end_.size()));
 }

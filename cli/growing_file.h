@@ -17,7 +17,7 @@ class GrowingFile {
   GrowingFile& operator=(const GrowingFile&) = delete;
 
   // Appends `bytes`.  If that fails, removes the part of `bytes` that was written and writes
-  // nothing more, so that the file ends with a whole record.
+  // nothing more, so that the file ends with the bytes of the last complete call.
   //
   // `end` is text that completes the file, for example "]" after a list.  Each call overwrites the
   // `end` of the call before.  So the file is complete even if the process is killed between two

@@ -69,9 +69,9 @@ Target TargetOf(const std::string& file) {
   return target;
 }
 
-// Returns whether the file is replaced by a new file, and not written in place.  Devices and pipes
-// are written in place, and so are files with several hard links, because the other names of such a
-// file would keep the old content.
+// Returns whether new content for `target` is written to a new file that then replaces it, and not
+// written into the file itself (in place).  Devices and pipes are written in place, and so are
+// files with several hard links, because the other names of such a file would keep the old content.
 bool IsReplaced(const Target& target) {
   return !target.exists || (S_ISREG(target.status.st_mode) && target.status.st_nlink == 1);
 }
@@ -126,8 +126,9 @@ int WriteBeside(const Target& target, std::string_view bytes, std::string* name)
   return error;
 }
 
-// Returns an errno if the disk has no room for `size` bytes, else 0.  Asks before the old content
-// of the file is touched, because a failure in the middle of writing would destroy it.
+// Returns an errno if the disk has no room for `size` bytes in the file open as `descriptor`, else
+// 0.  Called before the old content of this file is touched, because a failure in the middle of
+// writing would destroy it.
 int WhyNoRoom(int descriptor, size_t size) {
   rlimit limit;
   if (getrlimit(RLIMIT_FSIZE, &limit) == 0 && size > limit.rlim_cur) return EFBIG;
@@ -170,7 +171,7 @@ std::string WhyNotWritable(const std::string& file) {
     if (S_ISDIR(target.status.st_mode)) return fmt::format("{}: is a folder; name a file", file);
     return access(target.path.c_str(), W_OK) == 0 ? "" : WhyNotWritten(file, errno);
   }
-  // Creates the file for a moment, because only this shows whether the file can be created.
+  // Creates the missing file for a moment, because only this shows whether the file can be created.
   const int descriptor = open(target.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor < 0) return WhyNotWritten(file, errno);
   close(descriptor);
@@ -353,7 +354,8 @@ int ReplaceLocked(const Target& target, const struct stat& old, int* error) {
   const int descriptor = CreateBeside(target, &name, error);
   if (descriptor < 0) return -1;
   flock(descriptor, LOCK_EX | LOCK_NB);
-  // Another process may have put a file of its own there before the old file was locked here.
+  // Looks whether the path still leads to the old file, because another process may have replaced
+  // it before it was locked here.
   struct stat now;
   const bool is_same =
       stat(target.path.c_str(), &now) == 0 && now.st_ino == old.st_ino && now.st_dev == old.st_dev;

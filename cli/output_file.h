@@ -74,8 +74,9 @@ void RemoveFile(const std::string& file);
 // and sets `problem`.
 int OpenGrowingFile(const std::string& file, std::string* problem);
 
-// The same, but puts a new file in the place of a regular file, in the way of WriteFile(), so that
-// a program which reads the old file meanwhile goes on to read the old content.
+// Opens a growing file as OpenGrowingFile() does, but puts a new file in the place of a regular
+// file, as WriteFile() does, so that a program which reads the old file meanwhile goes on to read
+// the old content.
 int OpenNewGrowingFile(const std::string& file, std::string* problem);
 
 // Writes all of `text` to `descriptor`.  Returns 0, or the errno of the write that failed.  May be

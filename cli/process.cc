@@ -23,7 +23,7 @@ extern char** environ;
 namespace openr_host {
 namespace {
 
-// Returns the environment of the child: texts "NAME=value", sorted by name.
+// Returns the environment for a child process: texts "NAME=value", sorted by name.
 std::vector<std::string> ChildEnvironment(const ProcessOptions& options) {
   std::map<std::string, std::string> values;
   for (char** entry = environ; *entry != nullptr; ++entry) {
@@ -50,9 +50,9 @@ std::vector<char*> Pointers(const std::vector<std::string>& texts) {
   return pointers;
 }
 
-// Sets attributes that give the child the default actions of SIGPIPE and SIGXFSZ.  This program
-// ignores both signals, and a child would inherit that, but other programs expect that these
-// signals end them.
+// Sets attributes that give a child process the default actions of SIGPIPE and SIGXFSZ.  This
+// program ignores both signals, and the child would inherit that, but other programs expect that
+// these signals end them.
 void MakeAttributes(posix_spawnattr_t* attributes) {
   sigset_t signals;
   sigemptyset(&signals);
@@ -90,8 +90,8 @@ class Pipe {
   int ends_[2] = {-1, -1};
 };
 
-// Starts the child.  `in` and `out` become its standard streams if `options` ask for it.  Returns
-// an errno, or 0.
+// Starts the program `arguments` as a child process.  `in` and `out` become its standard streams if
+// `options` ask for it.  Returns an errno, or 0.
 int Spawn(const std::vector<std::string>& arguments, const ProcessOptions& options, const Pipe& in,
           const Pipe& out, pid_t* child) {
   posix_spawn_file_actions_t actions;
@@ -141,8 +141,8 @@ ProcessResult RunProcess(const std::vector<std::string>& arguments, const Proces
     result.not_found = fmt::format("{}: {}", arguments[0], std::strerror(error));
     return result;
   }
-  // Closes our copies of the child's ends.  Then only the child holds them, so reading from the
-  // pipe ends when the child ends.
+  // Closes this process's copies of the pipe ends that the child uses.  Then only the child holds
+  // them, so reading from the pipe ends when the child ends.
   in.CloseReader();
   out.CloseWriter();
   if (options.input) WriteInput(in.writer(), *options.input);

@@ -18,7 +18,8 @@ struct ProcessOptions {
   bool captures_out = false;    // the child's standard output goes to ProcessResult::output
   bool echoes = false;          // captured text is also written to our standard error at once
   bool has_no_input = false;    // standard input of the child is empty
-  // A function that is called about every 200 ms while captured output is waited for; may be null.
+  // A function that is called about every 200 ms while RunProcess() waits for captured output of
+  // the child; may be null.
   std::function<void()> while_waiting = {};
   // Text for the standard input of the child.  It is written before the output is read, so the
   // program must read all of its input before it writes more than a pipe holds (64 KiB).

@@ -7,21 +7,23 @@
 
 namespace openr_host {
 
-// Returns the text of the line: "openr: 40 of 100 seeds, about 90 s left".  `what` is the plural
-// noun for the things that are counted, such as "seeds".  At the beginning the remaining time is
-// not known yet, and the text leaves it out.  Without a total the text is "openr: 40 seeds".
+// Returns the text of a progress line: "openr: 40 of 100 seeds, about 90 s left".  `what` is the
+// plural noun for the things that are counted, such as "seeds".  At the beginning the remaining
+// time is not known yet, and the text leaves it out.  Without a total the text is "openr: 40
+// seeds".
 std::string ProgressText(uint64_t done, std::optional<uint64_t> total, const std::string& what,
                          double elapsed_s);
 
-// Returns the time before which a command shows no line: 2 s, or the number of milliseconds in the
-// environment variable OPENR_HOST_PROGRESS_MS.
+// Returns the time before which a command shows no progress line: 2 s, or the number of
+// milliseconds in the environment variable OPENR_HOST_PROGRESS_MS.
 int64_t ProgressQuietNs();
 
 // Draws the progress line on a terminal.  Each drawing replaces the previous one.  Writes nothing
 // if `descriptor` is -1 or no terminal, and nothing before `quiet_ns` have passed.
 class ProgressLine {
  public:
-  // `total` is the number of pieces of the work; nullopt if this number is not known.
+  // `total` is the number of pieces of work that the line counts; nullopt if this number is not
+  // known.
   ProgressLine(int descriptor, std::optional<uint64_t> total, std::string what,
                int64_t quiet_ns = ProgressQuietNs());
   ~ProgressLine();  // clears the line

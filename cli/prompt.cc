@@ -84,9 +84,9 @@ class LineEdit {
     libedit_.el_set(edit_, EL_ADDFN, "openr-drop", "Drops the line", &DropLine);
     libedit_.el_set(edit_, EL_BIND, "^I", "openr-complete", nullptr);
     libedit_.el_set(edit_, EL_BIND, "^R", "em-inc-search-prev", nullptr);
-    // Makes Ctrl-C a key and no signal, because a signal would reach all processes of a session of
-    // openr replay --step, also the processes that wait.  The flag -isig makes Ctrl-Z a key, too,
-    // so Suspend() is bound to this key.
+    // Makes Ctrl-C a key and no signal, because a signal would reach all processes that openr
+    // replay --step has made with fork(), also those that wait.  The flag -isig makes Ctrl-Z a key,
+    // too, so Suspend() is bound to this key.
     libedit_.el_set(edit_, EL_SETTY, "-d", "-isig", nullptr);
     libedit_.el_set(edit_, EL_BIND, "^C", "openr-drop", nullptr);
     libedit_.el_set(edit_, EL_ADDFN, "openr-suspend", "Suspends the program", &Suspend);
@@ -151,9 +151,9 @@ class LineEdit {
     try {
       more = Of(edit)->prompt_.Continuation(begin, &choices);
     } catch (const std::exception&) {
-      // Catches the exception, because it must not pass through the functions of libedit, which are
-      // in C.  The user learns the reason of the exception, such as that the run has ended, when
-      // the line is carried out.
+      // Catches an exception of the function that finds the words for Tab, because it must not pass
+      // through the functions of libedit, which are in C.  The user learns its reason, such as that
+      // the run has ended, when the typed line is carried out.
       return CC_REFRESH_BEEP;
     }
     if (!more.empty())

@@ -25,8 +25,8 @@ bool g_is_told = false;  // true: the failed write has been reported to the user
 // Opens /dev/null for each closed descriptor from 0 to 2. open() returns the lowest closed
 // descriptor, so it returns the descriptor that the loop has reached.
 void OpenClosedDescriptors() {
-  // The mode for each descriptor.  Descriptor 1 is opened for reading only, so that writing to it
-  // fails.
+  // The mode in which /dev/null is opened for each of the descriptors 0 to 2.  Descriptor 1 is
+  // opened for reading only, so that writing to it fails.
   constexpr int kModes[] = {O_RDONLY, O_RDONLY, O_WRONLY};
   for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor) {
     if (fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
@@ -58,7 +58,7 @@ void KeepErrorStreamGood() {
 }
 
 // Writes out the text in the buffers of std::cout and stdout.  If that fails, returns false and
-// notes the reason.
+// keeps the error for FinishStandardOutput().
 bool FlushStreams() {
   errno = 0;
   std::cout.flush();  // sets errno if it fails

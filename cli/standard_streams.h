@@ -1,5 +1,5 @@
-// Handles the standard streams 0 to 2, which may be closed, on a full disk, or a pipe without a
-// reader.  The answer is the text that a command prints on standard output.
+// Handles the standard streams 0 to 2, which may be closed, or lead to a full disk or to a pipe
+// without a reader.  "The answer" is the text that a command prints on standard output.
 #pragma once
 
 #include <stdexcept>
@@ -14,7 +14,7 @@ struct ReaderGone : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Prepares the streams.  Must be called first in main().  Afterwards
+// Prepares the standard streams.  Must be called first in main().  Afterwards
 //   - each of the descriptors 0 to 2 is open, so that no file opened later gets one of these
 //     numbers.  A descriptor that was closed is opened on /dev/null; standard output is opened so
 //     that writing fails, because a lost answer must be noticed;
@@ -31,17 +31,17 @@ int StandardOutput();
 // standard output that the program was started with.
 void SetStandardOutput(int descriptor);
 
-// Prints a part of the answer on standard output.  Throws std::runtime_error "standard output:
-// cannot be written: why", or ReaderGone.  So a command with an endless answer stops when its
-// reader is gone.
+// Prints a part of the command's answer on standard output.  Throws std::runtime_error "standard
+// output: cannot be written: why", or ReaderGone.  So a command with an endless answer stops when
+// its reader is gone.
 void PrintAnswer(std::string_view text);
 
-// Writes out at once the parts of the answer that are still in a buffer.  Throws as PrintAnswer()
-// does.
+// Writes out at once the parts of the command's answer that PrintAnswer() has left in a buffer.
+// Throws as PrintAnswer() does.
 void FlushAnswer();
 
-// Notes that a part of the answer was lost outside of PrintAnswer(), so that the program ends with
-// an error.  `error` is an errno, or 0 if the reason is not known.
+// Notes that a part of the command's answer was lost outside of PrintAnswer(), so that the program
+// ends with an error.  `error` is an errno, or 0 if the reason is not known.
 void NoteLostAnswer(int error);
 
 // Writes out the text that is still in the buffer of standard output.  Must be called last in
