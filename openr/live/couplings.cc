@@ -61,8 +61,8 @@ void Couplings::Update() {
       all_.empty()
           ? ""
           : fmt::format("the robot at {} is connected, and cannot go back with it", all_[0].with));
-  // Changes the rate only when the first coupling begins or the last coupling ends, and never if
-  // the rate is fixed.
+  // Changes the rate of the run (its speed) only when the first coupling begins or the last
+  // coupling ends, and never if the run must keep the rate it began with.
   if (all_.empty() == !is_paced_ || clock_->is_fixed()) return;
   is_paced_ = !all_.empty();
   if (is_paced_) {

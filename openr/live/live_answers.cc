@@ -32,7 +32,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A request, and the run to which it was sent.
+// A request of a client, and the run to which it was sent.
 struct Asked {
   const LiveContext& context;
   const nlohmann::json& request;
@@ -279,8 +279,9 @@ Json AnswerCamera(const Asked& asked) {
           {"png", Base64(png)}};
 }
 
-// Answers a request for one event of the run.  The event is about this process: if the process is a
-// view, a copy that repeats the run up to a past moment, the event is about that moment.
+// Returns one event, the line about the state of the run whose kind, such as "values", the request
+// names.  The line is about this process: if the process is a view, a copy that repeats the run up
+// to a past moment, the line is about that moment.
 Json AnswerEvent(const Asked& asked) {
   const auto name = asked.request.at("name").get<std::string>();
   const auto& kinds = LiveEvents::Kinds();
@@ -322,7 +323,8 @@ Json AnswerHashes(const Asked& asked) {
           {"state_hash", fmt::format("{:016x}", asked.system().state_hash())}};
 }
 
-// Answers a request while the run shows an earlier moment; the answer is about that moment.
+// Answers a client's request while the run shows an earlier moment to its user; the answer is about
+// that moment.
 Json AnswerInPast(const Asked& asked, const std::string& name) {
   Rewind* const rewind = asked.context.rewind;
   if (name == "input")

@@ -85,8 +85,8 @@ const std::vector<LiveEvents::Kind>& LiveEvents::Kinds() {
   return kinds;
 }
 
-// Returns a number that grows whenever the run goes on.  If the number is the same as before,
-// nothing in the run has changed.
+// Returns a number that grows whenever the run goes on.  While the number stays the same, clients
+// need no new line about the state of the run.
 uint64_t LiveEvents::Version() const {
   System& system = context_.simulation->system();
   return system.message_count() + static_cast<uint64_t>(system.now_us());
@@ -115,8 +115,8 @@ std::string LiveEvents::Line(std::string_view name, EventCursor* cursor) {
     return line(FindingsJson(context_));
   }
   uint64_t& shown = cursor->versions[std::string(name)];
-  // `shown` is the version of the run's state that the client has got last; 0 if it has got none
-  // yet.  Adds 1, so that no state has version 0.
+  // `shown` is the version of the run's state that was sent to the client last; 0: none was sent
+  // yet.  Adds 1 to the present version, so that even the first state differs from 0 and is sent.
   if (const uint64_t version = Version() + 1; std::exchange(shown, version) == version) return "";
   if (name == "pose") return begin + "," + PoseText(context_.simulation) + "}";
   return line(name == "values" ? ValuesJson(context_.simulation) : Graph());
@@ -127,11 +127,12 @@ std::string LiveEvents::Line(std::string_view name, EventCursor* cursor) {
 // client has already got the log lines up to that moment.
 std::string LiveEvents::LineOfPast(std::string_view name, EventCursor* cursor) {
   if (name == "log") return "";
-  // Resets the cursor, so that the client gets all findings again when the present is shown again.
+  // Resets the number of findings that were sent to the client, so that the client gets all
+  // findings again when the present is shown again.
   if (name == "findings") cursor->findings = UINT64_MAX;
   const Rewind& rewind = *context_.rewind;
-  // Sets the highest bit, so that the version of the earlier moment is not equal to a version of
-  // the present, whose virtual time is below 2^63 us.
+  // Sets the highest bit of the version number, so that the version of the earlier moment is not
+  // equal to a version of the present, whose virtual time is below 2^63 us.
   const uint64_t moment =
       static_cast<uint64_t>(rewind.shown_us()) + rewind.shown_messages() + (uint64_t{1} << 63);
   uint64_t& shown = cursor->versions[std::string(name)];

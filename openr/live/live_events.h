@@ -27,7 +27,8 @@ class LiveEvents {
  public:
   struct Kind {
     const char* name;
-    // Least time between two events of this kind; a client may ask for a longer time.
+    // Least time between two events of this kind for a client; the client may ask for a longer
+    // time.
     int64_t interval_ns;
   };
   // Returns all kinds of events, such as "clock", in the order in which the events are sent.
@@ -68,9 +69,9 @@ class LiveEvents {
   std::map<int, Rate> objects_;
   // Number and rate of the messages of each connection; key: index in System::connections().
   std::map<size_t, Rate> connections_;
-  // The time of this computer's clock at the last update of speed_.
+  // The time of this computer's clock when the speed of the run, speed_, was measured last.
   int64_t speed_ns_ = 0;
-  // The virtual time at the last update of speed_.
+  // The virtual time when the speed of the run, speed_, was measured last.
   int64_t speed_us_ = 0;
   double speed_ = 0;  // virtual seconds per second
 };
@@ -78,7 +79,7 @@ class LiveEvents {
 // Returns the findings of the run, as the answer to the request "findings".
 nlohmann::ordered_json FindingsJson(const LiveContext& context);
 
-// Returns the identifier of a connection: "0:SUBJECT>OBSERVER".
+// Returns the identifier of a connection: "0:SUBJECT>OBSERVER", where 0 is the number of the robot.
 std::string ConnectionName(int robot, const std::string& subject, const std::string& observer);
 
 }  // namespace openr_host

@@ -41,9 +41,9 @@ std::string LiveFolder() {
                         geteuid());
   if (mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
     throw std::runtime_error(fmt::format("{}: cannot be made: {}", folder, std::strerror(errno)));
-  // Checks the owner and the kind of the folder.  Everybody may write to the folder for temporary
-  // files, in which this folder lies, so another user may have made this folder first. lstat() does
-  // not follow links, so a link to another folder is refused, too.
+  // Checks who owns the folder for the sockets of runs, and that it is a folder.  It lies in the
+  // folder for temporary files, in which everybody may write, so another user may have made it
+  // first. lstat() does not follow links, so a link to another folder is refused, too.
   struct stat status;
   if (lstat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) ||
       status.st_uid != geteuid() || (status.st_mode & 077) != 0) {

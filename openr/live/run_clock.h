@@ -20,7 +20,7 @@ class RunClock {
 
   // Makes a clock with the rate `rate`: virtual seconds per second of the computer's clock; 0: as
   // fast as possible.  If `is_fixed`, the run cannot be paused and keeps its rate, because its
-  // handlers run in processes that do not wait for it.
+  // handlers run in free-running workers, which do not wait for it.
   explicit RunClock(double rate, bool is_fixed = false) : rate_(rate), is_fixed_(is_fixed) {}
 
   bool is_fixed() const { return is_fixed_; }
