@@ -10,7 +10,8 @@
 namespace openr_host {
 namespace {
 
-// Formats for the rows of the tables.  The last column is a locator and has no width.
+// Formats for the rows of the tables that `openr model show` prints.  The last column is a locator
+// and has no width.
 constexpr char kJointRow[] = "  {:<11} {:>7} {:>15} {:>15} {:>10} {:>10}  {}\n";
 constexpr char kSensorRow[] = "  {:<15} {:>7} {:>23} {:<12}  {}\n";
 constexpr char kPartRow[] = "  {:<27} {:<14} {}\n";

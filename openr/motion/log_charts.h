@@ -10,8 +10,8 @@
 
 namespace openr_host {
 
-// Returns the chart of all groups of positions in a log: commanded, measured and simulated
-// positions.  `times_ms` are the times of the log's records.
+// Returns the chart of all groups of positions in the log of a motion: commanded, measured and
+// simulated positions.  `times_ms` are the times of the log's records.
 chart::Chart ChartOf(const LogFile& log, const std::vector<double>& times_ms,
                      const std::string& title);
 

@@ -12,10 +12,11 @@ namespace openr_host {
 namespace {
 
 constexpr double kDegPerCdeg = 0.01;
-// Time between two neighbouring shifts that the first search for the lag tries.
+// Step by which the first search for the lag between two motions goes on from one shift of time to
+// the next.
 constexpr double kShiftStepMs = 4;
-// Largest difference between a shift that the second search tries and the shift that the first
-// search has found.
+// The second search for the lag between two motions tries only shifts of time that differ by at
+// most this much from the best shift of the first search.
 constexpr double kNearMs = 16;
 constexpr double kLagToleranceMs = 0.01;
 
@@ -71,8 +72,8 @@ Fit FitLine(const std::vector<double>& a, const std::vector<double>& b) {
     bb += db * db;
     ab += da * db;
   }
-  // Gives up if the positions do not vary, or vary in opposite directions, because no shift of time
-  // makes such motions equal.
+  // Returns no fit if the positions of the joint do not vary, or vary in opposite directions,
+  // because no shift of time makes such motions equal.
   if (aa <= 0 || bb <= 0 || ab <= 0) return {};
   return {ab / aa, 1 - ab * ab / (aa * bb)};
 }
@@ -122,8 +123,8 @@ class LagSearch {
   }
 
  private:
-  // Takes the records of motion A whose times stay inside the time that A and motion B have in
-  // common, with any shift up to `margin_ms`.
+  // Takes the records (positions at key frames) of motion A whose times stay inside the time that A
+  // and motion B have in common, with any shift up to `margin_ms`.
   void TakeRecords(double margin_ms) {
     times_.clear();
     a_deg_.clear();
@@ -135,8 +136,9 @@ class LagSearch {
     }
   }
 
-  // Returns the shift between `low_ms` and `high_ms` with the least unexplained variance.  Uses
-  // golden-section search: each step keeps 0.618 of the interval.
+  // Returns the shift of time between `low_ms` and `high_ms` with which the positions in motion B
+  // are best described by those in motion A (least unexplained variance).  Uses golden-section
+  // search: each step keeps 0.618 of the interval.
   double Minimum(double low_ms, double high_ms) const {
     constexpr double kGolden = 0.6180339887498949;
     while (high_ms - low_ms > kLagToleranceMs) {

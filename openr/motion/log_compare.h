@@ -1,4 +1,5 @@
-// Compares the motions of joints: two groups of positions from one log, or from two logs.
+// Compares the motions of joints: two groups of positions (commanded, measured, simulated) from one
+// log, or from two logs.
 #pragma once
 
 #include <optional>
@@ -34,8 +35,9 @@ struct JointDifference {
   double mean_deg = 0;  // mean of B - A, the position in motion B minus the position in motion A
   double max_deg = 0;   // largest |B - A|, the distance of the positions in the motions A and B
   double rms_deg = 0;   // root of the mean square of B - A, the difference of the positions
-  // The lag; nullopt when the joint moves by less than kMovesDeg, when fewer than kSamplesMin
-  // records are left for the comparison, or when the best shift is the largest that was tried.
+  // The lag of motion B behind motion A; nullopt when the joint moves by less than kMovesDeg, when
+  // fewer than kSamplesMin records are left for the comparison, or when the best shift is the
+  // largest that was tried.
   std::optional<double> lag_ms;
   std::optional<double> gain;  // the gain of the formula above; nullopt when lag_ms is nullopt
   // Root of the mean square of the difference between motions B and A, after B was shifted by the
@@ -44,8 +46,8 @@ struct JointDifference {
 };
 
 constexpr double kMovesDeg = 1;
-// The largest shift of time that is tried, in ms; for a short motion, 1/4 of its length is the
-// limit.
+// The largest shift of time, in ms, that is tried to find the lag between two motions; for a short
+// motion, 1/4 of its length is the limit.
 constexpr double kLagMaxMs = 320;
 constexpr int kSamplesMin = 8;
 

@@ -15,7 +15,7 @@ constexpr int kKeyFrameMax = 32767;
 constexpr const char* kPawNames[RC_LOG_PAWS] = {"left fore", "left hind", "right fore",
                                                 "right hind"};
 
-// Reads the records of a log with a known number of joints.
+// Reads the records of a log of a motion; the robot's number of joints must be known.
 class LogReader {
  public:
   LogReader(std::string_view bytes, int joints) : bytes_(bytes), joints_(joints) {}
@@ -134,8 +134,8 @@ LogFile ParseLog(const std::string& bytes) {
       return log;
     } catch (const std::runtime_error& error) {
       if (problem.empty())
-        // Keeps only the error for the ERS-210, the first design, because Hohl 2004 describes the
-        // format for this robot.
+        // Keeps only the error of reading the file as a log of the ERS-210, the first design,
+        // because Hohl 2004 describes the format for this robot.
         problem = error.what();
     }
   }

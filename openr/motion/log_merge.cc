@@ -9,8 +9,8 @@
 namespace openr_host {
 namespace {
 
-// Throws std::runtime_error if the records number `i` of both logs are not from the same moment of
-// the same motion.
+// Throws std::runtime_error if the records with the index `i` of both logs are not from the same
+// moment of the same motion.
 void RequireSameMoment(const LogFile& real, const LogFile& other, size_t i) {
   const LogRecord& a = real.records[i];
   const LogRecord& b = other.records[i];
@@ -20,8 +20,8 @@ void RequireSameMoment(const LogFile& real, const LogFile& other, size_t i) {
         "the same motion",
         i, a.key_frame, b.key_frame));
   }
-  // Does not compare the commanded positions of the first record, because the robots got them
-  // before the motion.
+  // Does not compare the commanded positions in the first record of the logs of two robots, because
+  // the robots got these commands before the motion.
   if (i == 0) return;
   const std::vector<const JointConstants*> joints = LoggedJoints(*real.robot);
   for (size_t j = 0; j < joints.size(); ++j) {

@@ -83,8 +83,8 @@ class CsvReader {
         fmt::format("line {}: {} joints, must be 1 to {}", line_, joints, MTN_MAX_JOINTS));
   }
 
-  // Reads the fields of a line as a key frame and adds the key frame to the motion.  Returns the
-  // time of the key frame.
+  // Reads the fields of a CSV line as a key frame of a motion and adds the key frame to the motion.
+  // Returns the time of the key frame.
   int ReadKeyFrame(int last_ms) {
     if (fields_.size() != kFirstJoint + motion_.locators.size()) {
       throw std::runtime_error(fmt::format("line {}: has {} fields, the first line has {}", line_,

@@ -56,8 +56,8 @@ std::string StemOf(const std::string& name) {
   return stem.empty() ? "_" : stem;
 }
 
-// Returns a file name for the member that is not in `taken`, and adds it to `taken`.  Puts a number
-// at the end of the name if necessary.
+// Returns a file name for a member of an ODA container, a name that is not in `taken`, and adds it
+// to `taken`.  Puts a number at the end of the name if necessary.
 std::string NewName(const OdaMember& member, std::set<std::string>* taken) {
   const std::string stem = StemOf(member.name), extension = ExtensionOf(member);
   std::string file = stem + "." + extension;
@@ -104,8 +104,8 @@ std::vector<OdaMember> ReadOda(std::string_view bytes) {
   size_t total = 0;
   for (size_t i = 0; i < count; ++i) {
     members.push_back(ReadEntry(bytes, kOdaHead + i * kOdaEntry));
-    // Limits the sum of the sizes, because members that overlap could make a small container fill a
-    // disk.
+    // Limits the sum of the sizes, because members whose bytes overlap in the file could make a
+    // small container fill a disk.
     total += members.back().bytes.size();
     if (total > bytes.size()) {
       RefuseOda(kOdaHead + i * kOdaEntry,

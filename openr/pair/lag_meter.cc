@@ -8,10 +8,12 @@ namespace {
 
 constexpr int64_t kStepMs = 4;
 constexpr size_t kSamplesMin = 10;
-// Largest misfit at which LagMs() returns a lag (see Misfit()).  A larger misfit means that the
-// follower does not follow the leader.
+// Largest misfit between the movements of two robots at which LagMs() still returns a lag; the
+// misfit is 0 if the follower repeats the leader's movement exactly.  A larger misfit means that
+// the follower does not follow the leader.
 constexpr double kMisfitMax = 0.25;
-// A misfit that is above the smallest one by at most this much counts as equally good.
+// Misfits of the movements of two robots that are above the smallest one by at most this much count
+// as equally good.
 constexpr double kNearBest = 0.05;
 
 }  // namespace
@@ -94,8 +96,8 @@ std::optional<int64_t> LagMeter::LagMs() const {
     misfits.push_back(Misfit(joint, lag_ms, from_ms));
   const double best = *std::min_element(misfits.begin(), misfits.end());
   if (best > kMisfitMax) return std::nullopt;
-  // Takes the first good minimum of the misfit, because a periodic movement fits again one period
-  // later, and a later minimum would be a wrong lag.
+  // Takes the smallest lag at which the misfit of the two movements has a good minimum, because a
+  // periodic movement fits again one period later, and that larger lag would be wrong.
   size_t at = 0;
   while (misfits[at] > best + kNearBest) ++at;
   while (at + 1 < misfits.size() && misfits[at + 1] < misfits[at]) ++at;

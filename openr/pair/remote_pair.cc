@@ -26,11 +26,13 @@ constexpr size_t kPostedMax = 16;
 // The time of silence after which a robot gets no more positions.  When it goes on, all positions
 // that were sent during its silence would be old.
 constexpr int64_t kSilentMs = 500;
-// Number of round trips that are kept; the shortest one counts as the time of the network.
+// Number of round trips to a robot (request and answer) whose times are kept; the shortest counts
+// as the time that the network needs.
 constexpr size_t kTripsMax = 32;
-// Largest number of events that are taken from one robot before it is the other robot's turn.
+// Largest number of events (reports of sensor values or of set values) that are taken from one
+// robot before it is the other robot's turn.
 constexpr int kEventsMax = 100;
-// Least change of a joint's goal that is sent, in 0.01 degree.
+// Least change of a joint's goal that is sent to the robot that follows, in 0.01 degree.
 constexpr int32_t kChangeMin = 5;
 // Number of frames after which frame numbers begin again with 0.
 constexpr uint32_t kFramesPerTurn = 0x0ffffff1;
@@ -41,7 +43,8 @@ constexpr uint32_t kTrackStepMax = 400;
 
 PairSide OtherOf(PairSide side) { return side == kFirst ? kSecond : kFirst; }
 
-// Returns a request that sets a value of the joint `index`; `command` says which value.
+// Returns a remote-control request that sets a value of the joint `index`; `command` says which
+// value.
 remote::Call JointCall(int command, size_t index, int32_t value) {
   uint8_t bytes[8];
   RcWriter writer(bytes, sizeof bytes);
@@ -204,8 +207,8 @@ void RemotePair::Run(PairControl* control, const std::function<void(const PairSt
   }
 }
 
-// Waits until a robot has sent something, or until a person has changed the wish (PairWish), which
-// says what the robots are to do.
+// Waits until one of the two robots has sent something, or until a person has changed the wish
+// (PairWish), which says what the robots are to do.
 void RemotePair::Wait(const PairControl& control) {
   pollfd waited[] = {{sides_[kFirst].robot->descriptor(), POLLIN, 0},
                      {sides_[kSecond].robot->descriptor(), POLLIN, 0},
@@ -311,8 +314,8 @@ void RemotePair::TakeSensors(PairSide side, const remote::Event& event) {
     Lead(side, event.frame, values.joints);
 }
 
-// Takes a report of the second robot's JointMover, and makes the first robot follow the key frame
-// in it.
+// Takes an event of the second robot with the values that its JointMover has set, and makes the
+// first robot follow the key frame in it.
 void RemotePair::TakeSetValues(const remote::Event& event) {
   const auto values = sides_[kSecond].robot->Read<RcSetValues>(event);
   const bool plays = values.keyFrame >= 0;

@@ -111,7 +111,7 @@ class RemotePair {
   void Run(PairControl* control, const std::function<void(const PairStatus&)>& tell);
 
  private:
-  // A request that was sent and not answered yet.
+  // A remote-control request that was sent to a robot and not answered yet.
   struct Posted {
     int64_t time_ms = 0;
     size_t calls = 0;  // number of commands of a batch; 0: the request is no batch

@@ -26,7 +26,7 @@ class Outbox {
     const std::lock_guard lock(mutex_);
     return std::exchange(texts_, {});
   }
-  // Closes the outbox, because its page does not exist any more.  Drops all texts that are added
+  // Closes the outbox, because its page does not exist any more.  Drops all texts that threads add
   // later.
   void Close() {
     const std::lock_guard lock(mutex_);

@@ -18,7 +18,7 @@
 
 namespace openr_host {
 
-// The data that the bridge and its thread share.
+// The data that a PairBridge and its thread share.
 struct PairBridge::Work {
   Work(const LiveRun& in_run, size_t in_robot, const remote::Address& in_second,
        nlohmann::json in_id, std::shared_ptr<Outbox> in_outbox)
@@ -129,8 +129,8 @@ class Coupling {
     try {
       Ask("");  // ends the coupling, so that the page sees the old rate at once
     } catch (const std::exception&) {
-      // Ignores the error: either the run has ended, or the run ends the coupling when it sees that
-      // the connection is closed.
+      // Ignores an error of the request that ends the coupling: either the run has ended, or the
+      // run ends the coupling when it sees that the connection is closed.
     }
   }
   Coupling(const Coupling&) = delete;

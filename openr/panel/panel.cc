@@ -124,7 +124,8 @@ class Panel : public WebService {
   explicit Panel(const PanelOptions& options);
   ~Panel();
 
-  // Returns the lines that tell the user what this server has opened, and where.
+  // Returns the lines that tell the user at which addresses the panel and the remote controls can
+  // be reached.
   std::string Announcement() const;
   void Run() { loop_->Run(); }
 
@@ -238,8 +239,9 @@ void Panel::ForwardRemoteControl(int robot) {
     try {
       run = FindRun(own_run);
     } catch (const std::runtime_error&) {
-      // Uses the address that was found last.  After "Go on from here" the run is another process,
-      // so it cannot be found by its old name; but it has the same ports.
+      // Uses the address of the robot's remote control that was found last.  After "Go on from
+      // here" the run is another process, so it cannot be found by its old name; but it has the
+      // same ports.
       const std::lock_guard lock(last->mutex);
       if (last->address) return *last->address;
       throw;
@@ -262,7 +264,7 @@ void Panel::ForwardRemoteControl(int robot) {
 
 std::string Panel::Announcement() const {
   if (!listen_.is_on()) return fmt::format("panel: {}\n", access_.Url(access_.token()));
-  // Names the file and not the token, because the output may go into a log.
+  // Names the file with the token and not the token itself, because the output may go into a log.
   std::string text = fmt::format("panel: {}, where TOKEN is the first line of {}\n",
                                  access_.Url("TOKEN"), listen_.token_file);
   for (size_t i = 0; i < forwarded_.size(); ++i) {
@@ -364,15 +366,15 @@ void Panel::OnWake() {
   for (OpenPage* const page : pages_) page->Collect();
 }
 
-// Returns whether the run at the other end of the pipe has ended.
+// Returns whether the run that holds the other end of the pipe `run_pipe` has ended.
 bool HasRunEnded(int run_pipe) {
   pollfd wanted = {run_pipe, 0, 0};
   return poll(&wanted, 1, 0) > 0;
 }
 
-// Prints what the server has opened.  A server that a run has started prints this text on standard
-// error, like all messages of a run to the user.  Uses one write(), so that text of the run does
-// not come in between.
+// Prints the addresses at which the server of the panel can be reached.  A server that a run has
+// started prints this text on standard error, like all messages of a run to the user.  Uses one
+// write(), so that text of the run does not come in between.
 void Print(const std::string& announcement, bool is_of_run) {
   if (!is_of_run) {
     PrintAnswer(announcement);
@@ -383,8 +385,9 @@ void Print(const std::string& announcement, bool is_of_run) {
   std::istringstream lines(announcement);
   for (std::string line; std::getline(lines, line);) text += "openr: " + line + "\n";
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
-  // Replaces standard error by /dev/null.  A program that reads the output of the run waits until
-  // all processes have closed this output, and the server must not keep it waiting.
+  // Makes standard error of the server of the panel lead to /dev/null.  A program that reads the
+  // output of the run waits until all processes have closed this output, and the server must not
+  // keep it waiting.
   const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
   if (nowhere < 0) return;
   dup2(nowhere, STDERR_FILENO);
@@ -405,8 +408,8 @@ void ServePanel(const PanelOptions& options) {
   if (!RcBridge::HasThreads() && !PairBridge::HasThreads() && !RunsLister::HasThreads() &&
       !RcForwarder::HasThreads())
     return;
-  // Ends the process without destructors of static variables, because a thread still waits for a
-  // robot and may use them.
+  // Ends the process without destructors of static variables, because a thread of the panel still
+  // waits for a robot and may use these variables.
   const int exit_code = FinishStandardOutput(0, "openr");
   fflush(nullptr);
   _exit(exit_code);

@@ -18,14 +18,15 @@
 namespace openr_host {
 namespace {
 
-// Number of the pipe's descriptor in the process of the server.
+// Number that the reading end of a pipe gets as a descriptor of the panel's server.  The server
+// sees by this pipe when its run ends.
 constexpr int kPipeInServer = 3;
 
 // Makes this process the server of the panel, and does not return.  Calls only functions that are
 // allowed after fork().
 [[noreturn]] void BecomeServer(const char* program, int pipe, char* const* arguments) {
-  // Makes a session of its own, so that Ctrl-C and the end of the run's terminal do not reach the
-  // server.
+  // Gives the server a terminal session of its own (see setsid(2)), so that Ctrl-C and the end of
+  // the run's terminal do not reach the server.
   setsid();
   sigset_t none;
   sigemptyset(&none);
@@ -33,8 +34,8 @@ constexpr int kPipeInServer = 3;
   const int nowhere = open("/dev/null", O_RDWR);
   dup2(nowhere, STDIN_FILENO);
   dup2(nowhere, STDOUT_FILENO);
-  // Clears the close-on-exec flag of the pipe.  If the pipe already has the wanted number, dup2()
-  // does nothing and so does not clear this flag.
+  // Clears the close-on-exec flag of the pipe, so that the server can read it.  If the pipe already
+  // has the wanted descriptor, dup2() does nothing and so does not clear this flag.
   if (pipe == kPipeInServer) {
     fcntl(pipe, F_SETFD, 0);
   } else {
@@ -46,7 +47,7 @@ constexpr int kPipeInServer = 3;
   _exit(127);
 }
 
-// Returns the command line of the server.
+// Returns the command line `openr panel ...` with which a run starts the server of the panel.
 std::vector<std::string> WordsOf(const PanelOptions& options) {
   std::vector<std::string> words = {"openr",  "panel",
                                     "--run",  options.run,

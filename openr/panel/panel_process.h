@@ -7,8 +7,8 @@
 
 namespace openr_host {
 
-// The server is a process of its own, `openr panel`, so that the simulation keeps its one thread.
-// The run never waits for the server, and goes on if the server ends.
+// The server of the panel is a process of its own, `openr panel`, so that the simulation keeps its
+// one thread.  The run never waits for the server, and goes on if the server ends.
 //
 // The server ends when all processes have closed the writing end of a pipe: the run and all forks
 // of the run.  So the server goes on when the run goes on in a fork.

@@ -54,7 +54,8 @@ struct RcBridge::Queue {
   size_t bytes = 0;
   bool is_ended = false;
 
-  // Waits for a call and takes it.  Returns false when the bridge does not exist any more.
+  // Waits for a remote-control call of the page and takes it.  Returns false when the bridge does
+  // not exist any more.
   bool Take(Call* call) {
     std::unique_lock lock(mutex);
     changed.wait(lock, [this] { return is_ended || !calls.empty(); });

@@ -23,7 +23,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kCdegPerDeg = 100;
-// Largest value in degrees.  A larger value in 0.01 degree would not fit into 32 bits.
+// Largest value of a joint, in degrees, that a page may send.  A larger value in 0.01 degree would
+// not fit into 32 bits.
 constexpr double kValueMax = 1e6;
 
 double Degrees(Sint32 value_cdeg) { return value_cdeg / kCdegPerDeg; }
@@ -220,8 +221,8 @@ Json RcCalls::Upload(const Request& request, const Progress& progress) {
   }
   const size_t size = bytes->size();
   const bool plays = file_kind == rcfileMOTION && request.contains("loops");
-  // Checks `loops` before the upload, so that no file is left on the stick when the motion cannot
-  // play.
+  // Checks `loops`, how often the motion plays, before the upload, so that no file is left on the
+  // stick when the motion cannot play.
   if (plays && request["loops"].get<int>() < 1) throw std::runtime_error("'loops' is 1 or more");
   if (plays) name = FreeName();
   robot_->Upload(file_kind, name, *bytes, [&progress](size_t sent, size_t whole) {

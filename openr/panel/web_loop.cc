@@ -36,10 +36,10 @@ class LwsConnection : public WebConnection {
     lws_set_timeout(wsi_, PENDING_TIMEOUT_KILLED_BY_PARENT, LWS_TO_KILL_ASYNC);
   }
   void SetReading(bool is_on) override {
-    // Applies the change at once (PROCESS_NOW), because reading is switched on in a callback of
-    // another connection, when the run has taken requests.  Without PROCESS_NOW, libwebsockets may
-    // leave the change to the next callback of this connection, which never comes if the page waits
-    // for the answer to a request that was not read yet.
+    // Begins or stops reading from the page at once (PROCESS_NOW), because reading is switched on
+    // in a callback of another connection, when the run has taken requests.  Without PROCESS_NOW,
+    // libwebsockets may leave the change to the next callback of this connection, which never comes
+    // if the page waits for the answer to a request that was not read yet.
     constexpr int kOn = LWS_RXFLOW_REASON_USER_BOOL | LWS_RXFLOW_REASON_APPLIES_ENABLE |
                         LWS_RXFLOW_REASON_FLAG_PROCESS_NOW;
     lws_rx_flow_control(wsi_, is_on ? kOn : 0);
@@ -211,8 +211,8 @@ class LwsLoop : public WebLoop {
       lws_callback_on_writable(wsi);
       return;
     }
-    // Asks later for permission to write, because libwebsockets forgets such a request if it is
-    // made in the callback of the same descriptor.
+    // Asks libwebsockets only later to report that `wsi` can be written, because libwebsockets
+    // forgets such a request if it is made in the callback of the same descriptor.
     write_again_.push_back(wsi);
     Wake();
   }

@@ -143,7 +143,7 @@ class Connection {
   // power.
   void SwitchMotor(int joint, bool on);
   Gains GetGains(int joint);
-  // Sets the gains, each 0 to RC_MAX_GAIN; returns the new gains.
+  // Sets the gains P, I and D of a joint's servo, each 0 to RC_MAX_GAIN; returns the new gains.
   Gains SetGains(int joint, int p, int i, int d);
 
   // ---- Functions that read sensors, power and the camera
