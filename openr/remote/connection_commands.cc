@@ -10,7 +10,8 @@ namespace openr::remote {
 namespace {
 
 constexpr double kCdegPerDegree = 100;
-// Largest value in degrees.  Larger values in 0.01 degree might not fit into 32 bits.
+// Largest joint position, speed or acceleration that is sent, in degrees, degrees/s or degrees/s^2.
+// Larger values in 0.01 degree might not fit into 32 bits.
 constexpr double kValueMax = 1e6;
 
 }  // namespace
@@ -19,8 +20,8 @@ constexpr double kValueMax = 1e6;
 
 Info Connection::GetInfo() {
   const Answer answer = WaitForAny(Send(rcINFO, {}, RC_VERSION_FILES));
-  // Asks again with version 1 of the protocol if the robot knows no later version.  The answer to
-  // version 1 has fewer fields.
+  // Asks again for the description of the robot with version 1 of the protocol if the robot knows
+  // no later version.  The answer to version 1 has fewer fields.
   if (answer.status == rcerrorVERSION) return Read<Info>(Request(rcINFO));
   if (answer.status != rcOK) throw Error(answer.status, answer.frame, answer.error);
   return Read<Info>(answer);

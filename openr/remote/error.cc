@@ -5,7 +5,7 @@
 namespace openr::remote {
 namespace {
 
-// Returns an advice to the user after the robot has refused a request; "" if the robot's text gives
+// Returns what the user can do after the robot has refused a request; "" if the robot's text gives
 // the advice already.
 std::string AdviceFor(int status) {
   switch (status) {

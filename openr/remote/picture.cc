@@ -11,7 +11,7 @@
 namespace openr::remote {
 namespace {
 
-// Time between two requests that ask whether the picture is ready.
+// Time between two requests that ask the robot whether the camera's picture is ready.
 constexpr std::chrono::milliseconds kPictureWait{20};
 
 // The payload of the request CAMERA_PART, which asks for one part of a picture.
@@ -72,8 +72,8 @@ std::string Picture::Rgb() const {
   }
   std::string pixels;
   for (int row = 0; row < height; ++row) {
-    // Uses the row above for the last row of the band Y, because the last row begins with 16 bytes
-    // of other data.
+    // Uses the row above for the last row of the band Y (brightness) of a camera picture, because
+    // the last row begins with 16 bytes of other data.
     const int y_row = row == height - 1 && row > 0 ? row - 1 : row;
     const auto* const y = reinterpret_cast<const uint8_t*>(bytes.data()) +
                           row_size * static_cast<size_t>(y_row * bands);

@@ -18,8 +18,8 @@ void AddSide(int axis, float sign, const Eigen::Vector3f& flat, float radius, in
   const int v_axis = (axis + 2) % 3;
   const int per_line = 2 * (steps + 1);
   // Returns the tangent of the angle between the surface's normal at line `i` of the grid and the
-  // direction of the side.  The angles go from -45 to 45 degrees in equal steps, because this makes
-  // the edge evenly round.
+  // direction in which this side of the box faces.  The angles go from -45 to 45 degrees in equal
+  // steps, because this makes the edge evenly round.
   const auto slope = [steps](int i) {
     // The grid has its middle line twice, at the two borders of the flat part of the side.  So
     // `step` goes from -steps to 0, and then from 0 to steps.

@@ -67,8 +67,8 @@ render::Camera CameraOverWorld(const std::vector<RobotLook>& looks, const World&
   render::Camera camera;
   camera.fov_rad = 0.5;
   camera.target_W = Eigen::Vector3d(seen.center().x(), seen.center().y(), 0);
-  // Multiplies the extent along x by 9/16, because a picture of 16:9 shows more of the width than
-  // of the height.
+  // Multiplies the extent of the robots and things along x by 9/16, because a picture of 16:9 shows
+  // more of the width than of the height.
   const double reach_m = std::max(seen.sizes().x() * 9 / 16, seen.sizes().y()) / 2;
   camera.shadow_reach_m = seen.sizes().maxCoeff() / 2 + kRobot_m;
   camera.p_W =

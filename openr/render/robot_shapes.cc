@@ -315,7 +315,8 @@ std::optional<Colour> FloorColour(const World& world) {
 }
 
 std::vector<Shape> ShapesOfWorld(const World& world) {
-  // Height of the uppermost paint; too small to be seen as a step.
+  // Greatest height over the floor of paint (coloured areas of the floor, drawn as plates); too
+  // small to be seen as a step.
   constexpr double kPaintTop_m = 0.004;
   const auto is_paint = [](const WorldThing& thing) { return !thing.is_solid; };
   const auto paints = std::count_if(world.things.begin(), world.things.end(), is_paint);
@@ -327,8 +328,8 @@ std::vector<Shape> ShapesOfWorld(const World& world) {
     shape.X_WS.translation() = thing.centre_m;
     shape.size_m = thing.size_m;
     const double shortest_m = thing.size_m.minCoeff();
-    // Gives the box of a sphere edges that are as round as possible, because the box then is a
-    // ball.
+    // Gives the box by which a sphere is drawn edges that are as round as possible, because the box
+    // then is a ball.
     shape.radius_m =
         thing.shape == ThingShape::kSphere ? shortest_m / 2 : std::min(0.004, 0.2 * shortest_m);
     shape.is_cylinder = thing.shape == ThingShape::kCylinder;

@@ -5,8 +5,8 @@
 namespace openr_host::render {
 namespace {
 
-// Nearest distance that is drawn: a share of the distance of the target, so that the depths of a
-// wide view differ enough to tell paint from the floor.
+// Nearest distance that is drawn: a share of the distance of the camera's target, so that the
+// depths of a wide view differ enough to tell paint from the floor.
 constexpr double kNearShare = 0.02;
 constexpr double kFarM = 30;
 

@@ -136,8 +136,8 @@ void BranchNetwork::Follow(const NetworkEvent& event) {
     case NetworkEvent::Kind::kResolved:
     case NetworkEvent::Kind::kFailed:
     case NetworkEvent::Kind::kClosed:
-      // Marks the socket as unused, because after such an event the robot can only drop the socket.
-      // GoOn() then does not open it again.
+      // Marks the socket as unused, because after the end of a connection, an error or the answer
+      // of a name look-up the robot can only drop the socket.  GoOn() then does not open it again.
       sockets_[event.handle].kind = Socket::Kind::kNew;
       break;
     default:

@@ -139,8 +139,8 @@ void Rewind::Prepare(const SavedStick& stick, ProcessFiles* files, const PlainJs
   for (size_t i = 0; i < networks_.size(); ++i) networks_[i]->Repeat(std::move(network_inputs[i]));
 }
 
-// Adds the input lines that the original run received at the present time and after the present
-// number of messages.
+// Gives this view the input lines that the original run received at the view's present time and
+// after the view's present number of messages.
 void Rewind::AddDueInputs() {
   while (!lines_.empty() && lines_.front().time_us == system().now_us() &&
          lines_.front().messages == system().message_count()) {
@@ -165,7 +165,7 @@ void Rewind::RunTo(const PlainJson& target) {
     const int64_t now_us = system().now_us();
     RunOne(now_us);
     if (system().message_count() != before) continue;
-    // Ends the frame now, because no more messages are due at this time.
+    // Ends the frame of 8 ms now, because no more messages are due at this time.
     if (now_us % kFrameUs == 0 && std::exchange(last_frame_us_, now_us) != now_us)
       parts_.after_frame();
     if (now_us >= end_us) return;

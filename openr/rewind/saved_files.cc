@@ -83,7 +83,8 @@ fs::path Numbered(const fs::path& path, int number) {
          fmt::format("{}-{}{}", path.stem().string(), number, path.extension().string());
 }
 
-// Calls `copy` with the first free path that Numbered() makes from `path`, and returns this path.
+// Calls `copy`, a function that copies a file, with the first free path that Numbered() makes from
+// `path`, and returns this path.
 std::string KeepFile(const fs::path& path, const std::function<void(const fs::path&)>& copy) {
   for (int number = 2;; ++number) {
     const fs::path target = Numbered(path, number);

@@ -10,13 +10,14 @@
 namespace openr_host {
 namespace {
 
-// Address of this client, as the robot sees it.  The port is 1, because no client on the network
-// has this port.
+// Address of a JointClient, a client inside this program, as the robot sees it.  The port is 1,
+// because no client on the network has this port.
 constexpr NetAddress kRemote = {0x7f000001, 1};
 
 constexpr double kCentidegPerRad = 100 * Degrees(1);
-// Largest position that is sent, one turn in either direction: a larger number might not fit into a
-// request.  No joint can turn so far, and the robot applies its own limits to each joint.
+// Largest joint position that is sent to a robot, one turn in either direction: a larger number
+// might not fit into a request.  No joint can turn so far, and the robot applies its own limits to
+// each joint.
 constexpr double kPositionMax_rad = 2 * kPi;
 constexpr double kSpeedMax_rad_s = 1000;
 
@@ -32,7 +33,8 @@ NetworkEvent EventOf(NetworkEvent::Kind kind, NetHandle handle) {
 void JointClient::Want(const std::map<int, JointTarget>& targets) {
   for (const auto& [joint, target] : targets) {
     JointTarget& wanted = wanted_[joint];
-    // Keeps the limit of speed that the waiting target has if the new target gives no limit.
+    // Keeps the limit of speed that the waiting target of the joint has if its new target gives no
+    // limit.
     const double speed_rad_s = wanted.speed_rad_s;
     wanted = target;
     if (target.speed_rad_s <= 0) wanted.speed_rad_s = speed_rad_s;
@@ -156,7 +158,8 @@ void JointClient::WriteRequests() {
 std::vector<NetworkEvent> JointClient::Poll() {
   std::vector<NetworkEvent> events = PassingNetwork::Poll();
   for (const NetworkEvent& event : events) std::erase(accepts_, event.handle);
-  // Connects only when there is a first target, so that a run without commands has no connection.
+  // Connects to the robot's remote control only when there is a first joint target, so that a run
+  // without commands from ROS 2 has no connection.
   if (handle_ == 0 && (wanted_.empty() || !TakePlace(&events))) return events;
   if (taken_ > 0) {
     events.push_back(EventOf(NetworkEvent::Kind::kSent, handle_));

@@ -122,8 +122,8 @@ RobotTopics::RobotTopics(Bus* bus, const std::string& space, VirtualRobot* robot
         break;
       case SensorKind::kJoint:
       case SensorKind::kAcceleration:
-        // Joints and acceleration get no topics of their own, because they are in joint_states and
-        // imu.
+        // Joints and acceleration get no topics of their own, because they are in the topics
+        // joint_states and imu.
         break;
     }
   }
@@ -177,8 +177,8 @@ void RobotTopics::PublishAcceleration(int64_t time_us) {
   imu_.Publish(time_us, {felt.x(), felt.y(), felt.z()});
 }
 
-// Publishes the faults of the robot, one line for each fault.  Does so when the faults change, and
-// once a second.
+// Publishes the present faults of the robot (jammed joints, dead sensors and the like), one line
+// for each fault.  Does so when the faults change, and once a second.
 void RobotTopics::PublishFaults() {
   std::string text;
   for (const std::string& fault : robot_->parts().faults.Present()) text += fault + "\n";
