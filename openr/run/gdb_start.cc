@@ -61,8 +61,8 @@ std::string ImageOf(const std::string& object, const std::string& stick) {
 }
 
 // Returns the command line of this process without --gdb and its value.  Adds flags so that a run
-// under a debugger has no limit for handlers and leaves the terminal to gdb, unless the user has
-// set these flags.
+// under a debugger has no time limit for handlers and leaves the terminal to gdb, unless the user
+// has set these flags.
 std::vector<std::string> WordsOfTheRun() {
   std::vector<std::string> words;
   const std::vector<std::string> given = ProcessArguments();

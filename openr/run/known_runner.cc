@@ -43,8 +43,8 @@ class KnownRunner {
     // Takes checkpoints even while nobody watches, so that the beginning of the run can be shown
     // later.
     if (!parts_.rewind->AfterFrame(true)) return;
-    // Restarts the pacer, because this process has just become a branch, which goes on from an
-    // earlier moment.
+    // Restarts the pacer, which keeps virtual time in step with the clock of this computer, because
+    // this process has just become a branch, which goes on from an earlier moment.
     pacer_.Restart();
     is_over_ = false;
   }

@@ -192,7 +192,7 @@ void TellHandled(const Ending& ending) {
   const Message& message = *ending.object->handler.running;
   const std::string said = DecodeHandled(*ending.object->system, message);
   // Uses fputs() because fmt::print() throws if nobody reads standard error, and no exception may
-  // leave an action at the end of a run.
+  // leave an EndingAction.
   std::fputs(fmt::format("openr: {}\n", MessageText(message.number, said)).c_str(), stderr);
 }
 

@@ -9,7 +9,7 @@
 namespace openr_host {
 namespace {
 
-// Virtual time after which a step to the next message ends if no message comes.
+// Virtual time after which a step of a paused run to the next message ends if no message comes.
 constexpr int64_t kStepMaxUs = 1'000'000;
 
 // Returns whether `message` gives an object new sensor values.

@@ -195,8 +195,8 @@ double Runner::wall_time_s() const {
 // run in worker processes.  The run goes no faster than the clock of this computer.  While it waits
 // for the clock, it applies the results of these handlers when they come.
 void Runner::RunFreely(int64_t stop_us, Pacer* pacer) {
-  // Longest wait in `pump`, in microseconds.  Whatever else comes meanwhile, such as Ctrl-C, is
-  // delayed by at most this time.
+  // Longest wait in `pump`, the function that waits for results of worker processes, in
+  // microseconds.  Whatever else comes meanwhile, such as Ctrl-C, is delayed by at most this time.
   constexpr double kSliceUs = 1000;
   System& system = simulation_->system();
   while (!system.powered_off()) {
@@ -225,7 +225,8 @@ bool Runner::WaitWhilePaused(Pacer* pacer) {
   return true;
 }
 
-// Lets the run go on to its next stop, at the rate that the user wants.
+// Lets the run go on to the next frame boundary or to the end of --for, at the rate that the user
+// wants.
 void Runner::GoOn(Pacer* pacer) {
   const int64_t stop_us = NextStop();
   if (plan_.clock != nullptr && plan_.clock->rate() != pacer->rate())
@@ -251,11 +252,13 @@ bool Runner::Run() {
     if (plan_.live != nullptr) plan_.live->Serve();
     const int64_t before_us = system.now_us();
     if (!WaitWhilePaused(&pacer)) GoOn(&pacer);
-    // Does not end the frame if a step to a message has stopped inside the frame.
+    // Does not end the frame if the step of a paused run to the next message has stopped inside the
+    // frame.
     const bool is_within_frame = system.now_us() < NextStopAfter(before_us);
     if (!is_within_frame || system.powered_off()) AfterFrame();
-    // Restarts the pacer in a branch, a run that goes on from an earlier moment, because the pacer
-    // still counts from the moment of the checkpoint.
+    // Restarts the pacer in a branch, a run that goes on from an earlier moment, because the pacer,
+    // which keeps virtual time in step with the clock of this computer, still counts from the
+    // moment of the checkpoint.
     if (std::exchange(is_new_branch_, false)) pacer.Restart();
     HandleInterrupt();
   }

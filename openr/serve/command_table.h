@@ -21,7 +21,8 @@ struct RunCommand {
   const char* name;
   const char* help;
   std::vector<CommandParameter> parameters;
-  // Members of the answer, such as "time_s: number"; "bytes" stands for bytes after the JSON text.
+  // Members of the command's answer, such as "time_s: number"; "bytes" stands for bytes after the
+  // JSON text.
   const char* answer;
   // Meaning of the bytes after the JSON text of the request; "": there are none.
   const char* takes = "";

@@ -30,8 +30,8 @@ struct DeliveredMessage {
 };
 
 struct MessageFilter {
-  // Each field that is not "" must fit the message.  `from` and `to` name an object, or the first
-  // parts of the name of a service.
+  // A message fits the filter if it fits each of these fields that is not "".  `from` and `to` name
+  // an object, or the first parts of the name of a service.
   std::string kind, from, to, entry;
 
   // Checks the filter.  Returns "", or the reason why no message can ever fit: an unknown kind,

@@ -42,8 +42,9 @@ void RequestPipe::DropDescriptors() {
 }
 
 void RequestPipe::Move(int socket) {
-  // Makes the old descriptors lead to /dev/null in this fork.  Then the program that drives the
-  // run, at the other end, sees when the original process ends, although the fork goes on.
+  // Makes the descriptors of the original process's pipe lead to /dev/null in this fork, which uses
+  // `socket` instead.  Then the program that drives the run, at the other end, sees when the
+  // original process ends, although the fork goes on.
   const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
   for (const int descriptor : {input_, output_}) dup2(nowhere, descriptor);
   close(nowhere);
@@ -59,7 +60,7 @@ int RequestPipe::TakeDescriptor() {
   return descriptor;
 }
 
-// Reads some bytes of the input, and keeps a descriptor that comes with the bytes.
+// Reads some bytes of a request, and keeps the descriptors (SCM_RIGHTS) that come with the bytes.
 long RequestPipe::ReadSome(char* bytes, size_t size) {
   if (!is_socket_) return read(input_, bytes, size);
   iovec part{bytes, size};

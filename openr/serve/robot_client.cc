@@ -12,7 +12,8 @@ namespace openr_host {
 namespace {
 
 constexpr NetHandle kHandle = 1;
-// The address of the first client, 10.0.1.2, which is in the network of the robot.
+// The IPv4 address of the first client that connects to a robot inside the process, 10.0.1.2, which
+// is in the network of the robot.
 constexpr uint32_t kFirstIp = 0x0a000102;
 constexpr uint16_t kFirstPort = 40000;
 constexpr size_t kReceiveMax = size_t{1} << 20;
@@ -104,8 +105,8 @@ std::string RobotClients::Take(int connection, size_t size_max) {
 
 void RobotClients::Close(int connection) {
   Find(connection).network->Close(kHandle);
-  // Does not delete the network object yet, because the robot may still read bytes that were sent
-  // before.
+  // Does not delete the client's network object yet, because the robot may still read bytes that
+  // were sent before.
   Find(connection).has_ended = true;
 }
 

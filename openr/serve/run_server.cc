@@ -63,7 +63,8 @@ int RunServer::Serve() {
   return exit_code;
 }
 
-// Serves one request.  Returns false if the other end of the pipe is closed.
+// Serves one request of the program that drives the run.  Returns false if the other end of the
+// pipe is closed.
 bool RunServer::ServeOne() {
   // Removes forks of this process that have ended, because they stay as zombies until somebody
   // waits for them.

@@ -143,7 +143,8 @@ std::optional<DeliveredMessage> ServedRun::RunUntilMessage(const MessageFilter& 
   return found;
 }
 
-// Keeps a message that fits a filter of Watch().  Drops the oldest messages if there are too many.
+// Keeps a message that the program which drives the run watches (Watch()).  Drops the oldest
+// messages if there are too many.
 void ServedRun::Keep(DeliveredMessage message) {
   watched_bytes_ += message.content.size();
   watched_.push_back(std::move(message));

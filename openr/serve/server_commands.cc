@@ -266,7 +266,8 @@ RunServer::Answer RunServer::DoActuate(const Request& request) {
   return {{{"names", actuators_}}, ""};
 }
 
-// Gives the set points to the run as the input `target`, so that a recording has them.
+// Gives the set points of joints in `request` to the run as the input `target`, so that a recording
+// has them.
 RunServer::Answer RunServer::DoAct(const Request& request) {
   constexpr int kFramesMax = 100'000;
   CheckGoesOn();

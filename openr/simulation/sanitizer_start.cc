@@ -23,8 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // Name of the environment variable that is set when openr starts a second time
-// (StartWithSanitizerOf()).  If the library is still not loaded then, openr ends with an error
-// instead of starting a third time.
+// (StartWithSanitizerOf()).  If the library of AddressSanitizer is still not loaded then, openr
+// ends with an error instead of starting a third time.
 constexpr char kStartedVariable[] = "OPENR_SANITIZER";
 
 // Settings of AddressSanitizer.  AddressSanitizer must not handle the signals of crashes, because

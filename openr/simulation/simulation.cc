@@ -218,8 +218,9 @@ std::vector<AddressPair> Simulation::AddressesOf(const SimulationOptions& option
   if (!text) return options.addresses;
   const AddressConfig config = ParseAddressConfig(kAddressFile, *text, model_.design);
   for (const Diagnostic& diagnostic : config.diagnostics) {
-    // Reports the errors only for the first robot of each stick, because several robots may share a
-    // stick.  Robots from the number sticks_.size() on have the stick of an earlier robot.
+    // Reports errors in HOSTADDR.CFG, a file of the stick, only for the first robot of each stick,
+    // because several robots may share a stick.  Robots from the number sticks_.size() on have the
+    // stick of an earlier robot.
     if (static_cast<size_t>(index) < sticks_.size())
       system_->AddFindingAbout(nullptr, diagnostic.severity, RenderWithoutKind(diagnostic));
   }

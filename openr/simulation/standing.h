@@ -24,15 +24,15 @@ class StandingMonitor {
   // the monitor.  For a model without this posture, standing() always returns false.
   explicit StandingMonitor(const RobotModel& model);
 
-  // Takes `state`, the state of the body at the virtual time `now_us`, as a sample.  Must be called
-  // once per frame of 8 ms.
+  // Looks at `state`, the state of the body at the virtual time `now_us`, to decide later whether
+  // the robot stands.  Must be called once per frame of 8 ms.
   void Sample(const BodyState& state, int64_t now_us);
 
   // Returns whether the robot stands.  It stands if all paws touch something, its height and
-  // attitude over the plane through the paws are near the height and attitude of the posture, this
-  // plane is no steeper than kSlopeMaxRad, and the trunk has been slower than kSpeedMaxMs for
-  // kCalmUs.  Without this last condition, a robot that only passes through the posture while it
-  // moves would count as standing.
+  // attitude over the plane through the paws are near the height and attitude of the model's
+  // posture "stand", this plane is no steeper than kSlopeMaxRad, and the trunk has been slower than
+  // kSpeedMaxMs for kCalmUs.  Without this last condition, a robot that only passes through this
+  // posture while it moves would count as standing.
   bool standing() const;
 
  private:
@@ -49,9 +49,9 @@ class StandingMonitor {
 
   const RobotModel* model_;
   std::optional<Stance> posture_;
-  // Angles and position of the robot when it last moved slowly.  standing() compares them with the
-  // posture of a standing robot only when somebody asks, because computing the poses of all parts
-  // costs more time than a frame of the ideal body.
+  // Joint angles and attitude (R_WB_) of the robot when it had last moved slowly for kCalmUs.
+  // standing() compares them with the model's posture "stand" only when somebody asks, because
+  // computing the poses of all parts costs more time than a frame of a robot without physics.
   std::vector<double> angles_rad_;
   Eigen::Matrix3d R_WB_ = Eigen::Matrix3d::Identity();
   bool all_paws_touch_ = false;

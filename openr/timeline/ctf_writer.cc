@@ -13,8 +13,8 @@ namespace {
 constexpr size_t kCtfFlushBytes = 64 << 10;
 constexpr uint32_t kCtfMagic = 0xc1fc1fc1;
 
-// The description of the events in the language of CTF.  Integers are little-endian and not
-// aligned.
+// The description of a timeline's events in the language of the Common Trace Format (CTF).
+// Integers are little-endian and not aligned.
 constexpr char kCtfMetadata[] = R"(/* CTF 1.8 */
 typealias integer { size = 8; align = 8; signed = false; } := uint8_t;
 typealias integer { size = 32; align = 8; signed = false; } := uint32_t;
@@ -60,7 +60,7 @@ class CtfFields {
   CtfFields& U8(uint64_t value) { return Number(value, 1); }
   CtfFields& U32(uint64_t value) { return Number(value, 4); }
   CtfFields& U64(uint64_t value) { return Number(value, 8); }
-  // Appends a text and a byte 0, which ends the text.
+  // Appends a text to the fields of an event, and a byte 0, which ends the text.
   CtfFields& Text(const std::string& text) {
     // Ends the text at the first 0 byte, because a 0 ends it in the file, too.
     bytes_ += text.c_str();
@@ -121,8 +121,9 @@ void CtfWriter::AddSlice(const HandlerSlice& slice) {
                   .bytes()});
 }
 
-// Writes the ends of the handlers that ended at or before `time_ns`.  Called before the begin of a
-// handler is written, because the events in the file are in order of time.
+// Writes to the file of a timeline the ends of the handlers that ended at or before `time_ns`.
+// Called before the begin of a handler is written, because the events in the file are in order of
+// time.
 void CtfWriter::WriteEndsUntil(uint64_t time_ns) {
   for (; !ends_.empty() && ends_.top().time_ns <= time_ns; ends_.pop()) Add(ends_.top().bytes);
 }

@@ -84,7 +84,7 @@ void Timeline::Deliver(const TraceRecord& record, const Message& message) {
     slice.length_us = *cost_us;
   }
   running_ = std::move(slice);
-  // Reads the clock last, because the work above must not count as time of the handler.
+  // Reads the clock last, because the work of this function must not count as time of the handler.
   begin_ns_ = WallClockNs();
 }
 
