@@ -5,7 +5,8 @@
 
 namespace openr_host {
 
-// Returns `text` as a field of a line: in quotes if it has a comma, a quote or a newline.
+// Returns `text` as a field of a line of comma-separated values: in quotes if it has a comma, a
+// quote or a newline.
 inline std::string CsvField(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted = "\"";

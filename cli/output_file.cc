@@ -96,8 +96,9 @@ int TakeOver(int descriptor, const struct stat& old) {
   return fchmod(descriptor, old.st_mode & 07777) == 0 ? 0 : errno;
 }
 
-// Makes an empty file beside `target`, with its owner and permissions, and sets `name` to its path.
-// Returns the descriptor; after an error -1, sets `error` to the errno, and there is no such file.
+// Makes an empty file beside `target`, with the owner and permissions of `target`, and sets `name`
+// to its path.  Returns the descriptor; after an error -1, sets `error` to the errno, and there is
+// no such file.
 int CreateBeside(const Target& target, std::string* name, int* error) {
   int descriptor = -1;
   for (int i = 0; descriptor < 0 && i < kTemporaryNamesMax; ++i) {
@@ -184,7 +185,7 @@ bool IsStandardOutput(const std::string& file) { return TargetOf(file).stream ==
 std::string WhyNoFolder(const std::string& folder) {
   if (folder.empty()) return "'' names no folder";
   std::error_code error;
-  // The longest part of the folder's path that exists, after the loop below.
+  // After the loop below, the longest beginning of the path `folder` that exists.
   fs::path there = fs::absolute(folder, error).lexically_normal();
   while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
   if (!fs::is_directory(there, error)) {

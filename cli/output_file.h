@@ -89,9 +89,11 @@ class PreparedFile {
  public:
   explicit PreparedFile(const std::string& file);
 
-  // Opens the file for the new content.  Returns the descriptor to write to, or -1 on failure.
+  // Opens what the new content is written to: a temporary file beside the file, the file itself, or
+  // the open stream that its name means.  Returns the descriptor, or -1 on failure.
   int Open();
-  // Closes the descriptor, and replaces the file by the content that was written to it.
+  // Closes the descriptor that Open() has returned, and replaces the file by the content that was
+  // written to it.
   void Close();
 
  private:

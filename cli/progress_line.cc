@@ -22,8 +22,9 @@ constexpr char kToStart[] = "\r\x1b[K";    // moves to the start of the line and
 
 constexpr int64_t kSecondUs = 1'000'000;
 
-// Descriptor of the terminal that shows a line; -1: no terminal shows a line.  Atomic, because each
-// write to standard error calls ClearProgressLine(), and threads of Cyclone DDS write there, too.
+// Descriptor of the terminal that shows a progress line; -1: no terminal shows one.  Atomic,
+// because each write to standard error calls ClearProgressLine(), and threads of Cyclone DDS write
+// there, too.
 std::atomic<int> g_drawn_on = -1;
 
 std::string TimeLeft(double left_s) {

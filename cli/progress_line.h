@@ -30,8 +30,9 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  // Draws the line for `done` finished pieces.  Does nothing if the last drawing was less than 0.2
-  // s ago, because many short pieces would draw more often than a person can read.
+  // Draws the progress line for `done` finished pieces of work.  Does nothing if the last drawing
+  // was less than 0.2 s ago, because many short pieces would draw more often than a person can
+  // read.
   void Show(uint64_t done);
 
   // Returns whether Show() may ever draw.

@@ -15,14 +15,14 @@
 namespace openr_host {
 
 // The last lines that were typed at a prompt, in memory of a fixed size without pointers.  So the
-// history may lie in memory that several processes share, and a session that goes on in another
+// history may lie in memory that several processes share, and a prompt that goes on in another
 // process keeps its history.
 class PromptHistory {
  public:
   // Adds a line, unless the line is empty or equal to the last line.  Removes the oldest lines if
   // there is no room.
   void Add(std::string_view line);
-  // Returns the lines, the oldest first.
+  // Returns the typed lines, the oldest first.
   std::vector<std::string> Lines() const;
 
  private:
