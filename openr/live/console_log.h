@@ -15,18 +15,18 @@ class ConsoleLog {
     std::string text;
   };
 
-  // The largest number of lines that the log keeps.
+  // The largest number of printed lines that the log keeps.
   static constexpr size_t kLinesMax = 1000;
-  // The largest number of characters that the log keeps of a line.
+  // The largest number of characters that the log keeps of a printed line.
   static constexpr size_t kLineMax = 2000;
 
   // Adds text that was printed at the virtual time `time_us`.  If the text ends in the middle of a
   // line, keeps this part of the line until the rest comes.
   void Add(int64_t time_us, std::string_view text);
 
-  // Returns how many lines were added to the log since the start of the run.
+  // Returns how many lines objects have printed since the start of the run.
   uint64_t count() const { return count_; }
-  // Returns the last lines that were added.  The newest line has the number count() - 1.
+  // Returns the last lines that objects have printed.  The newest line has the number count() - 1.
   const std::deque<Line>& lines() const { return lines_; }
 
  private:

@@ -15,7 +15,7 @@ namespace openr_host {
 // The events (lines about the state of the run) that a client has got already.
 struct EventCursor {
   uint64_t console_lines = 0;
-  // True: the client has got the lines that were printed before it began to watch.
+  // True: the client has got the lines that objects had printed before it began to watch the run.
   bool has_console = false;
   uint64_t findings = UINT64_MAX;
   // For each kind of event, by its name: the counter of changes of the run when the client got its

@@ -22,8 +22,8 @@ class Couplings;
 
 class LiveServer {
  public:
-  // The largest number of bytes of a request.  This limit and the next two keep clients from making
-  // the run use much memory.  The server closes a client that exceeds a limit.
+  // The largest number of bytes of a request.  This limit, kAnswersMax and kClientsMax keep clients
+  // from making the run use much memory.  The server closes a client that exceeds a limit.
   static constexpr size_t kRequestMax = size_t{64} << 10;
   // The largest number of bytes of answers that a client has not taken yet.
   static constexpr size_t kAnswersMax = size_t{4} << 20;
@@ -53,8 +53,8 @@ class LiveServer {
   // `timeout_ms`.  A run that is paused calls this function.
   void WaitAndServe(int timeout_ms);
 
-  // Closes the sockets in this fork of the process.  The server and the clients of the original
-  // process do not notice.
+  // Closes the server's sockets in this fork of the process.  The server and the clients of the
+  // original process do not notice.
   void Forget();
   // Makes a new socket for this fork of the process, which is a run of its own from now on.  Throws
   // std::runtime_error if that is not possible.  REQUIRES: Forget() was called.

@@ -19,7 +19,8 @@ Vector3d OriginOf(const RobotModel& model, int part) {
   return joint < 0 ? Vector3d(0, 0, 0) : model.joints[joint].anchor_m;
 }
 
-// Adds a shape to a link twice: as its look (visual) and as its shape for contacts (collision).
+// Adds a shape to a link of the URDF text twice: as its look (visual) and as its shape for contacts
+// (collision).
 void AddShape(const Vector3d& place_m, const std::string& geometry, std::string* out) {
   for (const char* const use : {"visual", "collision"}) {
     fmt::format_to(std::back_inserter(*out),
@@ -71,7 +72,7 @@ void AddJoint(const RobotModel& model, const JointModel& joint, std::string* out
                  joint.speed_rad_s.max);
 }
 
-// Adds a frame without mass that is fixed to the part `parent`.
+// Adds to the URDF text a coordinate frame, a link without mass that is fixed to the part `parent`.
 void AddFrame(const std::string& parent, const std::string& name, const std::string& place,
               std::string* out) {
   fmt::format_to(std::back_inserter(*out),
@@ -84,7 +85,8 @@ void AddFrame(const std::string& parent, const std::string& name, const std::str
                  parent, name, place);
 }
 
-// Adds the frame of the camera's pictures: z along the view, x to the right, y down.
+// Adds to the URDF text the coordinate frame of the camera's pictures: z along the view, x to the
+// right, y down.
 void AddCameraFrame(const RobotModel& model, const Camera& camera, std::string* out) {
   const Vector3d z = camera.direction.normalized();
   const Vector3d x = z.cross(Vector3d::UnitZ()).normalized();

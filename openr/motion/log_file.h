@@ -25,7 +25,7 @@
 
 namespace openr_host {
 
-// The measured or the simulated values of a record.
+// The measured or the simulated values of a record in the log of a motion.
 struct LogValues {
   std::vector<int16_t> positions_cdeg;
   // Contact of each paw: left fore, left hind, right fore, right hind.

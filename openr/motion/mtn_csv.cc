@@ -45,8 +45,8 @@ class CsvReader {
   }
 
  private:
-  // Reads the next line of the text that is not empty into fields_.  Returns false at the end of
-  // the text.
+  // Reads the next line of the CSV text that is not empty, and puts its fields into fields_.
+  // Returns false at the end of the text.
   bool NextLine() {
     while (!text_.empty()) {
       const size_t end = std::min(text_.find('\n'), text_.size());

@@ -30,8 +30,8 @@ class MtnSection {
     U8(static_cast<uint32_t>(text.size()));
     bytes_.insert(bytes_.end(), text.begin(), text.end());
   }
-  // Pads the section with zeros to a multiple of 4 bytes, writes its size into it and appends it to
-  // `out`.
+  // Pads this section of a motion file with zeros to a multiple of 4 bytes, writes its size into it
+  // and appends it to `out`.
   void Finish(std::vector<uint8_t>* out) {
     while (bytes_.size() % 4 != 0) bytes_.push_back(0);
     for (int i = 0; i < 4; ++i) bytes_[4 + i] = static_cast<uint8_t>(bytes_.size() >> 8 * i);

@@ -16,7 +16,7 @@ class LagMeter {
  public:
   // Duration of the movement that is compared between the two robots.
   static constexpr int64_t kWindowMs = 3000;
-  // Largest lag that can be found.
+  // Largest lag of a robot behind the robot it follows that can be found.
   static constexpr int64_t kLagMaxMs = 1500;
   // Least range of a joint's movement in 0.01 degree.  A joint that moves less is not used, because
   // its movement does not show the lag.

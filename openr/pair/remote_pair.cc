@@ -34,11 +34,11 @@ constexpr size_t kTripsMax = 32;
 constexpr int kEventsMax = 100;
 // Least change of a joint's goal that is sent to the robot that follows, in 0.01 degree.
 constexpr int32_t kChangeMin = 5;
-// Number of frames after which frame numbers begin again with 0.
+// Number of frames after which the frame numbers of a robot begin again with 0.
 constexpr uint32_t kFramesPerTurn = 0x0ffffff1;
 // Fewest and most frames in which the command TRACK moves a joint to its goal.
 constexpr uint32_t kTrackFramesMin = RC_FRAMES_PER_VECTOR, kTrackFramesMax = 40;
-// The largest step of a joint in one frame, in 0.01 degree.
+// The largest step of a joint in one frame with the command TRACK, in 0.01 degree.
 constexpr uint32_t kTrackStepMax = 400;
 
 PairSide OtherOf(PairSide side) { return side == kFirst ? kSecond : kFirst; }

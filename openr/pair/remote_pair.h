@@ -85,9 +85,9 @@ class PairControl {
   bool is_ended_ = false;
 };
 
-// A client of both robots, to be used in one thread.  Waits for answers only in its constructor and
-// in the functions that prepare the pair.  Run() serves both robots at once and does not wait for
-// answers.
+// A client of the remote controls of both robots, to be used in one thread.  Waits for answers only
+// in its constructor and in the functions that prepare the pair.  Run() serves both robots at once
+// and does not wait for answers.
 class RemotePair {
  public:
   // Connects to both robots.  Throws remote::Error if a robot cannot be reached.  Throws

@@ -40,7 +40,7 @@ Bytes MakePacket(int command, RequestId id, const Bytes& payload, int version = 
   return packet;
 }
 
-// Makes the answer from the packet that `framer` has found last.
+// Makes the answer of the robot from the packet that `framer` has found last.
 Answer AnswerFrom(const RcAnswerHeader& header, const RcFramer& framer) {
   const int begin = RC_ANSWER_HEADER_SIZE - RC_HEADER_SIZE;
   Answer answer;

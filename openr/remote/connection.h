@@ -72,7 +72,8 @@ struct Call {
   Bytes payload;
 };
 
-// A packet of a stream.  The robot sends these packets without further requests.
+// A packet of a stream of events (sensor values or set values).  The robot sends these packets
+// without further requests.
 struct Event {
   RequestId subscription = 0;  // id of the subscription, which Subscribe() has returned
   uint32_t frame = 0;
@@ -102,7 +103,8 @@ class Connection {
 
   const Address& address() const { return address_; }
 
-  // Returns the frame number in the newest answer for which a function of this class has waited.
+  // Returns the number of the robot's frame of 8 ms in the newest answer for which a function of
+  // this class has waited.
   uint32_t frame() const { return frame_; }
 
   // ---- Functions that describe the robot and its devices.  An index is the number of a device in
@@ -181,10 +183,11 @@ class Connection {
 
   // ---- Functions that receive events, which the robot sends without further requests
 
-  // Subscribes to a stream; replaces an earlier subscription to it.  `period` is the smallest
-  // number of frames between two events: a multiple of 4 and not 0 for sensors, 0 or more for set
-  // values. Functions of this class acknowledge events when they receive them, so the robot sends
-  // few events to a caller that calls no function.
+  // Subscribes to a stream of events (sensor values or set values); replaces an earlier
+  // subscription to it.  `period` is the smallest number of frames between two events: a multiple
+  // of 4 and not 0 for sensors, 0 or more for set values. Functions of this class acknowledge
+  // events when they receive them, so the robot sends few events to a caller that calls no
+  // function.
   RequestId Subscribe(RcStream stream, int period);
   void Unsubscribe(RcStream stream);
 

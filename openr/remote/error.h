@@ -1,4 +1,4 @@
-// Error, the only exception that the client library throws.
+// Error, the only exception that openr::remote, the client library, throws.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +19,8 @@ enum class ErrorCode {
   kFileChanged,  // the file on the stick changed while it was downloaded
 };
 
-// Thrown by all functions of the library that can fail.  what() returns text(), followed by "; "
-// and advice() if advice() is not "".
+// Thrown by all functions of the client library openr::remote that can fail.  what() returns
+// text(), followed by "; " and advice() if advice() is not "".
 class Error : public std::runtime_error {
  public:
   Error(ErrorCode code, const std::string& text, const std::string& advice = "");

@@ -16,11 +16,11 @@ class LogReader {
   // Makes a reader for the robot of `connection`, which must outlive the reader.
   explicit LogReader(Connection* connection) : connection_(connection) {}
 
-  // Skips the records that the robot has made before this call.
+  // Skips the records of a motion's log that the robot has made before this call.
   void SkipOld();
 
-  // Reads the records that the robot has made since the last call.  Returns the state of JointMover
-  // (MoverState) after the last of these records.
+  // Reads the records of a motion's log that the robot has made since the last call.  Returns the
+  // state of JointMover (MoverState) after the last of these records.
   int Take();
 
   // Returns the bytes of a log file (Hohl 2004, table 3.9): the header, and all records that were
@@ -28,7 +28,8 @@ class LogReader {
   std::string File() const;
 
   int count() const { return count_; }  // number of records that were read
-  // Returns the number of records that the robot has dropped before they were read.
+  // Returns the number of records of a motion's log that the robot has dropped before they were
+  // read.
   uint32_t lost() const { return lost_; }
   uint32_t frame() const { return frame_; }  // frame number in the robot's last answer
 
