@@ -15,7 +15,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Returns whether `text`, the first part of a message, shows that the message is an upload.
+// Returns whether `text`, the first part of a message from a page, shows that the message is an
+// upload.
 bool BeginsUpload(std::string_view text) {
   return text.substr(0, Page::kMessageMax).find("\"upload\"") != std::string_view::npos;
 }

@@ -16,7 +16,7 @@ class PairControl;
 // the request that has made the bridge.
 class PairBridge {
  public:
-  // The largest number of threads that all bridges of this process together may have.
+  // The largest number of threads that all PairBridge objects of this process together may have.
   static constexpr int kThreadsMax = 16;
 
   // Makes the bridge and its thread.  `request` has the address of the second robot.  Throws

@@ -38,8 +38,8 @@ namespace openr_host {
 namespace {
 
 constexpr size_t kPagesMax = 16;
-// The time that the server waits before it ends, so that pages can receive the message that the run
-// has ended.
+// The time that the server of the panel waits before it ends, so that pages can receive the message
+// that the run has ended.
 constexpr int kFarewellMs = 300;
 
 constexpr char kNoPage[] =

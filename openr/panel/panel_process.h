@@ -17,7 +17,7 @@ class PanelProcess {
   // Starts the server of the panel for the run `options.run` (such as "default.123"); ignores
   // `options.run_pipe`.  Prints a warning if the server cannot be started.
   explicit PanelProcess(const PanelOptions& options);
-  // Makes the server end, and does not wait until it has ended.
+  // Makes the server of the panel end, and does not wait until it has ended.
   ~PanelProcess();
   PanelProcess(const PanelProcess&) = delete;
   PanelProcess& operator=(const PanelProcess&) = delete;

@@ -19,8 +19,8 @@ namespace {
 
 std::atomic<int> g_bridge_threads = 0;
 
-// Returns the name of the value that a command sets for a joint.  Commands that set the same value
-// give the same name.
+// Returns the name of the value that a remote-control command sets for a joint.  Commands that set
+// the same value give the same name.
 std::string JointValueOf(const nlohmann::json& request) {
   const std::string call = request.value("call", "");
   if (call != "move" && call != "speed" && call != "accel") return "";
@@ -38,12 +38,13 @@ void Answer(Outbox* outbox, RcCalls::Json answer, const std::vector<nlohmann::js
 }  // namespace
 
 struct RcBridge::Queue {
-  // A remote-control call of the page that waits, and the ids of the requests that its answer
-  // answers.
+  // A remote-control call of the page that waits to be sent to the robot, and the ids of the
+  // requests that its answer answers.
   struct Call {
     nlohmann::json request;
     size_t size;
-    // Name of the joint's value that the call sets (JointValueOf()); "": it sets none.
+    // Name of the joint's value that this remote-control call sets (JointValueOf()); "": it sets
+    // none.
     std::string joint_value;
     std::vector<nlohmann::json> ids;
   };

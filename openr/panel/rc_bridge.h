@@ -20,12 +20,13 @@ class RcBridge {
   // The most bytes of remote-control calls of the page that may wait.  If more bytes come, their
   // calls are answered with an error.
   static constexpr size_t kBytesMax = size_t{16} << 20;
-  // The largest number of threads that all bridges of this process together may have.
+  // The largest number of threads that all RcBridge objects of this process together may have.
   static constexpr int kThreadsMax = 64;
 
   // Makes the bridge and its thread.  Throws std::runtime_error if there are too many threads.
   RcBridge(RcCalls::FindAddress find_address, std::shared_ptr<Outbox> outbox);
-  // Makes the thread end after its present call, and does not wait until it has ended.
+  // Makes the bridge's thread end after its present remote-control call, and does not wait until it
+  // has ended.
   ~RcBridge();
   RcBridge(const RcBridge&) = delete;
   RcBridge& operator=(const RcBridge&) = delete;

@@ -33,8 +33,8 @@ class RcCalls {
   explicit RcCalls(FindAddress find_address);
   ~RcCalls();
 
-  // Carries out the call `request["call"]`.  Returns its answer without "id", or {"error":TEXT} if
-  // the call failed.  If the robot refused the call, the error has "status", too.
+  // Carries out the remote-control call `request["call"]`.  Returns its answer without "id", or
+  // {"error":TEXT} if the call failed.  If the robot refused the call, the error has "status", too.
   Json Do(const nlohmann::json& request, const Progress& progress);
 
  private:

@@ -42,7 +42,7 @@ constexpr size_t kReceiveMax = 2 * RC_MAX_PACKET;  // number of bytes that fit i
 
 std::atomic<int> g_clients = 0, g_without_token = 0;
 
-// Waits until one of `events` has come for `socket`.  Returns false at `deadline`.
+// Waits until poll() reports one of `events` for `socket`.  Returns false at `deadline`.
 bool WaitFor(int socket, short events, Clock::time_point deadline) {
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
   pollfd wanted = {socket, events, 0};
@@ -67,7 +67,7 @@ bool SendAll(int socket, const uint8_t* bytes, size_t size) {
 
 enum class Received { kBytes, kEnd, kLost };
 
-// Gives the bytes that have come on `socket` to `framer`.
+// Receives bytes from `socket` and gives them to `framer`, which finds packets in them.
 Received Receive(int socket, RcFramer* framer) {
   uint8_t bytes[kReceiveMax];
   const ssize_t n = recv(socket, bytes, static_cast<size_t>(framer->Room()), MSG_DONTWAIT);

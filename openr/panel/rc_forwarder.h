@@ -13,8 +13,8 @@ namespace openr_host {
 // not know the token.
 class RcForwarder {
  public:
-  // The most clients that this process serves at a time, and the most clients that have not shown
-  // the token yet.  A robot itself serves eight clients.
+  // The most clients of remote controls that this process serves at a time, and the most clients
+  // that have not shown the token yet.  A robot itself serves eight clients.
   static constexpr int kClientsMax = 16;
   static constexpr int kWithoutTokenMax = 16;
   // The longest time in which a new client must show the token.

@@ -55,8 +55,8 @@ bool RunLink::Send(const std::string& line) {
 
 bool RunLink::OnReadable() {
   char buffer[64 << 10];
-  // Limits the number of reads in one call.  A run that writes all the time must not keep the event
-  // loop from serving other pages.
+  // Limits the number of reads from the run's socket in one call.  A run that writes all the time
+  // must not keep the event loop from serving other pages.
   constexpr int kReadsMax = 8;
   for (int i = 0; i < kReadsMax; ++i) {
     const ssize_t count = recv(descriptor_, buffer, sizeof buffer, 0);

@@ -22,8 +22,8 @@ class RunLink final : public WebDescriptor {
     // A function that is called once when the connection is lost.  The owner of the link may delete
     // the link in this function.
     std::function<void(const std::string& why)> end;
-    // A function that is called when fewer than kWaitingMax bytes wait again, so that the page may
-    // send more lines.
+    // A function that is called when again fewer than kWaitingMax bytes wait for the run, so that
+    // the page may send more lines.
     std::function<void()> resume;
   };
 

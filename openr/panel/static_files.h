@@ -1,4 +1,4 @@
-// Finds the files of the built page, and the headers that tell browsers how to treat them.
+// Finds the files of the panel's built page, and the headers that tell browsers how to treat them.
 #pragma once
 
 #include <string>

@@ -120,7 +120,8 @@ bool AddHeaders(lws* wsi, const WebAnswer& answer, unsigned char** at, unsigned 
   return true;
 }
 
-// Sends an answer whose bytes are in `text`.  Returns false if the connection must be closed.
+// Sends the answer to an HTTP request; its bytes are in answer.text.  Returns false if the
+// connection must be closed.
 bool SendText(lws* wsi, const WebAnswer& answer) {
   std::array<unsigned char, LWS_PRE + kHeadersMax> headers;
   unsigned char* const begin = headers.data() + LWS_PRE;
@@ -136,8 +137,8 @@ bool SendText(lws* wsi, const WebAnswer& answer) {
   return lws_write(wsi, body.data() + LWS_PRE, answer.text.size(), LWS_WRITE_HTTP_FINAL) >= 0;
 }
 
-// Sends `answer`.  Returns the result for libwebsockets' callback: not 0 if the connection must be
-// closed.
+// Sends `answer` to an HTTP request.  Returns the result for libwebsockets' callback: not 0 if the
+// connection must be closed.
 int SendAnswer(lws* wsi, const WebAnswer& answer) {
   if (answer.file.empty())
     return !SendText(wsi, answer) || lws_http_transaction_completed(wsi) ? -1 : 0;

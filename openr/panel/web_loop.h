@@ -62,7 +62,7 @@ class WebPage {
   virtual std::string Next() = 0;
 };
 
-// A descriptor that the loop watches.
+// A descriptor that the event loop watches.
 class WebDescriptor {
  public:
   // Called when the descriptor can be read.  Returns false if the descriptor must be closed.
@@ -77,7 +77,7 @@ class WebDescriptor {
   ~WebDescriptor() = default;
 };
 
-// The functions of the server that the loop calls.
+// The functions of the panel's server that the event loop calls.
 class WebService {
  public:
   virtual WebAnswer Answer(const WebRequest& request) = 0;

@@ -28,12 +28,12 @@ struct LoggedInput {
 
 class InputLog {
  public:
-  // The largest number of bytes that the inputs of a log may have together; see is_full().
+  // The largest number of bytes that the inputs in an InputLog may have together; see is_full().
   static constexpr size_t kBytesMax = size_t{64} << 20;
 
   void Add(LoggedInput input);
 
-  // Returns the number of inputs that were added so far.
+  // Returns the number of inputs that were added to the log so far.
   uint64_t end() const { return first_ + inputs_.size(); }
   // Returns the inputs from the number `begin` on.  REQUIRES: these inputs were not dropped.
   std::vector<LoggedInput> From(uint64_t begin) const;

@@ -41,7 +41,8 @@ int ExitCodeOf(pid_t view) {
 // when the original run asks for it.  Returns only in a view that has become a branch, a run of its
 // own.
 void Rewind::Wait(int socket, const SavedStick& stick, ProcessFiles* files) {
-  // Ignores signals of the terminal, because the original process handles them.
+  // Makes this copy of the run ignore signals of the terminal, because the original process handles
+  // them.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::signal(signal, SIG_IGN);
   for (const Checkpoint& checkpoint : checkpoints_) close(checkpoint.socket);
   checkpoints_.clear();
@@ -154,8 +155,8 @@ void Rewind::AddDueInputs() {
   }
 }
 
-// Repeats the run up to a virtual time or up to a number of messages.  If the end is a virtual
-// time, also repeats the messages that are due exactly at this time.
+// Repeats in this view the run up to a virtual time or up to a number of messages.  If the end is a
+// virtual time, also repeats the messages that are due exactly at this time.
 void Rewind::RunTo(const PlainJson& target) {
   const bool has_time = target.contains("time_us");
   const int64_t end_us = has_time ? target["time_us"].get<int64_t>() : INT64_MAX;
@@ -177,7 +178,8 @@ void Rewind::RunTo(const PlainJson& target) {
   }
 }
 
-// Adds the inputs that are due now.  Then delivers the next message if it is due by `time_us`.
+// Repeats in this view the inputs that are due now.  Then delivers the next message if it is due by
+// `time_us`.
 void Rewind::RunOne(int64_t time_us) {
   if (parts_.known != nullptr) return parts_.known->RunOne(time_us);
   AddDueInputs();

@@ -101,9 +101,9 @@ std::string KeepFile(const fs::path& path, const std::function<void(const fs::pa
 // folder.
 bool IsInTrace(const fs::path& path) { return path.parent_path().extension() == ".ctf"; }
 
-// Makes a new trace, DIR/NAME-2.ctf, from the file `path` in DIR/NAME.ctf and the files beside it.
-// The other files are needed, because readers take all files of one folder together.  Calls `copy`
-// with the new path of the file, and returns the new folder.
+// Makes a new trace in the Common Trace Format, DIR/NAME-2.ctf, from the file `path` in
+// DIR/NAME.ctf and the files beside it.  The other files are needed, because readers take all files
+// of one folder together.  Calls `copy` with the new path of the file, and returns the new folder.
 std::string KeepTrace(const fs::path& path, const std::function<void(const fs::path&)>& copy) {
   const fs::path folder = path.parent_path();
   int number = 2;

@@ -24,7 +24,8 @@ class ConsoleFeed {
   std::string TakeLines();
 
   std::string text_;  // input that has arrived and was not given to robots yet
-  // True: standard input is a terminal, which shows the typed text itself.
+  // True: standard input is a terminal, which shows the typed text itself, so that the program need
+  // not show it.
   bool is_terminal_ = false;
   bool is_open_ = false;  // true: more text may arrive on standard input
 };

@@ -61,7 +61,7 @@ class ServedRun {
 
   // Lets the run go on to the virtual time `time_us`, but not beyond the end of the run.
   void RunUntil(int64_t time_us);
-  // Lets the run go on for `count` steps, but not beyond the end of the run.
+  // Lets the run go on for `count` steps (frames or messages), but not beyond the end of the run.
   void MakeSteps(RunClock::Step step, int count);
   // Lets the run go on until `holds` returns true after a frame.  Returns false if this has not
   // happened until `time_us`.

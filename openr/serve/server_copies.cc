@@ -30,7 +30,7 @@ int IntegerOf(const nlohmann::json& request, const char* name) {
   return static_cast<int>(value);
 }
 
-// A pipe by which a new copy tells its original that it is ready.
+// A pipe by which a new copy of this process tells the original that it is ready.
 class ReadyPipe {
  public:
   ReadyPipe() {

@@ -16,8 +16,8 @@ namespace openr_host {
 class System;
 
 // Returns the body of the kind `kind`: "ode" (a body with physics) or "ideal" (joints follow their
-// commands exactly).  Returns null for any other kind.  The body is alone in `world`, at the first
-// start that the world has.
+// commands exactly).  Returns null for any other kind.  The body is alone in `world`, at the
+// world's first starting place.
 std::unique_ptr<Body> MakeBody(const std::string& kind, const RobotModel& model,
                                const World& world);
 

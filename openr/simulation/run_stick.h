@@ -26,7 +26,8 @@ class RunStick {
   // still exists after the run.
   const std::string& name() const { return name_; }
 
-  // Returns the folder that this run uses as its stick: the original or the copy.
+  // Returns the folder that this run uses as its stick: the original stick or the copy of the
+  // default stick.
   const std::string& folder() const { return folder_; }
 
   // Returns the path of the file for a crash record.  The file is written only when a crash comes;

@@ -12,12 +12,12 @@
 
 namespace openr_host {
 
-// Writes a trace, which is a folder with two files: `metadata` describes the events, and `handlers`
-// has the events: the begin and the end of each handler, in order of time.
+// Writes a trace in the Common Trace Format, a folder with two files: `metadata` describes the
+// events, and `handlers` has the events: the begin and the end of each handler, in order of time.
 class CtfWriter : public TimelineWriter {
  public:
-  // Makes the folder `folder` of the trace.  Throws std::runtime_error when the folder or its files
-  // cannot be written.
+  // Makes `folder`, the folder of a trace in the Common Trace Format.  Throws std::runtime_error
+  // when the folder or its files cannot be written.
   explicit CtfWriter(const std::string& folder);
   void AddObject(int, int32_t, const std::string&) override {}
   void AddSlice(const HandlerSlice& slice) override;
