@@ -157,8 +157,8 @@ Json AnswerObject(const Asked& asked) {
           {"findings", findings}};
 }
 
-// Returns the robot whose number the request has in its member "robot"; robot 0 if this member is
-// missing.  Returns null if the simulation has no such robot.
+// Returns the robot whose number the client's request has in its member "robot"; robot 0 if this
+// member is missing.  Returns null if the simulation has no such robot.
 const VirtualRobot* RobotOf(const Asked& asked) {
   const auto& robots = asked.simulation()->robots();
   const int robot = asked.robot();

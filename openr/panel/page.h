@@ -57,8 +57,8 @@ class Page : public WebPage {
   // Sends to the page the answers that threads have put into the outbox.
   void Collect();
 
-  // Closes all connections of the page.  Called before the loop ends, because the page is destroyed
-  // after the loop.
+  // Closes all connections of the page.  Called before the event loop of the server ends, because
+  // the page is destroyed only after the loop.
   void Leave();
 
   void Take(std::string_view part, bool is_text, bool is_last) override;

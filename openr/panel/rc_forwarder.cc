@@ -76,7 +76,8 @@ Received Receive(int socket, RcFramer* framer) {
   return n > 0 || errno == EAGAIN || errno == EINTR ? Received::kBytes : Received::kLost;
 }
 
-// An answer that the forwarder gives itself, in place of the robot.
+// An answer that the RcForwarder gives itself to a client of the remote control, in place of the
+// robot.
 struct OwnAnswer {
   RcHeader request;
   int status;
@@ -84,18 +85,18 @@ struct OwnAnswer {
   bool ends_connection;
 };
 
-// The connection of one client, whose packets go to the robot and whose answers come from the
-// robot.
+// The connection of one client of the remote control, whose packets go to the robot and whose
+// answers come from the robot.
 class Forwarding {
  public:
   Forwarding(int client, const RcForwarder::Rules& rules) : client_(client), rules_(rules) {}
 
-  // Reads the first packet of the client.  Returns whether it has the token; if not, tells the
-  // client that it is refused.
+  // Reads the first packet of the client of the remote control.  Returns whether it has the token;
+  // if not, tells the client that it is refused.
   bool TakeToken();
   // Connects to the robot, and forwards packets until one side ends its connection.
   void Forward();
-  // Tells the client that it is refused, and ends the connection.
+  // Tells the client of the remote control that it is refused, and ends the connection.
   void Refuse(int status, const std::string& why);
 
  private:
@@ -110,7 +111,7 @@ class Forwarding {
   const RcForwarder::Rules& rules_;
   int robot_ = -1;
   RcFramer requests_, answers_;
-  // Header of the client's first packet.
+  // Header of the first packet that the client of the remote control has sent.
   RcHeader first_ = {RC_HEADER_SIZE, RC_VERSION_FILES, 0, 0};
   bool is_client_there_ = true;  // false: the client has ended its sending side
   int unanswered_ = 0;           // number of requests that the robot has not answered yet
@@ -170,16 +171,16 @@ bool Forwarding::TakeToken() {
   return false;
 }
 
-// Returns the answer to the request that was received last, if the request must not reach the
-// robot.
+// Returns the answer of the forwarder itself to the client's last request; nullopt if this request
+// may go to the robot.
 std::optional<OwnAnswer> Forwarding::OwnAnswerToRequest() const {
   const RcHeader& header = requests_.Header();
-  // Refuses command 0, because TakeAnswers() does not count a packet with command 0 and tag 0 as an
-  // answer.
+  // Refuses a request with the command 0, because TakeAnswers() does not count a packet with
+  // command 0 and tag 0 as an answer.
   if (header.command == 0)
     return OwnAnswer{header, rcerrorUNKNOWN_COMMAND, "there is no command 0", false};
-  // Treats every kind of file except a motion as code, so that a kind that the protocol gets later
-  // is not allowed by mistake.
+  // Treats the upload of every kind of file except a motion as code, so that a kind that the
+  // protocol gets later is not allowed by mistake.
   const bool is_code = header.command == rcUPLOAD_BEGIN && requests_.PayloadSize() > 0 &&
                        requests_.Payload()[0] != rcfileMOTION;
   if (!is_code || rules_.allows_controllers) return std::nullopt;
@@ -189,8 +190,9 @@ std::optional<OwnAnswer> Forwarding::OwnAnswerToRequest() const {
                    false};
 }
 
-// Takes the requests that have come from the client.  Sends them to the robot, or answers them here
-// if they must not reach the robot.  Returns false if the connection must end.
+// Takes the requests that have come from the client of the remote control.  Sends them to the
+// robot, or answers them here if they must not reach the robot.  Returns false if the connection
+// must end.
 bool Forwarding::ForwardRequests() {
   for (;;) {
     if (delayed_) {
@@ -304,8 +306,8 @@ void RcForwarder::Take(int connection) {
       close(connection);
     }).detach();
   } catch (const std::system_error&) {
-    // Gives up the client, because this computer cannot make a thread for it.  So it is no
-    // longer one of the clients that have not shown the token yet.
+    // Gives up the new client of the remote control, because this computer cannot make a thread for
+    // it.  So it is no longer one of the clients that have not shown the token yet.
     --g_without_token;
     close(connection);
   }

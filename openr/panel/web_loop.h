@@ -38,12 +38,12 @@ struct WebAnswer {
 // The connection to a page: the socket of a WebSocket, through which the server sends.
 class WebConnection {
  public:
-  // Makes the loop call WebPage::Next() as soon as the socket can take bytes.
+  // Makes the event loop call WebPage::Next() as soon as the socket can take bytes.
   virtual void WantSend() = 0;
   // Closes the WebSocket with `code` and `why` (RFC 6455, section 7.4) as soon as WebPage::Next()
   // returns "", so that waiting messages are sent before.
   virtual void CloseWhenSent(int code, const std::string& why) = 0;
-  // Closes the socket at once, and sends no reason to the page.
+  // Closes the socket of the page at once, and sends no reason to the page.
   virtual void Abort() = 0;
   // Begins to read from the page again if `is_on` is true, and stops reading if it is false.
   virtual void SetReading(bool is_on) = 0;
@@ -70,7 +70,7 @@ class WebDescriptor {
   // Called after WebLoop::WantWrite(), when the descriptor can be written.  Returns false if the
   // descriptor must be closed.
   virtual bool OnWritable() { return true; }
-  // Called once after the loop has closed the descriptor, unless Forget() was called before.
+  // Called once after the event loop has closed the descriptor, unless Forget() was called before.
   virtual void OnClosed() = 0;
 
  protected:
@@ -81,12 +81,13 @@ class WebDescriptor {
 class WebService {
  public:
   virtual WebAnswer Answer(const WebRequest& request) = 0;
-  // Returns an answer that refuses a WebSocket; null if the WebSocket may be opened.
+  // Returns the answer that refuses to open the WebSocket of a page; null if the WebSocket may be
+  // opened.
   virtual std::unique_ptr<WebAnswer> Refuse(const WebRequest& request) = 0;
   // Called when a WebSocket was opened.  `connection` exists as long as the page that this function
   // returns.
   virtual std::unique_ptr<WebPage> Open(const WebRequest& request, WebConnection* connection) = 0;
-  // Called in the thread of the loop after a thread has called WebLoop::Wake().
+  // Called in the thread of the event loop after a thread has called WebLoop::Wake().
   virtual void OnWake() = 0;
 
  protected:
@@ -106,19 +107,21 @@ class WebLoop {
   // Makes Run() call WebService::OnWake().  May be called in any thread.
   virtual void Wake() = 0;
 
-  // Serves HTTP on an accepted connection.  The loop owns the descriptor from now on.
+  // Serves HTTP on the socket `connection`, which a client has opened.  The event loop owns the
+  // descriptor from now on.
   virtual void Serve(int connection) = 0;
 
-  // A handle for a descriptor that the loop watches; null after an error.
+  // A handle for a descriptor that the event loop watches; null after an error.
   using Watched = void*;
-  // Watches a descriptor and calls `handler` for it.  The loop owns the descriptor from now on.
+  // Watches a descriptor and calls `handler` for it.  The event loop owns the descriptor from now
+  // on.
   virtual Watched Watch(int descriptor, WebDescriptor* handler) = 0;
   virtual void WantWrite(Watched watched) = 0;
   // Closes a watched descriptor soon.  The descriptor's handler is not called any more.
   virtual void Forget(Watched watched) = 0;
 };
 
-// Type and name of the function in libopenr_panel.so that makes the loop.  `protocol` is the
+// Type and name of the function in libopenr_panel.so that makes the event loop.  `protocol` is the
 // WebSocket subprotocol of pages.  Returns null if libwebsockets cannot be started.
 using MakeWebLoop = WebLoop*(WebService* service, const char* protocol);
 constexpr char kMakeWebLoopName[] = "openr_make_web_loop";

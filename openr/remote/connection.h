@@ -66,7 +66,7 @@ struct Answer {
   Bytes payload;      // payload of the answer; empty if the status is not rcOK
 };
 
-// A request that is sent in a batch.  `payload` has no header.
+// A request that is sent in a batch, that is, with others in one packet.  `payload` has no header.
 struct Call {
   int command;  // number of the command, an RcCommand
   Bytes payload;
@@ -232,8 +232,8 @@ class Connection {
   // batch.
   std::vector<Answer> Batch(const std::vector<Call>& calls);
   RequestId SendBatch(const std::vector<Call>& calls);
-  // Waits for the answer to SendBatch() and returns the answers to the single calls in it.  `count`
-  // is the number of calls in the batch.
+  // Waits for the answer to SendBatch() and returns the answers to the single requests of this
+  // batch.  `count` is the number of requests in the batch.
   std::vector<Answer> WaitForBatch(RequestId id, size_t count);
 
   // ---- Functions for programs that serve several robots in one thread
@@ -244,8 +244,8 @@ class Connection {
   // else nullopt.  Does not wait and does not receive; NextEvent() with a deadline in the past
   // receives.
   std::optional<Answer> TakeAnswer(RequestId id);
-  // Returns the answers to the single calls of a batch.  `answer` is the answer to SendBatch(),
-  // `count` the number of calls in the batch.
+  // Returns the answers to the single requests of a batch.  `answer` is the answer to SendBatch(),
+  // `count` the number of requests in the batch.
   std::vector<Answer> ReadBatch(const Answer& answer, size_t count) const;
 
   // Makes the payload of a request from `payload`, a struct of the protocol.
