@@ -27,8 +27,8 @@ std::string ParseBattery(std::string_view text, Battery* battery) {
   const bool is_percent = error == std::errc() && end - at == 1 && *at == '%';
   const bool is_in_range = percent >= 1 && percent <= 100;
   if (!is_percent || !is_in_range) {
-    // If the text is a number without a % sign, suggests the number with the sign, because the
-    // missing sign is the most common mistake.
+    // If the text of the option --battery is a number without a % sign, suggests the number with
+    // the sign, because the missing sign is the most common mistake.
     const bool lacks_sign = error == std::errc() && at == end && is_in_range;
     return fmt::format(
         "'{}' is none of 100% (stays full), drain (full at boot) and 1% to 99% (so "

@@ -89,16 +89,19 @@ class Body {
 
   virtual const BodyState& state() const = 0;
 
-  // Returns whether this body is moved by simulated forces, so that Push() moves it.
+  // Returns whether this body is moved by simulated forces, so that Push() moves it.  The body of
+  // --body ideal is not.
   virtual bool IsPhysical() const { return false; }
 
   // Pushes part `part` (an index of RobotModel::bodies) with `force_W`, in N, at the point `p_W`
-  // during the next Advance() only.  A body that is not physical does not move.
+  // during the next Advance() only.  A body that is not moved by forces (IsPhysical()) does not
+  // move.
   virtual void Push(int /*part*/, const Eigen::Vector3d& /*force_W*/,
                     const Eigen::Vector3d& /*p_W*/) {}
 
-  // Lets a person's hand hold the robot from the next frame on: the hand moves B towards `X_WB`
-  // with a limited force.  nullopt: the hand lets go.
+  // Lets a person's hand hold the robot from the next frame on: the hand moves the robot's base
+  // frame B towards the pose `X_WB` in the world W with a limited force.  nullopt: the hand lets
+  // go.
   virtual void Hold(const std::optional<Eigen::Isometry3d>& /*X_WB*/) {}
 
   // Follows a ray from `p_W` along the unit vector `direction_W` to the floor or the first thing of
@@ -110,7 +113,8 @@ class Body {
   virtual const World& world() const = 0;
 
   // Returns what surrounds the robot now: the things of its world in their present places and in
-  // the order of World::things, then the parts of other robots in the same world.
+  // the order of World::things, then the parts of other robots in the same world.  Rays and cameras
+  // meet these things.
   virtual std::vector<WorldThing> Surroundings() const { return world().things; }
 
   // Returns the things of the world that can move, in their present places.
@@ -131,9 +135,9 @@ class Body {
   virtual void HashState(Hasher* hasher) const = 0;
 };
 
-// MakeIdealBody() and MakeOdeBody() make a body that lies limp and at rest on the floor at `start`,
-// in the model's sleeping posture.  `model` must outlive the body.  The second MakeOdeBody() puts
-// the body into `world`, together with other robots.
+// MakeIdealBody() and MakeOdeBody() make a body that lies limp and at rest, in the sleeping posture
+// of the model, at the place `start` of the floor.  `model` must outlive the body.  The second
+// MakeOdeBody() puts the body into `world`, together with other robots.
 std::unique_ptr<Body> MakeIdealBody(const RobotModel& model, const World& world,
                                     const StartPlace& start = {});
 std::unique_ptr<Body> MakeOdeBody(const RobotModel& model, const World& world,

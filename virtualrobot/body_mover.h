@@ -11,8 +11,8 @@ namespace openr_host {
 
 class BodyMover {
  public:
-  // Makes a mover whose joints are limp at first and have the vendor's gains.  `model` and `body`
-  // must outlive the mover.
+  // Makes a mover of the joints of `body`.  At first the joints are limp, and their servos have the
+  // gains of the model file.  `model` and `body` must outlive the mover.
   BodyMover(const RobotModel& model, Body* body);
 
   // Simulates one frame of the body, with the member `commands` as the commands to its joints.
@@ -33,8 +33,8 @@ class BodyMover {
   // Throws std::runtime_error when the model has no such posture.
   std::vector<double> Posture(const std::string& name) const;
 
-  // Enables all joints and stands up through the postures broadbase, sleep, crouch and stand.  A
-  // posture that the model does not have is left out.
+  // Switches the servos of all joints on and stands up through the postures broadbase, sleep,
+  // crouch and stand.  A posture that the model does not have is left out.
   void StandUp();
 
   // Returns the largest distance of a joint from its set point, in degrees.

@@ -21,8 +21,8 @@ bool CommandQueue::Add(RCRegion* region) {
 
 bool CommandQueue::ReleaseFinished(int64_t frame) {
   if (!playing_ || frame < end_) return false;
-  // Clears the elements before Release(), because they point into the region that Release() gives
-  // back.
+  // Clears elements_ before the region of the vector is released, because the elements point into
+  // the memory of this region.
   elements_.clear();
   playing_.Release();
   return true;
@@ -46,8 +46,8 @@ void CommandQueue::Start(int64_t frame, std::vector<std::string>* problems) {
   ReadCommandElements(vector, FrameNumber(start_), &robot_->primitives, &read_, problems);
   robot_->watch.VectorStarts(read_, robot_->body->state(), robot_->power.motor_power(),
                              robot_->power.pause(), problems);
-  // The length of the vector in frames.  Begins with 1, because a vector without elements lasts one
-  // frame.
+  // The length of the command vector in frames.  Begins with 1, because a vector without elements
+  // lasts one frame.
   uint32_t longest = 1;
   for (const CommandElement& command : read_) {
     uint32_t length = 0;
@@ -63,8 +63,9 @@ void CommandQueue::Start(int64_t frame, std::vector<std::string>* problems) {
 }
 
 void CommandQueue::FindFace(std::vector<std::string>* problems) {
-  // Searches all elements for the last light of the face (the one with the highest index), because
-  // this light decides the mode of the whole face, and elements may come in any order.
+  // Searches all elements of the vector for the last light of the robot's face (the one with the
+  // highest index), because the mode (A or B) of this light becomes the mode of all lights of the
+  // face, and elements may come in any order.
   face_ = -1;
   bool a = false, b = false;
   for (size_t e = 0; e < elements_.size(); ++e) {

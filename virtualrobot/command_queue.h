@@ -47,13 +47,15 @@ class CommandQueue {
   // true.  Otherwise returns false.
   bool ReleaseFinished(int64_t frame);
 
-  // Reports the first waiting vector to the robot's synchronisation keys, if no vector plays.
-  // REQUIRES: called for all queues of a robot before Apply() of any of them.  Otherwise vectors
-  // that wait for one another (sync_keys.h) could start in different frames.
+  // Tells the robot's SyncKeys that the first waiting vector could start now, if no vector plays.
+  // A vector with a synchronisation key starts only when all vectors with parts of this key could
+  // start.  REQUIRES: called for all queues of a robot before Apply() of any of them.  Otherwise
+  // such vectors could start in different frames.
   void AnnounceFirst();
 
-  // Starts the first waiting vector if its turn has come, and then applies the set points of frame
-  // `frame`.  Adds to `problems` a text for each mistake in a vector that starts.
+  // Starts the first waiting vector if no vector plays and its synchronisation key (if it has one)
+  // allows the start.  Then applies the set points of frame `frame`.  Adds to `problems` a text for
+  // each mistake in a vector that starts.
   void Apply(int64_t frame, std::vector<std::string>* problems);
 
   void HashState(Hasher* hasher) const;

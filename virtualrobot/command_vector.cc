@@ -41,7 +41,8 @@ Value As(const OCommandData& data, int i) {
   return value;
 }
 
-// Returns the reason why the element cannot set its primitive; "" when the element can set it.
+// Returns the reason why the element of a command vector cannot set `primitive`; "" when the
+// element can set it.
 std::string Objection(const OCommandInfo& info, const Primitive* primitive) {
   if (primitive == nullptr || !primitive->opened()) {
     return fmt::format(
@@ -56,8 +57,8 @@ std::string Objection(const OCommandInfo& info, const Primitive* primitive) {
   return "";
 }
 
-// Returns the number of command frames of an element, 0 to 16.  Describes in `problem` the mistake
-// of an element that names more than 16 frames, or has frames that were never filled.
+// Returns the number of command frames of an element, 0 to 16.  If the element names more than 16
+// frames, or if the program never filled some of its frames, describes this mistake in `problem`.
 int CountFrames(const OCommandInfo& info, const OCommandData& data, std::string* problem) {
   const int frames = static_cast<int>(std::min<longword>(info.numFrames, ocommandMAX_FRAMES));
   if (info.numFrames > ocommandMAX_FRAMES) {
@@ -150,8 +151,9 @@ void ReadCommandElements(const SentVector& vector, longword frame_number,
     element.data =
         reinterpret_cast<const OCommandData*>(vector.At(info.dataOffset, sizeof(OCommandData)));
     const Primitive* const primitive = primitives->Find(info.primitiveID);
-    // An element with a wrong offset has no data and sets nothing.  It is kept in the list, because
-    // the length of the vector depends on its frames.
+    // An element whose dataOffset is not the place of an OCommandData has no data and sets nothing.
+    // The element is kept in the list, because it may be the longest element, which decides how
+    // long the vector lasts.
     if (element.data == nullptr || info.dataOffset % alignof(OCommandData) != 0) {
       element.data = nullptr;
       problem = fmt::format(

@@ -72,8 +72,8 @@ void Devices::SetLed2(int led, OLEDValue value) {
 void Devices::SetLed3(int led, const OLEDCommandValue3& value) {
   LedDevice& device = leds[static_cast<size_t>(led)];
   device.intensity = std::clamp<int>(value.intensity, 0, kIntensityMax);
-  // If the mode of the command is neither A nor B, keeps the old mode of the light, as the robot
-  // does.
+  // If the mode that the command demands is neither A nor B, keeps the old mode of the light, as
+  // the robot does.
   if (value.mode == oled3_MODE_A || value.mode == oled3_MODE_B) device.mode = value.mode;
 }
 
@@ -119,8 +119,9 @@ OStatus Devices::SetGain(int joint, const GainWords& gains) {
   if (!device.gain_enabled) return oGAIN_DISABLED;
   device.gains = gains;
   std::copy(gains.begin() + kNumGains, gains.end(), device.asked_shifts.begin());
-  // Gains of 0 switch a servo off.  A program that does so does not care for the shifts, so they do
-  // not change the shifts of the other joints.
+  // If all gains of the joint are 0, does not give the shifts (powers of 2 that scale the gains) of
+  // this joint to the other joints.  Such gains switch the servo off, and the program that sets
+  // them does not care for the shifts.
   if (has_one_shift_ && HasGain(joint)) ShareShifts(joint);
   return oSUCCESS;
 }

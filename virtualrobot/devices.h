@@ -28,8 +28,8 @@ struct JointDevice {
   ObjectId commander = kNoObject;  // the object that sent the set point
   bool gain_enabled = false;
   GainWords gains{};  // gains of the servo; all are 0 while gain_enabled is false
-  // The shifts that the last call for this joint has asked for.  On an ERS-7 the shifts in `gains`
-  // may differ from them, because all joints share one register for the shifts
+  // The shifts that the last call of SetJointGain() for this joint has asked for.  On an ERS-7 the
+  // shifts in `gains` may differ from them, because all joints share one register for the shifts
   // (Devices::HasOneShift()).
   ShiftWords asked_shifts{};
   // The joint's default gains, which RegisterDefaultJointGain() has stored.
@@ -60,8 +60,8 @@ class Devices {
   // act on it.
   const JointTrouble* TroubleOf(int joint) const;
 
-  // Sets the object whose command vector is applied next.  SetTarget() stores this object as the
-  // commander of the joint.
+  // Sets the object whose command vector is applied next, and so sets joints.  SetTarget() stores
+  // this object as the commander of the joint.
   void set_commander(ObjectId object) { commander_ = object; }
   void SetTarget(int joint, slongword urad);
   void SetLed2(int led, OLEDValue value);
@@ -76,10 +76,12 @@ class Devices {
   // enabled, and the P gain is not 0.
   bool Acts(int joint, bool motor_power) const;
 
-  // Returns whether all joints have one register for the shifts, so that a change for one joint
-  // changes all joints, as on an ERS-7 (field-notes.md 7.15).
+  // Returns whether all joints have one register for the shifts (powers of 2 that scale their
+  // gains), so that a change for one joint changes all joints, as on an ERS-7 (field-notes.md
+  // 7.15).
   bool HasOneShift() const { return has_one_shift_; }
-  // Returns whether a gain of `joint` is not 0, so that its shifts mean something.
+  // Returns whether a gain of `joint` is not 0.  If all gains are 0, the servo is off and the
+  // shifts (powers of 2 that scale the gains) have no effect.
   bool HasGain(int joint) const;
 
   OStatus EnableGain(int joint);
@@ -96,8 +98,8 @@ class Devices {
   std::vector<PlungerDevice> plungers;
 
  private:
-  // Gives all joints that have a gain the shifts of `joint`, because these joints share one
-  // register for the shifts.
+  // Gives all joints that have a gain the shifts of `joint` (powers of 2 that scale the gains),
+  // because these joints share one register for the shifts.
   void ShareShifts(int joint);
 
   bool has_one_shift_;  // the result of HasOneShift()

@@ -35,8 +35,8 @@ class Faults {
   // Returns the faults that the input "break" knows, such as "jammed".
   static std::vector<std::string> Names();
 
-  // Ends the faults that are over, and sets the errors of noisy joints.  Called before the body
-  // moves and its sensors are sampled.
+  // Ends the faults that are over, and chooses the errors that the sensors of noisy joints measure
+  // in the next frame.  Called before the body moves and its sensors are sampled.
   void DoFrame();
 
   // Adds an error finding for each limb of which all joints are missing, because a robot does not
@@ -85,8 +85,9 @@ class Faults {
   // Finds the primitives with the name or locator `name`, and writes their ids to `ids`.  Lights
   // and other primitives without a sensor have only locators.  Returns "" or the error.
   std::string FindPrimitives(const std::string& name, std::vector<OPrimitiveID>* ids) const;
-  // Returns the place of a fault of this kind, for the part that has the sensor `sensor`. Returns
-  // nullopt when the part is no joint and only joints can have this fault.
+  // Returns the part with a fault of kind `kind`: for a fault of a motor the joint that has the
+  // sensor `sensor`, otherwise this sensor.  Returns nullopt when the fault is one of a motor, and
+  // the sensor does not belong to a joint.
   std::optional<Place> PlaceOf(Kind kind, int sensor) const;
   void Begin(const Place& place, const Fault& fault);
   void End(const Place& place);

@@ -108,8 +108,8 @@ std::string Hands::FindSensors(const std::string& name, std::vector<int>* sensor
 std::string Hands::ReadPress(std::string_view rest, Inputs::Action* action) {
   std::vector<std::string> words = SplitInput(rest);
   if (words.size() == 1 && words[0] == "pause") {
-    // Does nothing if the robot is off, because such a robot does not notice its button; only its
-    // boot timer boots it again.
+    // The input "press pause" does nothing if the robot is off, because such a robot does not
+    // notice its pause button; only its boot timer boots it again.
     *action = [this] {
       if (!robot_.system.robot(robot_.robot_index).powered_off) robot_.power.PressPause();
     };

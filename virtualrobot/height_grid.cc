@@ -73,8 +73,8 @@ std::vector<Triangle> OutsideOf(const WorldThing& thing) {
         triangles.push_back(triangle);
     }
   }
-  // Adds the two triangles of the side below the edge from `a` to `b`.  Seen from outside, `b` is
-  // to the left of `a`.
+  // Adds the two triangles of the side of the heightfield below the edge from `a` to `b` of its
+  // surface.  Seen from outside, `b` is to the left of `a`.
   const auto add_side = [&](const Vector3d& a, const Vector3d& b) {
     const Vector3d below_a(a.x(), a.y(), -thing.size_m.z() / 2);
     const Vector3d below_b(b.x(), b.y(), below_a.z());
@@ -114,14 +114,15 @@ SurfacePoint SurfaceAt(const WorldThing& thing, double x, double y) {
 double EnterHeights(const WorldThing& thing, const Vector3d& p, const Vector3d& d, double enter,
                     double leave) {
   const HeightGrid& grid = *thing.heights;
-  // Returns the height of the ray over the surface at `t`; negative below the surface.
+  // Returns the height, over the surface of the heightfield, of the point of the ray at `t`;
+  // negative below the surface.
   const auto over = [&](double t) {
     const Vector3d at = p + t * d;
     return at.z() + thing.size_m.z() / 2 - SurfaceAt(thing, at.x(), at.y()).height_m;
   };
-  // The surface is plane between the lines of the grid and the diagonals of its squares, so `over`
-  // is linear in t between two points at which the ray crosses such a line.  The ray enters the
-  // solid where `over` becomes 0.
+  // The surface of the heightfield is plane between the lines of its grid and the diagonals of its
+  // squares, so `over` (the height of the ray over the surface) is linear in t between two points
+  // at which the ray crosses such a line.  The ray enters the solid where `over` becomes 0.
   const double u = InPoints(p.x(), thing.size_m.x(), grid.columns);
   const double v = InPoints(p.y(), thing.size_m.y(), grid.rows);
   const double du = d.x() / thing.size_m.x() * (grid.columns - 1);

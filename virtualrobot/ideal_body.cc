@@ -45,7 +45,8 @@ void IdealBody::SetCommands(const std::vector<JointCommand>& commands) {
   }
 }
 
-// Computes the pose of the base, and what the paws and the accelerometer feel.
+// Computes the pose of the robot's base, which paws touch the floor, and what the accelerometer
+// measures.
 void IdealBody::Place() const {
   for (size_t j = 0; j < state_.joints.size(); ++j) robot_.SetAngle(j, state_.joints[j].angle_rad);
   robot_.Move();

@@ -53,7 +53,8 @@ class IdealBody : public Body {
   mutable BodyState state_;
   mutable StiffRobot robot_;  // a stiff robot with the joint angles of the last call of Place()
   mutable RestingPose pose_;  // the pose in which robot_ rests
-  // True when robot_, and the base and paws in state_, are computed for the present joint angles.
+  // True when the poses of the parts (in robot_), and the base and paws in state_, are computed for
+  // the present joint angles.
   mutable bool placed_ = false;
 };
 

@@ -28,8 +28,8 @@ std::vector<std::string_view> WordsOf(std::string_view text) {
   return words;
 }
 
-// Removes "in DURATION" from the end of `words`, if it is there, and sets `frames` to the duration
-// in frames, at least one.  Returns "" or the error.
+// Removes "in DURATION" from the end of `words`, the words of an input, if it is there, and sets
+// `frames` to the duration in frames, at least one.  Returns "" or the error.
 std::string TakeIn(std::vector<std::string_view>* words, int64_t* frames) {
   const size_t count = words->size();
   if (count < 2 || (*words)[count - 2] != "in") return "";

@@ -59,7 +59,8 @@ class JointTargets {
   RobotParts& robot_;
   int64_t frame_begin_us_ = -1;  // virtual time of the last call of DoFrame(); -1 before the first
   std::map<int, Way> ways_;      // the key is the index of the joint
-  // The indices of joints that were looked up already; the key is the name that an input has used.
+  // The indices of joints that were looked up already; the key is the name of the joint in an
+  // input.
   std::map<std::string, int, std::less<>> known_;
 };
 

@@ -28,8 +28,8 @@ class JointWatch {
   // `model` and `devices` must outlive the watch.
   JointWatch(const RobotModel& model, const Devices& devices);
 
-  // Checks the servos that begin to act, and adds a text for each mistake to `problems`.  Called
-  // after each change of gains or motor power.
+  // Checks the servos that begin to act (have motor power and a P gain now), and adds a text for
+  // each mistake to `problems`.  Called after each change of gains or motor power.
   void ServosChanged(const BodyState& body, bool motor_power, std::vector<std::string>* problems);
 
   // Checks a command vector, before its first frame is played, and adds a text for each mistake to
@@ -69,17 +69,20 @@ class JointWatch {
     bool was_in_urad = false;  // whether a set point was too large to be an angle in radians
     int tiny_frames = 0;       // number of successive set points that look like radians
     int loaded_frames = 0;
-    // Whether the servo has acted since boot.  Until then, `now` and `before` have the range of the
-    // joint's positions in the present half second and in the half second before.
+    // Whether the servo has acted since boot, that is, has had motor power and a P gain.  Until
+    // then, `now` and `before` have the range of the joint's positions in the present half second
+    // and in the half second before.
     bool has_acted = false;
     Range_rad now, before;
   };
 
-  // Returns whether the servo of `joint` has not acted yet and the joint was near `goal_rad` in the
-  // last second.  In this case the joint was at its goal and has only sunk, because it is limp, so
-  // a start far from the goal is no mistake of the program.
+  // Returns whether the servo of `joint` has not acted since boot (had no motor power or no P gain)
+  // and the joint was near `goal_rad` in the last second.  In this case the joint was at its goal
+  // and has only sunk, because it is limp, so a start far from the goal is no mistake of the
+  // program.
   static bool HasSunk(const Joint& joint, double goal_rad);
-  // Records the positions of the joints whose servos have not acted yet.
+  // Records the positions of the joints whose servos have not acted since boot (had no motor power
+  // or no P gain).
   void NoteLimpJoints(const BodyState& body);
 
   void CheckForJump(size_t joint, const CommandElement& element, double measured_rad,
@@ -87,10 +90,10 @@ class JointWatch {
   void CheckForRadians(size_t joint, const CommandElement& element,
                        std::vector<std::string>* problems);
 
-  // Checks whether the last calls for two joints ask for different shifts of the gains, on a robot
-  // whose joints share one register for the shifts.  A program that changes the shifts of all
-  // joints, one after the other, makes no mistake; so this is checked when a vector starts and not
-  // at each change.
+  // Checks whether the last calls of SetJointGain() for two joints ask for different shifts (powers
+  // of 2 that scale the gains), on a robot whose joints share one register for the shifts.  A
+  // program that changes the shifts of all joints, one after the other, makes no mistake; so this
+  // is checked when a command vector starts and not at each change.
   void CheckShifts(std::vector<std::string>* problems);
 
   const RobotModel& model_;

@@ -16,8 +16,8 @@ nlohmann::json JsonReader::ParseText(const std::string& text, const std::string&
     }
     throw std::runtime_error(fmt::format("{}:{}:{}: not valid JSON here", file, line, column));
   } catch (const nlohmann::json::out_of_range& e) {
-    // The text has a number that is too large.  The error message has no line, because e.what()
-    // names this number but not its line.
+    // The text of the JSON file has a number that is too large.  The error message has no line,
+    // because e.what() names this number but not its line.
     throw std::runtime_error(fmt::format("{}: {}", file, e.what()));
   }
 }

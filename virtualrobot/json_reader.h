@@ -23,7 +23,8 @@ class JsonReader {
   JsonReader(const nlohmann::json& value, std::string file)
       : JsonReader(value, std::move(file), ": ") {}
 
-  // Throws std::runtime_error with the text "place: message".
+  // Throws std::runtime_error with the text "PLACE: message".  PLACE is the place of the value in
+  // the file, such as "model.json: joints.rows[3].hard".
   template <typename... Args>
   [[noreturn]] void Fail(fmt::format_string<Args...> format, Args&&... args) const {
     throw std::runtime_error(place_ + ": " + fmt::format(format, std::forward<Args>(args)...));
@@ -31,15 +32,16 @@ class JsonReader {
 
   bool Has(const char* key) const { return value_.is_object() && value_.contains(key); }
 
-  // Returns the member `key` of an object.  Fails when the member is missing.
+  // Returns the member `key` of a JSON object.  Throws (Fail()) when the value is no object or the
+  // member is missing.
   JsonReader At(const char* key) const;
 
-  // Returns the elements of an array.  This function and the functions below call Fail() when the
-  // value has another kind than the function reads.
+  // Returns the elements of a JSON array.  This function and the functions below throw (Fail())
+  // when the value has another kind than the function reads.
   std::vector<JsonReader> Elements() const;
 
-  // Fails when the object has a member that is not in `keys`, because a misspelt name must not be
-  // ignored.
+  // Throws (Fail()) when the JSON object has a member that is not in `keys`, because a misspelt
+  // name must not be ignored.
   void AllowOnly(std::initializer_list<const char*> keys) const;
 
   std::string Text() const;

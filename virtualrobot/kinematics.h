@@ -46,7 +46,8 @@ RestingPose PlaceOnFloor(const RobotModel& model, const std::vector<double>& ang
 // start at the origin changes no bit of the pose.
 Eigen::Isometry3d MovedTo(const StartPlace& start, const Eigen::Isometry3d& X_WB);
 
-// Returns the height over z = 0 of the lowest point of all boxes and paws, for a robot at `X_WB`.
+// Returns the height over z = 0 of the lowest point of all boxes and paws, for a robot whose base
+// frame B has the pose `X_WB` in the world W.
 double LowestPoint(const RobotModel& model, const std::vector<double>& angles_rad,
                    const Eigen::Isometry3d& X_WB);
 

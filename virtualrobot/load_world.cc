@@ -37,7 +37,8 @@ constexpr double kPaintMax_m = 0.01;
 // so it cannot pass through the board.
 constexpr double kRampThickness_m = 0.1;
 
-// Reads the angle `yaw_deg` about the vertical, in radians; 0 if the file does not give it.
+// Reads `yaw_deg`, the angle of a thing about the vertical, and returns the angle in radians; 0 if
+// the file does not give it.
 double YawOf(const JsonReader& row) {
   if (!row.Has("yaw_deg")) return 0;
   const double yaw_deg = row.At("yaw_deg").Number();
@@ -46,12 +47,14 @@ double YawOf(const JsonReader& row) {
   return Radians(yaw_deg);
 }
 
-// Reads the rotation `yaw_deg`; no rotation if the file does not give it.
+// Reads `yaw_deg` and returns the rotation of a thing about the vertical; no rotation if the file
+// does not give it.
 Matrix3d YawRotationOf(const JsonReader& row) {
   return row.Has("yaw_deg") ? RotationFromRpy({0, 0, YawOf(row)}) : Matrix3d::Identity();
 }
 
-// Reads the rotation `rpy_deg`; no rotation if the file does not give it.
+// Reads `rpy_deg` and returns the rotation of a thing (roll, pitch and yaw); no rotation if the
+// file does not give it.
 Matrix3d RpyRotationOf(const JsonReader& row) {
   if (!row.Has("rpy_deg")) return Matrix3d::Identity();
   const Vector3d rpy_deg = row.At("rpy_deg").Vector();

@@ -22,7 +22,8 @@ constexpr word kVoltageMv = 7400;        // voltage of two lithium cells; our ch
 constexpr int kChargingMa = 1000;        // charging current on the charging station; our choice
 constexpr int kCurrentMaxMa = 32767;     // largest current that OPowerStatus can tell
 
-// Returns whether `filter` asks to be notified of the change from `before` to `now`.
+// Returns whether the observer that has given `filter` asks to be notified of the change from
+// `before` to `now`.
 bool Asks(const OPowerStatus& filter, const OPowerStatus& before, const OPowerStatus& now) {
   if (((before.robotStatus ^ now.robotStatus) & filter.robotStatus) != 0) return true;
   if (((before.batteryStatus ^ now.batteryStatus) & filter.batteryStatus) != 0) return true;
@@ -79,14 +80,16 @@ OPowerStatus Power::Status() const {
     battery |= obsbOVER_TEMP_ALARM;
   }
   const auto temperature = static_cast<word>(kZeroCelsius + 10 * load_.battery_c);
-  // The current is negative while the battery discharges; the sign is inferred.
+  // The current is negative while the battery discharges.  No document gives the sign; it is
+  // inferred.
   const int current_ma = charging_ ? kChargingMa : -std::min(load_.current_ma, kCurrentMaxMa);
   return OPowerStatus(robot, battery, remaining, temperature, kFullCapacityMah, kVoltageMv,
                       static_cast<sword>(current_ma), time_difference_, volume_);
 }
 
 void Power::SetMotorPower(bool on) {
-  // Does nothing, because motor power that the pause button has cut stays off.
+  // Does not switch motor power on again if the pause button has cut it, because on the robot motor
+  // power then stays off.
   if (pause_ && on) return;
   motor_power_ = on;
   NotifyChange();

@@ -198,8 +198,8 @@ OStatus VirtualRobot::ControlPrimitive(OPrimitiveID id, OPrimitiveRequest reques
     parts_.Warn(fmt::format("ControlPrimitive: {} has no request {}", primitive->locator, request));
     return oINVALID_ARG;
   }
-  // Checks the sizes, so that a program that passes the wrong structure does not make us read or
-  // write the memory beside the structure.
+  // Checks the sizes of the parameter and of the result, so that a program that passes the wrong
+  // structure does not make us read or write the memory beside the structure.
   const auto fits = [](size_t wanted, const void* data, size_t size) {
     return wanted == PrimitiveRequests::kAnySize || wanted == 0 ||
            (data != nullptr && size == wanted);

@@ -22,7 +22,7 @@ OPrimitiveType TypeOf(const std::string& locator) {
       {oprimitiveLED2_NAME, oprimitiveLED2},
       {oprimitiveLED3_NAME, oprimitiveLED3},
   };
-  // Takes the type from the end of the locator, which is "-Type:name".
+  // Takes the type of the primitive from the end of its locator, which is "-Type:name".
   const size_t dash = locator.rfind('-');
   const size_t colon = locator.rfind(':');
   if (dash == std::string::npos || colon < dash) return oprimitiveUNDEF;

@@ -28,7 +28,8 @@ struct Primitive {
   int index = -1;      // index in the RobotModel's list of primitives of this kind
   int sensor = -1;     // index of the element in the sensor vector; -1: no element
   int open_count = 0;  // calls of OpenPrimitive() minus calls of ClosePrimitive(); >= 0
-  // Whether OpenPrimitive() fails, as for a broken part of a real robot (Faults).
+  // Whether OpenPrimitive() fails for this primitive, as for a broken part of a real robot
+  // (Faults).
   bool is_missing = false;
 
   bool opened() const { return open_count > 0; }

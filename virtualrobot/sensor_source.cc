@@ -26,8 +26,9 @@ constexpr double kLightMinPerM2 = 0.18 / (0.8 * 0.8);
 // Time for which one of two sensors is measured before the turn of the other comes.  An ERS-7
 // measures its two distance sensors in turn (field-notes.md 8.5).
 constexpr int64_t kTurnUs = 50'000;
-// The field `signal` of such a sensor says whether its value is new.  No document gives the two
-// values of this signal, so they are our choice.
+// An ERS-7 measures its two distance sensors in turn.  The field `signal` of such a sensor says
+// whether its value is new or was kept.  No document gives the two values of this field, so they
+// are our choice.
 constexpr word kFreshSignal = 1, kKeptSignal = 0;
 
 int TurnOf(int64_t frame) { return static_cast<int>(frame * kFrameUs / kTurnUs % 2); }
@@ -83,7 +84,8 @@ SensorSource::SensorSource(const RobotModel& model, const PrimitiveTable& primit
       readings_(model.joints.size()),
       held_(model.sensors.size()),
       frames_(model.sensors.size() * kFramesPerVector) {
-  // Sets all bytes of the samples to 0, also their padding, because all bytes are hashed.
+  // Sets all bytes of the samples to 0, also their padding, because the state hash of the run
+  // includes all bytes.
   std::memset(static_cast<void*>(latest_.data()), 0, latest_.size() * sizeof latest_[0]);
   std::memset(static_cast<void*>(frames_.data()), 0, frames_.size() * sizeof frames_[0]);
 }
@@ -120,7 +122,7 @@ slongword SensorSource::DistanceOf(const Sensor& sensor, const Body& body) {
   const Eigen::Isometry3d X_WP = body.PoseOf(static_cast<size_t>(sensor.body));
   const RayHit hit =
       body.CastRay(X_WP * sensor.place_m, X_WP.linear() * sensor.direction, kRayMaxM);
-  // A sensor of this kind measures an angle and not the strength of the light, so it gives the same
+  // The distance sensor measures an angle and not the strength of the light, so it gives the same
   // distance for a dark and a bright thing, as long as it sees the thing at all.
   const bool is_seen = hit.reflectance >= kLightMinPerM2 * hit.distance_m * hit.distance_m;
   const double distance = is_seen ? hit.distance_m : kRayMaxM;
@@ -239,7 +241,8 @@ RCRegion* SensorSource::FreeVector() {
   constexpr size_t kInfo = sizeof(OSensorFrameInfo);
   constexpr size_t kData = sizeof(OSensorFrameData);
   RCRegion* const region = NewVectorRegion(odataSENSOR_FRAME_VECTOR, kInfo, count, count * kData);
-  // Writes these fields only when the region is made, because they never change.
+  // Writes the info structs of the vector's elements only when the region is made, because they are
+  // the same in all vectors.
   auto* const vector = reinterpret_cast<OSensorFrameVectorData*>(region->Base());
   for (size_t i = 0; i < count; ++i) {
     OSensorFrameInfo& info = *vector->GetInfo(static_cast<int>(i));

@@ -67,7 +67,7 @@ class SensorSource {
   // a handler of an object runs, because a new region belongs to the object that runs.
   RCRegion* MakeVector(const OptionalBytes& optional);
 
-  // Sets the temperature of the body, in degrees Celsius.
+  // Sets the temperature that the sensor of the body's temperature measures, in degrees Celsius.
   void set_body_c(int celsius) { body_c_ = celsius; }
 
   // Makes sensor `sensor` read `value`, in its OPEN-R unit, until Release().  REQUIRES: `sensor` is

@@ -40,7 +40,7 @@ double Cross2(const Vector3d& o, const Vector3d& p, const Vector3d& q) {
   return (p.x() - o.x()) * (q.y() - o.y()) - (p.y() - o.y()) * (q.x() - o.x());
 }
 
-// Returns whether p is inside the triangle `t`, seen from above.
+// Returns whether the point `p` is inside the triangle `t`, seen from above.
 bool Under(const Triangle& t, const Vector3d& p) {
   return Cross2(t[0], t[1], p) >= 0 && Cross2(t[1], t[2], p) >= 0 && Cross2(t[2], t[0], p) >= 0;
 }
@@ -60,13 +60,13 @@ Triangle HugeTriangleOver(const Vector3d& centre) {
   return {o + Vector3d(10, 0, 0), o + Vector3d(-5, 8, 0), o + Vector3d(-5, -8, 0)};
 }
 
-// Moves the triangle `t` down until it is the face of the lower hull under `centre`.  In each pass,
-// the hull's point that is furthest below the plane of the triangle replaces one corner.  The
-// corner is chosen so that `centre` still lies over the triangle.  `t` and `centre` are in a frame
-// whose z axis points up; R converts vectors of the body's frame B, in which `hull` is, to this
-// frame.  REQUIRES: `centre` lies over `t`.
+// Moves the triangle `t` down until it is the face of the robot's convex hull that lies below
+// `centre`.  In each pass, the hull's point that is furthest below the plane of the triangle
+// replaces one corner.  The corner is chosen so that `centre` still lies over the triangle.  `t`
+// and `centre` are in a frame whose z axis points up; R converts vectors of the body's frame B, in
+// which `hull` is, to this frame.  REQUIRES: `centre` lies over `t`.
 void SinkToSupport(const Hull& hull, const Matrix3d& R, const Vector3d& centre, Triangle* t) {
-  // Largest number of swaps; far more than the hulls of these robots need.
+  // Largest number of corners that are replaced; far more than the hulls of these robots need.
   constexpr int kSwapsMax = 64;
   for (int swaps = 0; swaps < kSwapsMax; ++swaps) {
     const Plane plane = Through(*t);
@@ -79,8 +79,8 @@ void SinkToSupport(const Hull& hull, const Matrix3d& R, const Vector3d& centre, 
       next[k] = p;
       if (Under(next, centre)) break;
     }
-    // Ends the search if the point p lies in line with an edge, because the new triangle then has
-    // no area.
+    // Ends the search if the point p of the hull lies in line with an edge of the triangle, because
+    // the new triangle then has no area.
     if (Cross2(next[0], next[1], next[2]) < 1e-12) return;
     *t = next;
   }
@@ -126,8 +126,8 @@ void StiffRobot::Move() {
   }
 }
 
-// Computes the moment of part `i` (its mass times its centre of mass) and its place in the hull,
-// from the pose of the part.
+// Computes the moment of part `i` (its mass times its centre of mass), and where its box and paws
+// are in the hull of the robot, from the pose of the part.
 void StiffRobot::PlacePart(size_t i) {
   moments_[i] = model_.bodies[i].mass_kg * Moved(X_BL_[i], model_.bodies[i].centre_m);
   hull_.Move(static_cast<int>(i), X_BL_[i]);

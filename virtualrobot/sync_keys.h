@@ -42,8 +42,8 @@ class SyncKeys {
  private:
   struct Group {
     bool alive = false;
-    // Number of keys that New() has made in this element of groups_.  The number is part of each
-    // key, so an old key is not taken for the present key.
+    // Number of synchronisation keys that New() has made in this element of groups_.  The number is
+    // part of each key, so an old key is not taken for the present key.
     longword serial = 0;
     int parts = 0;    // number of keys made by New() and Divide()
     int arrived = 0;  // number of parts whose vectors have arrived; <= parts

@@ -12,12 +12,12 @@
 namespace openr_host {
 namespace {
 
-// The longest wait that a vector may ask for without a report: 10 s, in frames of 8 ms.  A longer
-// wait is probably a mistake of the program.  The number is our choice.
+// The longest delay that a vector may ask for without a report: 10 s, in frames of 8 ms.  A longer
+// delay is probably a mistake of the program.  The number is our choice.
 constexpr longword kWaitFrames = 1250;
 
-// Returns how many bytes of the region may be read: the size that its sender says, limited by the
-// size of its memory.
+// Returns how many bytes of the region of a vector may be read: the size that the sender says,
+// limited by the size of the region's memory.
 size_t BytesOf(const RCRegion& region, const RegionTable& regions) {
   if (region.Base() == nullptr) return 0;
   const size_t block = regions.SizeOf(region.MemID());

@@ -67,8 +67,8 @@ class VectorPool {
   void Clear();
 
  private:
-  // Number of regions from which on Add() reports a finding.  The number is our choice: so many
-  // regions hold the sensor vectors of 2 s.
+  // When the pool gets its region number kMany, Add() reports a finding.  The number is our choice:
+  // so many regions hold the sensor vectors of 2 s.
   static constexpr size_t kMany = 64;
 
   std::vector<RCRegion*> regions_;

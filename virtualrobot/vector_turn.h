@@ -23,8 +23,8 @@ class VectorTurn {
     announced_ = true;
   }
 
-  // Returns whether the first vector may start in this frame.  Adds a text to `problems` when the
-  // vector has waited for 10 s.
+  // Returns whether the first vector of the queue may start in this frame.  Adds a text to
+  // `problems` when the vector has waited for 10 s.
   bool MayStart(OVRSyncKey key, const SyncKeys& keys, std::vector<std::string>* problems) {
     if (keys.MayStart(key)) return true;
     if (++frames_waited_ == kLongFrames) {
@@ -38,7 +38,8 @@ class VectorTurn {
 
   bool announced() const { return announced_; }
 
-  // Records that the first vector has started, so that the next vector becomes the first.
+  // Records that the first vector of the queue has started, so that the next vector becomes the
+  // first.
   void Next() { *this = {}; }
 
  private:

@@ -20,7 +20,8 @@ namespace openr_host {
 VirtualRobot::VirtualRobot(System* system, int robot, const RobotModel& model,
                            std::unique_ptr<Body> body, VirtualRobotOptions options)
     : parts_(system, robot, model, std::move(body), std::move(options)) {
-  // The first robot stands for all, because the robots of a run are of one model.
+  // Stores the locators of the primitives for debuggers only once, for the first robot, because all
+  // robots of a run are of one model and have the same locators.
   if (robot == 0) SetLocatorsForDebugger(parts_.primitives.Lines());
 }
 

@@ -118,7 +118,8 @@ class VirtualRobot : public RobotServices {
   template <typename Function>
   OStatus ForJoints(OPrimitiveID id, Function function);
 
-  // Adds warnings about servos that a change of gains or motor power has just made active.
+  // Adds a warning to the findings for each servo that a change of gains or motor power has just
+  // made active far from its set point.
   void CheckServos();
 
   // Returns the primitive that `function` of OPENR:: reads; null when primitive `id` has no sensor.

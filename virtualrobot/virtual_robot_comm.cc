@@ -38,8 +38,8 @@ OStatus OVirtualRobotComm::DoStart(const OSystemEvent&) {
 
 OStatus OVirtualRobotComm::DoDestroy(const OSystemEvent&) {
   running_ = false;
-  // Gives back the regions of command vectors and of the image, because no object reads them any
-  // more, and because only this object can give them back.
+  // Gives back the regions of command vectors and of the image, because no object reads them after
+  // this object is destroyed, and only this object can give them back.
   queues_.clear();
   exposed_.Release();
   return oSUCCESS;
@@ -122,8 +122,9 @@ void OVirtualRobotComm::ReportOverload() {
        fmt::format("motor {} was at its limit for 30 s", joint)});
 }
 
-// Reports that the robot protects itself.  A real robot shuts down in this case.  The simulated
-// robot shuts down only with --strict, so that a run without --strict can be examined further.
+// Reports the reason for which the robot now protects itself, such as too much current.  A real
+// robot shuts down in this case.  The simulated robot shuts down only with --strict, so that a run
+// without --strict can be examined further.
 void OVirtualRobotComm::Protect(Protection::Reason reason) {
   system().AddFinding(Severity::kError, std::move(reason.finding));
   if (!system().options().strict) return;

@@ -55,8 +55,9 @@ void Face::CutBy(const Vector3d& normal, double offset) {
     const double a = height(from), b = height(to);
     if (a >= 0) Add(from);
     if ((a >= 0) == (b >= 0)) continue;
-    // Always computes the point from the end of the edge that stays to the end that is cut away, so
-    // that two faces that share the edge get the same corner.
+    // Adds the point at which the plane cuts the edge.  Always computes it from the end of the edge
+    // that stays to the end that is cut away, so that two faces that share the edge get the same
+    // corner.
     Add(a >= 0 ? from + (to - from) * (a / (a - b)) : to + (from - to) * (b / (b - a)));
   }
 }
@@ -94,9 +95,10 @@ void Canvas::Begin(const CameraShot& shot, const RgbBytes& floor, const RgbBytes
 }
 
 Canvas::Linear Canvas::AlongRays(const Vector3d& v) const {
-  // The ray through the point (x, y) of the picture has the direction
-  // (1, slope_h (1 - 2 x / width), slope_v (1 - 2 y / height)).  So the scalar product of this
-  // direction with `v` is linear in x and y.  Returns the constant and the factors of x and y.
+  // The ray through the point (x, y) of the picture has the direction (1, slope_h (1 - 2 x /
+  // width), slope_v (1 - 2 y / height)).  (slope_h and slope_v are the slopes of the rays at the
+  // left and the upper edge.) So the scalar product of this direction with `v` is linear in x and
+  // y.  Returns the constant and the factors of x and y.
   return {v.x() + v.y() * slope_h_ + v.z() * slope_v_, -2 * v.y() * slope_h_ / width_,
           -2 * v.z() * slope_v_ / height_};
 }

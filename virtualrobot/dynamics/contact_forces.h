@@ -32,8 +32,9 @@ class ContactEquations {
   int contacts() const { return rows() / 3; }
   int rows() const { return static_cast<int>(wanted.size()); }
 
-  // Returns the element of the matrix K at a row and a column.  Both are counted as 3 * contact for
-  // the normal of a contact, + 1 and + 2 for its two directions of the ground.
+  // Returns the element of the matrix K (change of velocity for each unit of impulse) at a row and
+  // a column.  Both are counted as 3 * contact for the normal of a contact, + 1 and + 2 for its two
+  // directions of the ground.
   double& At(int row, int column) { return matrix_[static_cast<size_t>(row) * rows() + column]; }
   const double* Row(int row) const { return &matrix_[static_cast<size_t>(row) * rows()]; }
 
@@ -62,7 +63,8 @@ class ContactForces {
   // the next call.  REQUIRES: the matrix is symmetric and positive definite.
   const std::vector<double>& Find(const ContactEquations& equations);
 
-  // Returns the number of sweeps that the last call of Find() made.
+  // Returns the number of sweeps that the last call of Find() made; in a sweep, each contact gets a
+  // new impulse.
   int sweeps() const { return sweeps_; }
 
  private:
@@ -74,8 +76,8 @@ class ContactForces {
   const double friction_;
   std::vector<double> impulses_;  // for each row, the impulse along it, in N s
   std::vector<int> closed_;       // contacts that press; SolveSticking() leaves out those that pull
-  // Cholesky factor, row by row, of the part of the matrix K that belongs to the contacts in
-  // closed_.
+  // Cholesky factor, row by row, of the part of the contacts' matrix K that belongs to the contacts
+  // in closed_ (those that press on the ground).
   std::vector<double> factor_;
   int sweeps_ = 0;
 };

@@ -14,17 +14,17 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Two points at which a ball touches count as one point when the cosine of the angle between their
-// normals is above this number.
+// Two points at which a ball touches a heightfield count as one point when the cosine of the angle
+// between their normals is above this number.
 constexpr double kSameNormal = 0.99;
 
-// A range of squares of the grid along one axis: from `begin` to `end` - 1.
+// A range of squares of a heightfield's grid along one axis: from `begin` to `end` - 1.
 struct Squares {
   int begin = 0, end = 0;
 };
 
-// Returns the squares of the grid that overlap the range from `low` to `high`, in m, along one
-// axis.  The grid has `count` points over the length `size_m` of this axis.
+// Returns the squares of a heightfield's grid that overlap the range from `low` to `high`, in m,
+// along one axis.  The grid has `count` points over the length `size_m` of this axis.
 Squares SquaresBetween(double low, double high, double size_m, int count) {
   const double per_m = (count - 1) / size_m, last = count - 1;
   const auto begin = static_cast<int>(std::clamp((low + size_m / 2) * per_m, 0.0, last));
@@ -40,8 +40,8 @@ Vector3d NearestOf(const Triangle& triangle, const Vector3d& p) {
   for (size_t i = 0; i < 3; ++i) {
     const Vector3d &a = triangle[i], &b = triangle[(i + 1) % 3];
     const Vector3d edge = b - a;
-    // Skips an edge if `below`, the point of the plane under `p`, is on the inner side of the edge,
-    // because then the nearest point is not beyond this edge.
+    // Skips an edge of the triangle if `below`, the point of the triangle's plane under `p`, is on
+    // the inner side of the edge, because then the nearest point is not beyond this edge.
     if (edge.cross(below - a).dot(normal) >= 0) continue;
     const double share = std::clamp(edge.dot(p - a) / edge.squaredNorm(), 0.0, 1.0);
     const Vector3d on_edge = a + share * edge;
@@ -172,7 +172,7 @@ void TouchBoxOnHeights(const Vector3d& centre_W, const Matrix3d& R_WB, const Vec
           DistanceTo(ThingShape::kBox, size_m, R.transpose() * (point - centre));
       if (inside.distance_m >= 0) continue;
       // Leaves out a point that would push the box downwards, because the box would then leave the
-      // solid through the solid's lower face.
+      // heightfield, which is solid, through its lower face.
       const Vector3d out = -(R * inside.out);
       if (out.z() > 0) found.push_back({point, out, -inside.distance_m});
     }

@@ -83,7 +83,8 @@ Isometry3d JointTree::X_WL(int part) const {
   return X;
 }
 
-// Computes the places of all parts from the place of the trunk and the angles of the hinges.
+// Computes the places of all parts of the robot from the place of its trunk and the angles of its
+// hinges.
 void JointTree::PlaceParts() {
   now_[0].R_WL = q_WB_.toRotationMatrix();
   now_[0].centre_W = centre_W_;
@@ -98,7 +99,7 @@ void JointTree::PlaceParts() {
   }
 }
 
-// Computes the axes of the hinges and the angular velocities of the parts.
+// Computes the axes of the hinges, in the world frame, and the angular velocities of the parts.
 void JointTree::FindMotion() {
   now_[0].w_W = w_W_;
   for (int i = 1; i < parts(); ++i) {
@@ -305,7 +306,8 @@ void JointTree::EndStep(const std::vector<double>& impulses) {
     const double* const row = &row_[static_cast<size_t>(r) * Unknowns()];
     for (int i = row_unknown_[r]; i >= 0; i = parent_[i]) along_[i] += row[i] * impulses[r];
   }
-  // Computes the changes of the velocities from the momenta in along_, and stores them in along_.
+  // Computes the changes of velocity from the momenta in along_ (one for each velocity of the trunk
+  // and of the hinges), and stores them in along_.
   for (int i = 0; i < Unknowns(); ++i) {
     const double* const row = RowOf(i);
     along_[i] /= row[i];
@@ -314,8 +316,8 @@ void JointTree::EndStep(const std::vector<double>& impulses) {
   Move();
 }
 
-// Adds the changes in along_ to the velocities, then moves all parts with the new velocities for
-// one step.
+// Adds the changes of velocity, which along_ has, to the velocities of trunk and hinges.  Then
+// moves all parts with the new velocities for one step.
 void JointTree::Move() {
   for (int k = 0; k < 3; ++k) {
     w_W_[k] += along_[k];
@@ -334,8 +336,8 @@ void JointTree::Move() {
 }
 
 void JointTree::HashState(Hasher* hasher) const {
-  // Collects all numbers first, because one long piece of bytes is hashed faster than many short
-  // pieces.
+  // Collects all numbers of the state first, because one long piece of bytes is hashed faster than
+  // many short pieces.
   std::vector<double> values;
   values.reserve(13 + 2 * parts_.size());
   values.insert(values.end(), q_WB_.coeffs().data(), q_WB_.coeffs().data() + 4);

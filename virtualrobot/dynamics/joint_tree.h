@@ -77,8 +77,8 @@ class JointTree {
   double speed_rad_s(int part) const { return speed_rad_s_[part]; }
 
   // Begins a step of `step_s` seconds: sets up the equation of motion without pushes and contacts,
-  // and factors its matrix.  `lines` has the torque line of the hinge of each part; the line of the
-  // trunk is not used.
+  // and factors its matrix.  `lines` has for the hinge of each part the torque of its servo as a
+  // linear function of the hinge's speed; the element of the trunk is not used.
   void BeginStep(const std::vector<TorqueLine>& lines, double gravity_m_s2, double step_s);
 
   // Pushes `part` with `force_W`, in N, at the point `p_W` during the step that has begun.
@@ -123,7 +123,7 @@ class JointTree {
     Eigen::Vector3d moment{0, 0, 0};
     Eigen::Matrix3d about_o = Eigen::Matrix3d::Zero();
 
-    // Returns the momentum of the body when it moves with `velocity`.
+    // Returns the momentum of these parts when they move as one body with `velocity`.
     Spatial MomentumAt(const Spatial& velocity) const;
   };
 
@@ -172,7 +172,8 @@ class JointTree {
   // row_[row][unknown].
   std::vector<double> row_;
   std::vector<double> row_scaled_;  // row_ divided by D (see matrix_), as row_scaled_[row][unknown]
-  // For each row: the index of the unknown (UnknownOf()) of the part to which the row belongs.
+  // For each row of the Jacobian (the velocity of a point of a part along a direction): the index
+  // of the unknown (UnknownOf()) of the part to which the point belongs.
   std::vector<int> row_unknown_;
   std::vector<double> row_speed_;  // for each row: the result of FreeSpeed()
 };

@@ -88,8 +88,8 @@ void ReadJoint(const JsonReader& row, RobotModel* model) {
     row.At("axis").Fail("must be one of the axes of B, as [0, -1, 0]");
   }
   joint.anchor_m = Metres(row.At("anchor"));
-  // Takes the position of the joint as the best guess for the child's centre of mass, which is not
-  // known without a box.
+  // Takes the position of the joint as the best guess for the centre of mass of the part that the
+  // joint moves, because the centre is not known for a part without box.
   if (!child.has_box) child.centre_m = joint.anchor_m;
   joint.soft_rad = Span(row.At("soft"), Radians(1));
   joint.hard_rad = Span(row.At("hard"), Radians(1));
@@ -251,8 +251,8 @@ void ReadCamera(const JsonReader& camera, RobotModel* model) {
   c.fov_v_rad = Radians(fov[1]);
   if (c.width_px % 8 != 0 || c.height_px % 8 != 0)
     camera.At("pixels").Fail("{} x {} cannot be halved three times", c.width_px, c.height_px);
-  // Checks that the sizes in the file are equal to the computed sizes, because the program computes
-  // the size of each layer from the size of the previous layer.
+  // Checks that the sizes of the image's layers in the file are equal to the computed sizes,
+  // because the camera computes the size of each layer from the size of the layer before.
   const std::vector<JsonReader> layers = camera.At("layers").Elements();
   if (layers.size() > 3) camera.At("layers").Fail("has {} layers, at most 3", layers.size());
   for (size_t i = 0; i < layers.size(); ++i) {
@@ -273,8 +273,8 @@ void ReadPostures(const JsonReader& root, RobotModel* model) {
       const JointModel& joint = model->joints[j];
       const double degrees = posture.angles_rad[j];
       posture.angles_rad[j] = Radians(degrees);
-      // Allows half a degree beyond a stop, because postures that were measured at a stop of a real
-      // robot may be wrong by half a degree.
+      // Allows half a degree beyond a mechanical stop of the joint, because postures that were
+      // measured at a stop of a real robot may be wrong by half a degree.
       if (degrees < Degrees(joint.hard_rad.min) - 0.5 ||
           degrees > Degrees(joint.hard_rad.max) + 0.5) {
         row.At("degrees").Fail("posture '{}' asks {} for {} degrees, its stops are at {} and {}",
@@ -310,8 +310,8 @@ RobotModel ParseRobotModel(const std::string& text, const std::string& name) {
   for (const JsonReader& label : root.At("mtn_labels").Elements()) {
     model.mtn_labels.push_back(label.Text());
   }
-  // Reads the tables in this order, because joints name bodies, sensors name joints, and paws name
-  // sensors.
+  // Reads the tables of the model file in this order, because joints name bodies, sensors name
+  // joints, and paws name sensors.
   ReadBodies(root, &model);
   ReadJoints(root, &model);
   for (const JsonReader& row : Rows(root, "sensors")) ReadSensor(row, &model);

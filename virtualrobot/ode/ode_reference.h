@@ -3,9 +3,9 @@
 // the program uses OdeReference.
 //
 // Unlike JointTree, ODE computes 6 velocities for each part and holds the parts together by 5
-// equations for each hinge.  The torque line of a servo, t = t0 - b v (torque t at the speed v), is
-// the motor of its hinge.  Such a motor has the parameters vel and cfm and obeys v = vel - cfm * t,
-// so vel = t0 / b and cfm = 1 / b.
+// equations for each hinge.  A motor at each hinge stands for the servo, whose torque t at the
+// speed v is t = t0 - b v.  Such a motor has the parameters vel and cfm and obeys v = vel - cfm *
+// t, so vel = t0 / b and cfm = 1 / b.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -47,7 +47,8 @@ PhysicsWorld::PhysicsWorld(const World& world, const OdeSettings& settings)
 }
 
 PhysicsWorld::~PhysicsWorld() {
-  // Destroys the finder first, because it refers to bodies of the world.
+  // Destroys finder_, which finds contacts, first, because it refers to bodies of ODE's world,
+  // which is destroyed next.
   finder_.reset();
   dWorldDestroy(ode_);  // destroys the world with its bodies
 }
@@ -220,8 +221,9 @@ void PhysicsWorld::FillEquations(const std::vector<ContactPoint>& points, double
   }
 }
 
-// Returns by how much an impulse of 1 N s along row `b` changes the velocity along row `a`: the sum
-// over the trees (robots or movable things) that both rows have in common.
+// Returns by how much an impulse of 1 N s along row `b` (a direction of a contact) changes the
+// velocity along row `a`: the sum over the trees (robots or movable things) that both rows have in
+// common.
 double PhysicsWorld::Mobility(const RowSides& a, const RowSides& b) const {
   double sum = 0;
   if (a.tree == b.tree) sum += trees_[a.tree]->Mobility(a.row, b.row);

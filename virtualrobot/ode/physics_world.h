@@ -118,7 +118,8 @@ class PhysicsWorld {
   // number.  GroupOf() follows these numbers to the lowest one.
   std::vector<int> groups_;
   std::vector<size_t> contacts_of_group_;  // contacts of the group that is solved
-  // The impulses of the present step: impulses_[tree][row of the tree].
+  // The impulses of the contacts in the present step: impulses_[tree][row of the tree].  A tree is
+  // a robot or a movable thing, a row is a direction of a contact.
   std::vector<std::vector<double>> impulses_;
   ContactEquations equations_;
   ContactForces forces_;

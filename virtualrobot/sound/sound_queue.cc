@@ -108,8 +108,8 @@ void SoundQueue::Start(int64_t frame, bool behind_another, std::vector<SoundProb
   const SentVector vector = ReadSentVector(playing_.region.get(), sizeof(OSoundInfo),
                                            "sound vector", robot_.system, &found);
   const int64_t wait = WaitOf(vector, &found);
-  // A vector that asks for no delay begins in the middle of `frame`, where the vector before it
-  // ended.  A delay counts whole frames.  If `frame` has played a part of the vector before, the
+  // A sound vector that asks for no delay begins in the middle of `frame`, where the vector before
+  // it ended.  A delay counts whole frames.  If another vector was played in a part of `frame`, the
   // delay begins with the next frame.
   start_ = wait == 0 ? frame : frame + (behind_another ? 1 : 0) + wait;
   if (vector.header != nullptr && !NamesItsMemory(vector, robot_.system)) {

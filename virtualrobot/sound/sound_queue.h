@@ -47,12 +47,14 @@ class SoundQueue {
   // the subject of the vector.  Returns nothing when there is no such vector.
   std::optional<SubjectID> ReleaseFinished();
 
-  // Reports the first waiting vector to the robot's synchronisation keys, if no vector plays.
-  // REQUIRES: called before Fill() and before command vectors of the frame start.
+  // Tells the robot's SyncKeys that the first waiting vector could start now, if no vector plays.
+  // A vector with a synchronisation key starts only when all vectors with parts of this key could
+  // start.  REQUIRES: called before Fill() and before command vectors of the frame start.
   void AnnounceFirst();
 
-  // Starts vectors whose turn has come, and fills `samples` with the sound of frame `frame`.
-  // Returns false when no sound is played.  Adds to `problems` the mistakes in vectors that start.
+  // Starts waiting vectors, if their delays and synchronisation keys allow it, and fills `samples`
+  // with the sound of frame `frame`.  Returns false when no sound is played.  Adds to `problems`
+  // the mistakes in vectors that start.
   bool Fill(int64_t frame, SoundFrame* samples, std::vector<SoundProblem>* problems);
 
   // Drops all vectors, and gives up the references to their regions.

@@ -12,7 +12,7 @@ constexpr SoundType kSoundTypes[] = {
     {ospksndMONO16K16B, 2, 128},
 };
 
-// Factors of loudness for -1 dB and for -1/256 dB.  They are constants, because results of libm's
+// Factors of the volume for -1 dB and for -1/256 dB.  They are constants, because results of libm's
 // pow() differ between machines.
 constexpr double kOneDecibel = 0.8912509381337456;
 constexpr double kOneStep = 0.9995503774595479;
