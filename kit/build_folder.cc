@@ -140,7 +140,8 @@ void FolderBuild::CheckWorkIsOurs() const {
 void FolderBuild::PrepareWork() {
   std::error_code error;
   fs::create_directories(work_.parent_path(), error);
-  // Locks the folder, so that this build waits for the end of another build of the same folder.
+  // Locks the folder for private copies, so that this build waits for the end of another build of
+  // the same folder of the user.
   lock_ = open((work_.string() + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (lock_ >= 0) flock(lock_, LOCK_EX);
   CheckWorkIsOurs();
@@ -220,8 +221,8 @@ void FolderBuild::Build() {
       },
       [&] { outcome = RunMake(plan, make_); });
   RemoveOldImages(outcome.is_good);
-  // Runs make in the folder of each object that has no image yet, because the rule of a top
-  // Makefile often loops over these folders and ends at the first object that fails.
+  // Runs make in the folder of each object that has no image yet, because the rule of a Makefile in
+  // a folder above often loops over these folders and ends at the first object that fails.
   if (!outcome.is_good) {
     for (const ObjectFolder& object : NotBuilt()) {
       const bool has_makefile =
@@ -273,8 +274,8 @@ bool IsOlderThanSources(const KitLog::Image& image) {
 // look like images of this build.
 void FolderBuild::RemoveOldImages(bool is_made) {
   KitLog log = ReadKitLog(make_.log);
-  // Compares times only if make has failed.  If make succeeds, all images are newer than their
-  // sources, because make has made the older images again.
+  // Compares the times of images and sources only if make has failed.  If make succeeds, all images
+  // are newer than their sources, because make has made the older images again.
   const auto is_old = [&](const KitLog::Image& image) {
     return IsOutOfDate(image, log.failures) || (!is_made && IsOlderThanSources(image));
   };
@@ -386,8 +387,9 @@ void FolderBuild::TellFailures() {
   }
   const std::vector<std::string> libraries = LeftOutAndMissed();
   problems_.insert(problems_.end(), libraries.begin(), libraries.end());
-  // Does not print a cause that only says that a rule has failed, if the log has the failure of the
-  // compiler or linker, because that failure says more and was printed before.
+  // Prints the reason why make has failed.  Leaves it out if it only says that a rule has failed
+  // and the log has the failure of the compiler or linker, because that failure says more and was
+  // printed before.
   if (!is_made_ && (log.failures.empty() || make_cause_.find("the rule for") != 0) &&
       !make_cause_.empty())
     problems_.push_back("make failed: " + make_cause_);

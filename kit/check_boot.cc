@@ -194,8 +194,8 @@ void BootCheck::CheckImages() {
 
 void BootCheck::CheckImage(const ObjectRecord& record, const fs::path& file) {
   const ImageFile image = ReadImageFile(file);
-  // Searches the strings of the image for names of the IP stack, which an object that uses the
-  // network contains.
+  // Searches the strings of the image for names of the robot's network stack (IPStack, antStack),
+  // because an object that uses the network contains such a name.
   for (const std::string_view text : TextsIn(image.bytes))
     needs_network_ = needs_network_ || text.find("antStack") != std::string_view::npos ||
                      text.find("IPStack") != std::string_view::npos;

@@ -106,7 +106,8 @@ bool HasComma(std::string_view code, size_t open) {
 struct Clock {
   const char* name;
   const char* arguments;  // regular expression for the arguments of a call
-  // A word that a source must have so that the call does harm; "" if each call does.
+  // A word that a source must have so that the call of the clock does harm; "" if each call does
+  // harm.
   const char* word;
   const char* why;
 };
@@ -279,8 +280,8 @@ void CheckExtraEntries(const StubConfig& config, const std::vector<SourceOfObjec
   // Matches the arguments "myOID_, entryX", because Send() and OServiceEntry() take the object's
   // own id and then the selector.
   static const std::regex kSelector("\\bmyOID_[ \t\r\n]*,[ \t\r\n]*(entry(\\w+))[ \t\r\n]*[,)]");
-  // Looks for definitions in the rest of the code, because the comma before a selector looks like
-  // the comma in a list that defines constants.
+  // Looks for definitions of the selector in the rest of the code, because the comma before a
+  // selector looks like the comma in a list that defines constants.
   const std::string rest = std::regex_replace(code, kSelector, "");
   for (const SourceOfObject& source : sources) {
     const std::string own = WithoutConditionalCode(WithoutComments(source.text));

@@ -151,7 +151,8 @@ class ControllerCheck {
       if (code_.FunctionAt(file, call.at) == nullptr || code_.Defines(call.name)) continue;
       const bool is_member = IsMember(code, call.at);
       if (!is_member) AddLack(file, call.at, call.name);
-      // Among member functions only open() takes the name of a file, as in stream.open("A.TXT").
+      // Among member functions only open() takes the name of a file as an argument, as in
+      // stream.open("A.TXT").
       const bool opens = TakesFileName(call.name) && (!is_member || call.name == "open");
       if (opens || IsFileStream(code, call.at)) CheckFileName(file, call);
     }

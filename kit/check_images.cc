@@ -116,7 +116,7 @@ void ImageCheck::CheckRecord(const ObjectRecord& record) {
     remarks_->AddConsequence(Remark::Kind::kNote, record.place, "lower case",
                              "lower case in a path; the stick keeps names in upper case");
   }
-  // Skips the gateway, because it is a part of the robot's system.
+  // Skips the line of the gateway's image, because the gateway is a part of the robot's system.
   if (EqualsIgnoringCase(FileNameOf(record), kGatewayImage)) {
     images_.has_gateway = true;
     return;
@@ -168,7 +168,8 @@ void ImageCheck::CheckImage(const ObjectRecord& record, const fs::path& file,
                   [&](const ObjectFolder* object) { return !HasServicesIn(*object, record); });
   for (const ObjectFolder* object : namesakes) Place(*object, record.section);
   if (namesakes.size() != 1) return;
-  // Adds an image only once, even if several sections of OBJECT.CFG, for different robots, list it.
+  // Adds an image only once to the built images, even if several sections of OBJECT.CFG, for
+  // different robots, list it.
   const bool is_known = std::any_of(
       images_.built.begin(), images_.built.end(),
       [&](const auto& built) { return built.folder == namesakes.front() && built.image == file; });
@@ -267,8 +268,8 @@ void ImageCheck::ExpectFromProject() {
     ReportMissing(*image, is_made);
     is_some_made = is_some_made || is_made;
   }
-  // Adds the services of all remaining objects, so that connections to these services get no error:
-  // a rule of a Makefile may make a missing image from any of these objects.
+  // Adds the services of all objects for which no image is known, so that connections to these
+  // services get no error: a rule of a Makefile may make a missing image from any of these objects.
   for (size_t i = 0; is_some_made && i < free.size(); ++i) AddServices(*free[i], "");
 }
 
@@ -322,8 +323,8 @@ void ImageCheck::AddServices(const ObjectFolder& object, const std::string& sect
     }
     return;
   }
-  // Searches the sources for strings that look like names of services, because there is no
-  // stub.cfg.
+  // Searches the sources of an object without stub.cfg for strings that look like names of
+  // services.
   static const std::regex kService("\"(\\w+\\.\\w+\\.\\w+\\.[SO])\"");
   for (const fs::path& file : parts_.CodeOf(object)) {
     const std::string& text = parts_.TextOf(file);

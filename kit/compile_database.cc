@@ -28,13 +28,14 @@ constexpr std::array<std::string_view, 4> kFlagsOfGccAlone = {
 Words WordsFor(const KitLog::Command& command, const std::string& original,
                const std::vector<SourceCopy>& copies) {
   Words words = command.words;
-  // Leaves out these flags, because clangd shows each of them as an error in the first line of the
-  // source.
+  // Leaves out the flags that only gcc knows, because clangd shows each of them as an error in the
+  // first line of the source.
   std::erase_if(words, [](const std::string& word) {
     return std::find(kFlagsOfGccAlone.begin(), kFlagsOfGccAlone.end(), word) !=
            kFlagsOfGccAlone.end();
   });
-  // Puts the user's folders before their copies, so that an editor opens the user's headers.
+  // Puts the header folders (-I) of the user before their private copies, so that an editor opens
+  // the user's headers.
   Words originals;
   for (const std::string& flag : CarriedFlags(words, command.folder)) {
     const std::string in_originals = InTermsOfOriginals(flag, copies);

@@ -142,8 +142,8 @@ FilePosition ControllerCode::PlaceOf(const CodeFile& file, size_t at) {
 
 std::string ControllerCode::FirstArgument(const CodeFile& file, const CodeCall& call) const {
   const size_t open = file.code.origins[call.open];
-  // Returns "" if the brackets come from a macro, because the source then does not show the
-  // argument.
+  // Returns "" if the brackets of the call come from a macro, because the source then does not show
+  // the argument.
   if (file.source[open] != '(') return "";
   const size_t at = NextOf(file.source, open + 1);
   if (at == kNone) return "";

@@ -92,8 +92,8 @@ void ReadList(const fs::path& folder, ControllerSources* sources) {
           AtWord(sources->list, text, word, fmt::format("there is no file '{}'", word)));
     }
   }
-  // Reports a list that has words but no sources.  A list without any word is no error, because it
-  // asks for the empty controller.
+  // Reports a Makefile.sources whose variables have words but no sources.  A list without any word
+  // is no error, because it asks for a controller without sources, which does nothing.
   if (has_words && sources->files.empty()) {
     sources->diagnostics.push_back(
         AtWord(sources->list, text, "",

@@ -12,8 +12,8 @@
 namespace openr_host {
 namespace {
 
-// Returns the lines of `text` without comment lines.  A line that ends with a backslash is joined
-// with the next line.
+// Returns the lines of `text`, a Makefile, without comment lines.  A line that ends with a
+// backslash is joined with the next line.
 std::vector<std::string> LogicalLines(const std::string& text) {
   static const std::regex kContinued("\\\\\r?\n");
   std::istringstream stream(std::regex_replace(text, kContinued, " "));
@@ -39,9 +39,10 @@ bool BeginsWith(const std::string& line, const std::regex& pattern, std::smatch*
   return std::regex_search(line, *match, pattern, std::regex_constants::match_continuous);
 }
 
-// Returns the words of `targets`.  If a variable is among them, also returns the words of all
-// values that the Makefiles give to the first variable: for "$(DEPEND)" after "DEPEND = .depend",
-// also returns ".depend".  Does not look up variables in these values.
+// Returns the words of `targets`, the targets of a rule in a Makefile.  If a variable is among
+// them, also returns the words of all values that the Makefiles give to the first variable: for
+// "$(DEPEND)" after "DEPEND = .depend", also returns ".depend".  Does not look up variables in
+// these values.
 std::vector<std::string> ExpandedTargets(const std::string& targets,
                                          const std::vector<std::string>& lines) {
   static const std::regex kReference("\\$[({](\\w+)[)}]");

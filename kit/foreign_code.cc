@@ -106,8 +106,8 @@ std::vector<std::string> ArchiveMembers(const fs::path& file) {
     if (member.name == "//") {
       long_names = member.bytes;
     } else if (member.name.size() > 1 && member.name[0] == '/') {
-      // Looks up a name such as "/12", which stands for the name at offset 12 in the list of long
-      // names.
+      // Looks up the name of a member of the archive, such as "/12", which stands for the name at
+      // offset 12 in the archive's list of long names.
       const size_t at = std::strtoul(member.name.c_str() + 1, nullptr, 10);
       if (at < long_names.size())
         names.emplace_back(long_names.substr(at, long_names.find('/', at) - at));

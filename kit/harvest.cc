@@ -139,7 +139,7 @@ class StickCompletion {
   }
 
   // Returns the path of the image that `record`, a line of OBJECT.CFG, names; "" if this image is
-  // not on the stick.  The image may be in another folder than OBJS.
+  // not on the stick.  The image may be in another folder of the stick than OPEN-R/MW/OBJS.
   fs::path PlaceOf(const ObjectRecord& record) const {
     // Leaves out the first four characters of the path, "/MS/", because /MS stands for the root of
     // the stick.
@@ -248,8 +248,8 @@ class StickCompletion {
     harvest_.notes.insert(harvest_.notes.end(), unlisted_.begin(), unlisted_.end());
   }
 
-  // Adds to `listed_` the images of this build that rules of Makefiles have put on the stick, each
-  // under the name that the rule gave it.
+  // Adds to `listed_`, the images that the new OBJECT.CFG names, the images of this build that
+  // rules of Makefiles have put on the stick, each under the name that the rule gave it.
   void ListInstalled() {
     for (const fs::path& file : InstalledFiles(stick_)) {
       const size_t index = IndexOf(ReadImageFile(file).bytes);
@@ -260,9 +260,10 @@ class StickCompletion {
     }
   }
 
-  // Adds to `listed_` the images in OBJS that this build has not linked: images that rules of
-  // Makefiles have copied to the stick, and images of the user's stick for which the SDK tree has
-  // an image, too.  Adds a note about each image that stays out of OBJECT.CFG.
+  // Adds to `listed_`, the images that the new OBJECT.CFG names, the images in the stick's folder
+  // OBJS that this build has not linked: images that rules of Makefiles have copied to the stick,
+  // and images of the user's stick for which the SDK tree has an image, too.  Adds a note about
+  // each image that stays out of OBJECT.CFG.
   void ListForeign() {
     std::map<std::string, fs::path> files;  // key: name of the file in upper case
     for (const fs::path& folder :
@@ -400,7 +401,8 @@ std::vector<std::string> DeliverStick(const StickFolder& stick, const fs::path& 
       }
     }
     fs::create_directories(place.parent_path(), error);
-    // Replaces the file in one step, so that a run never loads an image that is only half copied.
+    // Replaces the file on the stick in one step, so that a run never loads an image that is only
+    // half copied.
     const fs::path temporary = place.string() + ".tmp";
     error = TryCopyFile(file, temporary, fs::copy_options::overwrite_existing);
     if (!error) fs::rename(temporary, place, error);

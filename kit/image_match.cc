@@ -7,13 +7,14 @@
 namespace openr_host {
 namespace {
 
-// Least length of a name that counts as a part of another name, because a shorter name may occur in
-// another name by chance.
+// Least length of a name of an image that counts as a part of another name, because a shorter name
+// may occur in another name by chance.
 constexpr size_t kPrefixMin = 3;
-// Names with so many equal letters in a row may be names of one image.
+// Least number of letters in a row that two names must have in common to count as names of one
+// image.
 constexpr size_t kSharedMin = 4;
 
-// Returns the letters and digits of the name in lower case, without the extension.
+// Returns the letters and digits of an image's name in lower case, without the extension.
 std::string Normalised(const std::string& name) {
   std::string result;
   for (const char c : name.substr(0, name.rfind('.'))) {
@@ -67,9 +68,9 @@ class Matcher {
     }
   }
 
-  // Applies the rule `fits` to the wanted names that have no candidate yet.  Pairs a wanted name
-  // with a free candidate if, by this rule, the name fits only this candidate and the candidate
-  // fits only this name.
+  // Applies the rule `fits`, which compares names, to the names in OBJECT.CFG that have no image
+  // yet.  Pairs such a name with a built image (a candidate) if, by this rule, the name fits only
+  // this image and the image fits only this name.
   void Pair(const std::function<bool(const std::string& wanted, const std::string& name)>& fits) {
     for (size_t w = 0; w < wanted_.size(); ++w) {
       const int only = OnlyCandidate(w, fits);

@@ -13,10 +13,11 @@ struct ImageCandidate {
   std::vector<std::string> names;
 };
 
-// Returns for each name of `wanted` ("BLNKLED.BIN") the index of its candidate, or -1.  The rules
-// below are tried one after the other, each for the names that have no candidate yet.  A rule pairs
-// a name and a candidate only if no other candidate fits the name and no other name fits the
-// candidate.  All rules ignore upper and lower case:
+// Returns for each name of `wanted` ("BLNKLED.BIN") the index of its candidate (the built image
+// that OBJECT.CFG means by this name), or -1.  The rules below are tried one after the other, each
+// for the names that have no candidate yet.  A rule pairs a name and a candidate only if no other
+// candidate fits the name and no other name fits the candidate.  All rules ignore upper and lower
+// case:
 //   - the names are equal;
 //   - one name is the beginning of the other;
 //   - the letters of the wanted name occur in the candidate's name in this order, and both names

@@ -59,7 +59,7 @@ void LogCommand(const KitLog::Command& command);
 void LogSuccess(const std::string& output);
 void LogRepair(const KitLog::Repair& repair);
 
-// Returns the content of the log; an empty log when there is no such file.
+// Returns the content of the log file of a build; an empty log when there is no such file.
 KitLog ReadKitLog(const std::string& file);
 
 // Counts the sources that a build has compiled so far, from all logs of the build.

@@ -8,7 +8,8 @@
 namespace openr_host {
 namespace {
 
-// Limit for an expanded text in bytes, because nested macros may double the text many times.
+// Limit for the size in bytes of a text with expanded macros, because nested macros may double the
+// text many times.
 constexpr size_t kExpandedMax = 4 << 20;
 
 bool IsNumber(std::string_view word) {

@@ -35,8 +35,8 @@ Environment MakeEnvironment(const MakeOptions& options) {
       {kLogVariable, options.log},
       {kCopiesVariable, options.copies},
       {kVariantVariable, options.variant},
-      // Sets these variables to the kit's tools, because make would otherwise use its default
-      // compiler if a Makefile does not set them.
+      // Sets the make variables for compilers and tools to the kit's tools, because make would
+      // otherwise use its default compiler if a Makefile does not set them.
       {"CC", bin + "/mipsel-linux-gcc"},
       {"CXX", bin + "/mipsel-linux-g++"},
       {"AR", bin + "/mipsel-linux-ar"}};
@@ -134,8 +134,8 @@ bool HasExplicitInstallRule(const fs::path& folder, const std::vector<std::strin
 // Returns whether make has a rule for the target `install`.
 bool HasInstallRule(const fs::path& folder, const std::vector<std::string>& variables,
                     const MakeOptions& options) {
-  // Reads the database first, because the recipe of an explicit rule could run commands in a dry
-  // run (dry_run.h).
+  // Asks for the database of make (make -p) first, because in a dry run (make -n) the recipe of an
+  // explicit rule could run commands (dry_run.h).
   if (HasExplicitInstallRule(folder, variables, options)) return true;
   std::vector<std::string> arguments{"-n", "install"};
   arguments.insert(arguments.end(), variables.begin(), variables.end());
@@ -162,7 +162,7 @@ std::string StickValue(const Project& project) {
   return fmt::format("$(firstword {}{})", cases, project.sticks[0].root.string());
 }
 
-// Returns the variables of the plan as arguments of make.
+// Returns the variables of the plan as arguments of make: NAME=value.
 std::vector<std::string> VariableArguments(const MakePlan& plan) {
   std::vector<std::string> arguments;
   for (const auto& [name, value] : plan.variables) arguments.push_back(name + "=" + value);

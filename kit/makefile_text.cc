@@ -68,8 +68,9 @@ std::string AdaptMakefile(const std::string& text, const std::string& sdk_root) 
   for (size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '\r' || (i + 1 < text.size() && text[i + 1] != '\n')) result += text[i];
   }
-  // The patterns match whole paths.  A path begins with '/', after a character that no path
-  // contains or after a flag such as -I, and ends before a character that no path contains.
+  // The regular expressions kTool and kUsual match whole paths.  A path begins with '/', after a
+  // character that no path contains or after a flag such as -I, and ends before a character that no
+  // path contains.
   static const std::regex kTool(
       "(^|[^\\w./)}-]|-[ILB])(/[\\w./+-]*?)/(?:bin/mipsel-linux-|OPEN_R/)");
   Names roots = AllMatches(result, kTool, 2);
@@ -120,7 +121,7 @@ bool IsDefinedIn(const std::string& text, const std::string& name) {
 std::vector<std::string> InstalledImages(const std::string& text) {
   static const std::regex kImage("(?:OBJS|objs)/([\\w$&#{}~%'()@^`!-]+\\.(?:BIN|bin))(?!\\w)");
   Names names = AllMatches(text, kImage);
-  // Drops names that begin with a variable, whose value is not known here.
+  // Drops names of images that begin with a variable of make, whose value is not known here.
   std::erase_if(names, [](const std::string& name) { return name.find('$') == 0; });
   return names;
 }

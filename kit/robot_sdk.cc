@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The tools of Sony's SDK that this class runs; docs/openr/core.md, section 5.5, explains them.
+// The tools of Sony's SDK that RobotSdk runs; docs/openr/core.md, section 5.5, explains them.
 constexpr const char* kTools[] = {"bin/mipsel-linux-g++", "bin/mipsel-linux-gcc",
                                   "OPEN_R/bin/stubgen2", "OPEN_R/bin/mkbin"};
 

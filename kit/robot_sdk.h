@@ -17,7 +17,7 @@ class RobotSdk {
   // missing, or if the SDK is this project's own tree.
   explicit RobotSdk(const std::filesystem::path& root);
 
-  // Sets whether every command is printed before it is run.
+  // Sets whether RobotSdk prints every command before it runs the command.
   void set_verbose(bool is_verbose) { is_verbose_ = is_verbose; }
 
   const std::filesystem::path& root() const { return root_; }

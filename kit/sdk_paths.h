@@ -33,11 +33,12 @@ std::vector<std::string> ParseCompileFlags(const std::string& text, Language lan
 // starts.  Without these variables the tools only do the work of the SDK's tools with the same
 // names.
 inline constexpr char kLogVariable[] = "OPENR_KIT_LOG";  // path of the log, see kit_log.h
-// Path of the stick to which rules of Makefiles write.
+// Environment variable: the path of the stick to which rules of Makefiles write.
 inline constexpr char kStickVariable[] = "OPENR_KIT_STICK";
-// Pairs of folders, "copy=original:copy=original"; see source_copies.h.
+// Environment variable: pairs of folders, "copy=original:copy=original", of the private copies in
+// which make runs; see source_copies.h.
 inline constexpr char kCopiesVariable[] = "OPENR_KIT_COPIES";
-// Name of the variant to build, such as "debug"; see build_variant.h.
+// Environment variable: the name of the variant to build, such as "debug"; see build_variant.h.
 inline constexpr char kVariantVariable[] = "OPENR_KIT_VARIANT";
 
 // Environment variable by which the user may name the C++ compiler of the host, with arguments if

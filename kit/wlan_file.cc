@@ -34,14 +34,15 @@ uint32_t AddressOf(const std::string& text) {
 
 std::string Flag(bool value) { return value ? "1" : "0"; }
 
-// Returns `answer` as it is written in the file: 1 for yes and 0 for no.  Other answers stay as
-// they are.
+// Returns `answer`, an answer to a question about the network, as it is written in WLANCONF.TXT: 1
+// for yes and 0 for no.  Other answers stay as they are.
 std::string FlagOf(const std::string& answer) {
   const std::string word = LowerCase(answer);
   return word == "yes" || word == "y" ? "1" : word == "no" || word == "n" ? "0" : answer;
 }
 
-// Returns the value of the setting as a person reads it: "yes" or "no" where the file has 1 or 0.
+// Returns the value of a setting of WLANCONF.TXT as a person reads it: "yes" or "no" where the file
+// has 1 or 0.
 std::string ShownValue(const WlanConfig& config, const WlanQuestion& question) {
   const std::string value = WlanValue(config, question.key);
   return !question.is_yes_no ? value : value == "1" ? "yes" : "no";

@@ -26,8 +26,8 @@ struct WlanQuestion {
 // Returns all settings of WLANCONF.TXT, in the order in which they are asked and written.
 const std::vector<WlanQuestion>& WlanQuestions();
 
-// Sets `key` to `value`, as a line KEY=VALUE of the file does.  Returns "", or the reason why the
-// robot would not accept the value ("CHANNEL must be a number from 1 to 11").
+// Sets `key` to `value`, as a line KEY=VALUE of WLANCONF.TXT does.  Returns "", or the reason why
+// the robot would not accept the value ("CHANNEL must be a number from 1 to 11").
 std::string SetWlanKey(const std::string& key, const std::string& value, WlanConfig* config);
 
 // Returns the value of `key`, written as in WLANCONF.TXT; "" if the key has no value.

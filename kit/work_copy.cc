@@ -235,7 +235,7 @@ void WorkCopy::MakeStubsAnew() const {
   fs::remove_all(made, error);
 }
 
-// Removes files from the copy whose originals are gone.
+// Removes the files from the private copy whose originals in the user's folders no longer exist.
 void WorkCopy::RemoveVanished() {
   for (const auto& [name, stamp] : former_) {
     if (present_.contains(name) || !IsCovered(name)) continue;

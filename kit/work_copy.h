@@ -23,8 +23,8 @@ std::filesystem::path DefaultWorkFolder(const std::filesystem::path& folder, Bui
 
 class WorkCopy {
  public:
-  // Opens or creates the copy in the folder `work`.  In copied Makefiles, `sdk_root`, the SDK tree
-  // of this project, replaces the paths of other SDKs.
+  // Opens or creates the private copy of the user's folder in the folder `work`.  In copied
+  // Makefiles, `sdk_root`, the SDK tree of this project, replaces the paths of other SDKs.
   WorkCopy(std::filesystem::path work, std::string sdk_root);
 
   // Brings the copy of `original`, an absolute folder, up to date, and copies everything outside of
