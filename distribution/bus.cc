@@ -118,7 +118,7 @@ Bus::Bus(const BusOptions& options) : run_(options.run), number_(options.domain)
   const auto domain = static_cast<dds_domainid_t>(options.domain);
   domain_ = Check(Dds().dds_create_domain(domain, SettingsXml(options).c_str()), "domain");
   participant_ = Dds().dds_create_participant(domain, nullptr, nullptr);
-  // Deletes the domain before Check() throws, because the destructor does not run when the
+  // Deletes the domain of DDS before Check() throws, because the destructor does not run when the
   // constructor throws.
   if (participant_ < 0) Dds().dds_delete(domain_);
   Check(participant_, "participant");
@@ -189,8 +189,8 @@ ChannelBase::ChannelBase(Bus* bus, const std::string& place, ChannelEnd end,
 ChannelBase::~ChannelBase() {
   for (void* const sample : received_) Dds().dds_sample_free(sample, type_, DDS_FREE_ALL);
   for (void* const sample : free_samples_) Dds().dds_sample_free(sample, type_, DDS_FREE_ALL);
-  // Deletes the entities in the reverse order of their creation, because an entity uses entities
-  // that were created before it.
+  // Deletes the entities (objects of DDS) in the reverse order of their creation, because an entity
+  // uses entities that were created before it.
   for (auto entity = owned_.rbegin(); entity != owned_.rend(); ++entity) Dds().dds_delete(*entity);
 }
 

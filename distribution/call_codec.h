@@ -31,7 +31,8 @@
 
 namespace openr_host {
 
-// The arguments of a call as data, converted by the rules at the beginning of this file.
+// The arguments of a call from the worker to the master, as data: numbers, a text and bytes.  The
+// rules at the beginning of this file say which argument becomes what.
 struct CallArguments {
   std::vector<uint64_t> numbers = {};
   std::string text = {};

@@ -49,7 +49,8 @@ class CheckedCalls : public LocalCalls {
   // address, because an address in the worker means nothing in the master.
   OStatus ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, const std::string& parameter,
                            uint64_t result_size, std::string* result);
-  // Copies `bytes` to `region`, then calls RobotServices::SetCdtVectorData().
+  // Copies `bytes`, the colour tables for the camera, to `region`, then calls
+  // RobotServices::SetCdtVectorData().
   OStatus SetColourTable(uint32_t region, const std::string& bytes);
 
   // Returns whether an object of the worker owns the region or has made it.  Tests both owner and

@@ -126,8 +126,8 @@ bool Marshaller::IsChanged(const RCRegion& region, const ImportedRegion& importe
 void Marshaller::ReleaseSample() {
   for (RCRegion* const region : sample_regions_) {
     const auto found = imported_.find(region);
-    // Skips a region that an observer has given back during the handler.  Such a region is not
-    // imported any more, so its hash is not needed.
+    // Skips a received region that an observer has given back during the handler.  Such a region is
+    // not imported any more, so its hash is not needed.
     if (found == imported_.end() || found->second.bytes == nullptr) continue;
     ImportedRegion& imported = found->second;
     imported.hash = HashBytes(std::exchange(imported.bytes, nullptr), region->Size());
@@ -275,8 +275,8 @@ std::string Marshaller::Decode(const openr_wire_Message& in, Message* out) {
 }
 
 std::string Marshaller::DecodeNotify(const openr_wire_Notify& in, Message* out) {
-  // Checks the counts, because the array of the message has room for MAX_NUM_DATA data and a forged
-  // sample may have more.
+  // Checks the number of regions and of notifications, because the array of a notification message
+  // has room for MAX_NUM_DATA regions, and a forged sample may have more.
   if (in.parts._length > MAX_NUM_DATA || in.notifications > MAX_NUM_DATA)
     return fmt::format("a notification of {} data", in.parts._length);
   auto& notify = *new (out->payload) ONotifyMessage;

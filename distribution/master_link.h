@@ -14,7 +14,7 @@ class MasterLink {
  public:
   virtual ~MasterLink() = default;
 
-  // Posts `message` as SystemCalls::Post() does.
+  // Posts `message` to its receiver, as SystemCalls::Post() does.
   virtual int32_t Post(OwnedMessage message, int64_t delay_us) = 0;
 
   // Makes the master call function number `function` of WorkerCallList.  Does not wait for the

@@ -17,8 +17,9 @@ namespace {
 constexpr auto kInterval = std::chrono::seconds(1);
 constexpr double kIntervalMin_s = 1e-3;  // shortest time over which rates are computed
 
-// Copies the rates of `before`, the previous status, to the final status.  No rates are computed
-// for the final status, because too little time may have passed since the previous status.
+// Copies the rates (speed of the virtual time, messages per second) of `before`, the previous
+// status of the run, to its final status.  No rates are computed for the final status, because too
+// little time may have passed since the previous status.
 void KeepRates(const RunStatus& before, RunStatus* status) {
   status->x_real_time = before.x_real_time;
   status->messages_per_s = before.messages_per_s;

@@ -13,8 +13,8 @@
 namespace openr_host {
 namespace {
 
-// Name of the topic of claims.  No sample is ever sent on this topic, because a claim is in the
-// user data of a writer.
+// Name of the DDS topic of name claims.  No sample is ever sent on this topic, because a claim is
+// in the user data of a writer.
 constexpr char kClaimTopic[] = "openr_run";
 // Number of digits of the time in a claim.  The time is in nanoseconds since 1970 and has leading
 // zeros, so that comparing two claims as texts compares their times.

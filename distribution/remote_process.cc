@@ -236,7 +236,8 @@ void RemoteProcess::Crash(const openr_wire_Crashed& crashed) {
 
 bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
   const uint64_t session = session_;
-  // Starts the timer before sending, because the handler may already run before Send() returns.
+  // Starts the timer before the message for the handler is sent, because the handler may already
+  // run before Send() returns.
   const Latency::Timer timer(&latency_, &latency_of_[object->id]);
   {
     WireArena arena;
@@ -352,8 +353,9 @@ bool RemoteProcess::HandleReceived() {
     while (const ReceivedSample to_master = slot_.channel()->Receive(0)) {
       came = true;
       HandleFreeSample(*to_master);
-      // Ends after the samples that have already been read from DDS.  The next call handles samples
-      // that arrive during this call, so that a busy worker cannot keep the master in this loop.
+      // Ends the loop after the samples that have already been read from DDS.  The next call of
+      // HandleReceived() handles samples that arrive during this call, so that a busy worker cannot
+      // keep the master in this loop.
       if (!slot_.channel()->has_received()) break;
     }
   });
@@ -416,8 +418,9 @@ void RemoteProcess::ResumeWithReply(RemoteObject* object, const Stop& stop, uint
   openr_wire_Resume& resume = to_worker.body._u.resume;
   const OwnedMessage reply =
       system_->requests().Await(stop.box, stop.timeout_us, stop.why, &resume.timed_out);
-  // Stops if the worker was lost while the handler waited for its reply, for example because the
-  // handler of another object of this worker crashed.  There is no handler to continue then.
+  // Does not go on if the worker was lost while the handler waited for its reply, for example
+  // because the handler of another object of this worker crashed.  No handler is left then that
+  // could continue.
   if (is_lost_ || session != session_) return;
   WireArena arena;
   resume.now_us = system_->now_us();

@@ -170,8 +170,8 @@ StatusReader::StatusReader(Bus* bus)
     : reader_(Open(bus, Dds().dds_create_subscriber, Dds().dds_create_reader)) {
   const dds_entity_t condition = Dds().dds_create_readcondition(reader_, DDS_ANY_STATE);
   Check(condition, "read condition");
-  // Attaches the condition to the bus's wait set, so that Bus::Wait() also returns when a status
-  // arrives.
+  // Attaches the reader's condition "a sample has arrived" to the bus's wait set, so that
+  // Bus::Wait() also returns when a status arrives.
   Check(Dds().dds_waitset_attach(bus->waitset(), condition, 0), "wait set");
 }
 

@@ -60,8 +60,8 @@ void Worker::MoveEffectsTo(openr_wire_ToMaster* to_master) {
 }
 
 Worker::ReceivedSample Worker::Next(bool answer) {
-  // Ends at the user's request only while no handler waits for an answer of the master, so that the
-  // effects of a handler are sent as a whole.
+  // If the user asks this worker to end, ends only while no handler waits for an answer of the
+  // master, so that the effects of a handler are sent as a whole.
   if (!answer && IsEndRequested()) return {channel_.get(), nullptr};
   if (!answer && !deferred_.empty()) {
     ReceivedSample sample = std::move(deferred_.front());
@@ -170,7 +170,8 @@ std::string Worker::SetUp(const openr_wire_Welcome& welcome) {
     return std::make_unique<WorkerCalls>(system, this);
   };
   options.console = [this](std::string_view text) {
-    // The watchdog's signal must not end the process during a call of Cyclone DDS.  Such a call may
+    // Puts off the signal by which the watchdog ends this process when a handler runs too long.
+    // The signal must not end the process during a call of Cyclone DDS, because such a call may
     // hold locks that ReportCrash() needs.
     const Indivisible indivisible;
     WireArena arena;

@@ -250,8 +250,8 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
   RemoteProcess& process = *about->process();
   if (process.is_lost()) return;
   Member* const member = &members_[process.name()];
-  // Calls the listener before anything changes, so that a recording of the run has the loss before
-  // its consequences.
+  // Calls the listener for lost workers before anything changes, so that a recording of the run has
+  // the loss before its consequences.
   if (loss_listener_ && loss != RemoteObject::Loss::kAtEnd) loss_listener_(member->name);
   // Adds no finding about a loss after a second Ctrl-C, because after that signal workers may end
   // at any time.  Only a crash is still reported, because its cause is a handler and not the
@@ -285,8 +285,8 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
     process.set_lost();
     return StopRun({EndKind::kLostProcess, text});
   }
-  // Names the process only after a crash, because for other losses the text `why` names the process
-  // already.
+  // Names the process in the message only after a crash, because for other losses the text `why`
+  // names the process already.
   if (member->crashed)
     text += fmt::format("; process '{}' (pid {}) is gone", process.name(), process.identity().pid);
   const bool waits = !options_.is_free && MayRestart(*member);

@@ -156,8 +156,8 @@ class WorkerGroup {
     // Owns the master's new stand-ins for the objects of a restarted worker, until the object table
     // takes them to replace the old stand-ins.
     std::vector<std::unique_ptr<RemoteObject>> new_objects;
-    // The same new stand-ins; they remain in this map after the object table has taken them.  The
-    // key is the id of the object.
+    // The new stand-ins of a restarted worker's objects; the key is the id of the object.  The
+    // stand-ins remain in this map after the object table has taken them.
     std::map<ObjectId, RemoteObject*> successors;
   };
 

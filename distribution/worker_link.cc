@@ -92,8 +92,8 @@ bool Worker::MayBeRefused(const Message& message) {
   openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_ENTRY);
   to_master.body._u.entry = {message.target, message.selector};
   Send(to_master);
-  // Remembers that the entry exists, so that the master is asked only at the first message to an
-  // entry.  Forget() removes the entries of an object that is replaced.
+  // Remembers that the receiver's entry exists, so that the master is asked only at the first
+  // message to an entry.  Forget() removes the entries of an object that is replaced.
   if (WaitForAnswer().status != 1) return true;
   known_entries_.insert(entry);
   return false;
@@ -120,8 +120,8 @@ int32_t Worker::Post(OwnedMessage message, int64_t delay_us) {
     effect._u.posted = posted;
     effects_.push_back(effect);
   }
-  // Releases nothing after a refusal.  A refused ready message has given nothing back, so the
-  // observer keeps its regions.
+  // Releases no received regions after a refusal.  A refused ready message has given nothing back,
+  // so the observer keeps its regions.
   if (error == sSUCCESS) marshaller_->CompleteSend(*message);
   return error;
 }
