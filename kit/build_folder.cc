@@ -312,7 +312,8 @@ void FolderBuild::TryConvention(const std::vector<ObjectFolder>& objects, const 
 }
 
 void FolderBuild::Deliver() {
-  // Scans again, because the rules of Makefiles may have made Memory Sticks in the folders.
+  // Scans the folders of the program again, because the rules of Makefiles may have made Memory
+  // Sticks in them.
   Project after = ScanProject(copied_folders_);
   if (after.sticks.empty()) after.sticks.push_back({after.root / "MS", {}, {}});
   wants_all_ = std::all_of(after.sticks.begin(), after.sticks.end(),
@@ -369,9 +370,9 @@ bool FolderBuild::HasFailed() const {
          });
 }
 
-// Reports the failures: as errors if an image is missing, else as notes.  A failure without a
-// missing image is no error, because OBJECT.CFG says which images the program needs.  The reason
-// why make failed is printed last, because people look at the end of the output first.
+// Reports the failures of the build: as errors if an image is missing, else as notes.  A failure
+// without a missing image is no error, because OBJECT.CFG says which images the program needs.  The
+// reason why make failed is printed last, because people look at the end of the output first.
 void FolderBuild::TellFailures() {
   const KitLog log = ReadKitLog(make_.log);
   for (const KitLog::Repair& repair : log.repairs)

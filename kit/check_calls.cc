@@ -173,8 +173,8 @@ class CallCheck {
     for (std::sregex_iterator it(code_.begin(), code_.end(), call), end; it != end; ++it) {
       const size_t at = static_cast<size_t>(it->position(0));
       if (IsMemberCall(code_, at) || HasOwn(all_code_, clock.name)) continue;
-      // Does not warn of a clock that seeds random numbers, because even a clock that stands still
-      // can give the seed.
+      // Does not warn of a call of a clock that seeds random numbers, because even a clock that
+      // stands still can give the seed.
       if (IsSeed(at, at + static_cast<size_t>(it->length(0)))) continue;
       Warn(at, clock.name,
            fmt::format("{}(): {}; take GetSystemTime(), which has microseconds since the boot, or "
@@ -228,9 +228,9 @@ class CallCheck {
     return names;
   }
 
-  // Warns of calls of a function that our headers do not declare, because no document gives its
-  // arguments.  Without this warning, the compiler would only say that the function is not
-  // declared.
+  // Warns of calls of AnalyzerGetSizeOfFreeMemory().  Our headers do not declare this function,
+  // because no document gives its arguments.  Without this warning, the compiler would only say
+  // that the function is not declared.
   void CheckFreeMemory() {
     constexpr std::string_view kName = "AnalyzerGetSizeOfFreeMemory";
     for (size_t at = code_.find(kName); at != kNone; at = code_.find(kName, at + 1)) {

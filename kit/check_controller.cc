@@ -220,7 +220,8 @@ class ControllerCheck {
 
   void CheckFileName(const CodeFile& file, const CodeCall& call) {
     const std::string argument = code_.FirstArgument(file, call);
-    // Does not check a name that is no string literal, because it is known only at run time.
+    // Does not check the name of a device that is no string literal, because the name is known only
+    // at run time.
     if (!argument.starts_with('"')) return;
     const std::string name = argument.substr(1, argument.find('"', 1) - 1);
     if (name.empty() || EqualsIgnoringCase(name.substr(0, 4), "/MS/")) return;

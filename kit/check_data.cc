@@ -113,7 +113,8 @@ class DataCheck {
       const std::string body = code.substr(open + 1, close - open - 1);
       const std::string trouble = TroubleIn(MembersOf(body));
       // Removes the name of a type from types_ and troubles_ if the program has two types of this
-      // name, because the check does not know which of the two a call means.
+      // name, because the check does not know data of which of the two types a call of SetData()
+      // sends.
       if (!seen_.insert(name).second) {
         types_.erase(name);
         troubles_.erase(name);

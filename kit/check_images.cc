@@ -41,7 +41,8 @@ std::string ObjectNameIn(std::string_view bytes) {
 // A line of OBJECT.CFG without a usable image: the file is missing, or is a binary for the robot.
 struct MissingImage {
   ObjectRecord record;
-  // Reason why the image on the stick, which is for the robot, cannot run here; "": no file.
+  // Reason why the image on the stick, which is for the robot, cannot run here; "": the stick has
+  // no file of this name.
   std::string problem;
 };
 

@@ -85,8 +85,8 @@ const StructLayout::Member* FindMember(const StructLayout& layout, const std::st
   return found == layout.members.end() ? nullptr : &*found;
 }
 
-// Returns, as a text for the user, the first difference between the layouts because of which
-// `receiver` reads something else than `sender` has sent; "" if there is none.
+// Returns, as a text for the user, the first difference between the layouts of a struct because of
+// which `receiver` reads something else than `sender` has sent; "" if there is none.
 std::string DifferenceOf(const End& sender, const End& receiver) {
   for (const StructLayout::Member& theirs : receiver.layout.members) {
     if (!HasWord(receiver.code.sources, theirs.name)) continue;

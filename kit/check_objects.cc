@@ -148,8 +148,9 @@ class ObjectCheck {
                                        : heard != config.observers.end() ? &*heard
                                                                          : nullptr;
     if (service == nullptr) return;
-    // Accepts more than the macros of the SDK, because a program may call the functions of these
-    // macros itself, or make its subjects and observers with `new`.
+    // Accepts also the functions that the SDK's macros for the registration of entries, subjects
+    // and observers call, because a program may call these functions itself, or make its subjects
+    // and observers with `new`.
     if (!HasAnyWord(code_, {"REGISTER_ALL_ENTRY", "SetComData", "RegisterServiceEntry"})) {
       remarks_->Add(Remark::Kind::kWarning, service->place,
                     "no REGISTER_ALL_ENTRY in DoInit: nothing can be connected to this object, the "

@@ -165,8 +165,8 @@ GatewayConfig StickCheck::ReadGateway(const fs::path& file, GatewaySide side) {
   return config;
 }
 
-// Checks the gateway, which carries services over TCP: its configuration files, and the lines of
-// CONNECT.CFG that connect objects to it.
+// Checks the gateway, which carries services between objects and programs on other machines over
+// TCP: its configuration files, and the lines of CONNECT.CFG that connect objects to it.
 void StickCheck::CheckGateway() {
   const fs::path robot_file = Config(kRobotGatewayFile), host_file = Config(kHostGatewayFile);
   GatewayConfig config = ReadGateway(robot_file, GatewaySide::kRobot);

@@ -36,7 +36,8 @@ std::vector<std::string> CarriedFlags(const std::vector<std::string>& arguments,
 // Returns the flags that the host's compiler does not know, according to its messages `output`.
 std::vector<std::string> UnknownFlags(const std::string& output);
 
-// Returns whether `output` warns of a function that may end without returning a value.
+// Returns whether `output`, messages of the compiler, warns of a function that may end without
+// returning a value.
 bool TellsOfMissingReturn(const std::string& output);
 
 }  // namespace openr_host

@@ -18,7 +18,7 @@
 namespace openr_host {
 namespace {
 
-// Largest number of rounds in which one source is repaired and compiled again.
+// Largest number of rounds in which the compile tool repairs one source and compiles it again.
 constexpr int kRepairRoundsMax = 40;
 
 size_t CountErrors(const std::string& output) {
@@ -92,7 +92,7 @@ Arguments CompileRun::WordsWith(const Arguments& extra, const Arguments& own) co
 }
 
 ProcessResult CompileRun::Try(const Arguments& extra) {
-  // Sets the language of messages to English, because the output is parsed.
+  // Sets the language of the compiler's messages to English, because these messages are parsed.
   return RunProcess(WordsWith(extra, command_.arguments),
                     {.environment = {{"LC_ALL", "C"}}, .captures_error = true});
 }

@@ -9,7 +9,8 @@
 namespace openr_host {
 
 struct ControllerSources {
-  // The sources of the controller, in the order of `list` or, without a list, by name.
+  // The sources of the controller, in the order of `list`, the file Makefile.sources.  Without this
+  // file, in the order of their names.
   std::vector<std::filesystem::path> files;
   std::filesystem::path list;           // path of Makefile.sources; empty: there is no such file
   std::vector<Diagnostic> diagnostics;  // mistakes in the list, such as a missing file

@@ -134,8 +134,8 @@ fs::path StubFolder(const ObjectFolder& object, const fs::path& build) {
   return HasOwnDefinitions(object) ? build : object.folder;
 }
 
-// Runs stubgen2 for the stub.cfg of `object`, unless the stub is newer.  Shows no errors in
-// stub.cfg, because the build of the object reports them later.
+// Runs stubgen2 for the stub.cfg of `object`, unless the stub is newer than its stub.cfg.  Shows no
+// errors in stub.cfg, because the build of the object reports them later.
 void GenerateStub(const ObjectFolder& object, const MakeOptions& options) {
   const fs::path folder = StubFolder(object, {});
   if (object.stub.empty() || folder.empty()) return;
@@ -157,9 +157,9 @@ class ConventionBuild {
         flags_(std::move(flags)),
         build_(std::move(build)),
         options_(options) {
-    // This build has a log of its own.  The names that are undefined at its first attempt to link
-    // are no failure if the second attempt succeeds, so they must not be in the log of the whole
-    // build.
+    // The build of this object has a log of its own.  The names that are undefined at its first
+    // attempt to link are no failure if the second attempt succeeds, so they must not be in the log
+    // of the whole build.
     options_.log = build_ / "log.txt";
     shared_ = SharedParts(project);
   }

@@ -111,7 +111,7 @@ nlohmann::ordered_json AsJson(const LineCounts& counts, const fs::path& folder) 
   return {{"lines", SumOf(counts).all}, {"lines_run", SumOf(counts).run}, {"files", files}};
 }
 
-// Returns the counts in the format that lcov, genhtml and editors read.
+// Returns the counts of executed lines in the format that lcov, genhtml and editors read.
 std::string AsLcov(const LineCounts& counts) {
   std::string text = "TN:\n";
   for (const auto& [file, lines] : counts) {

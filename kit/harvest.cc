@@ -163,8 +163,9 @@ class StickCompletion {
     for (const std::string& name : missing_) TakeFromKit(name);
   }
 
-  // Finds images for the names in `missing_` by similar names (MatchImages).  Takes only images
-  // that are not on the stick yet and for which `is_wanted` returns true.
+  // Finds images for the names in `missing_`, which OBJECT.CFG lists without an image on the stick,
+  // by similar names (MatchImages).  Takes only images that are not on the stick yet and for which
+  // `is_wanted` returns true.
   void TakeMatching(const std::function<bool(const BuiltImage&)>& is_wanted) {
     std::vector<ImageCandidate> candidates;
     std::vector<size_t> indices;
@@ -323,8 +324,8 @@ class StickCompletion {
   std::set<size_t> used_;  // indexes in built_ of the images on the stick
   std::vector<std::string> missing_;
   std::map<std::string, bool> is_for_robot_;
-  // The images that the OBJECT.CFG of ListEverything() names: the name of each file, and its index
-  // in built_, or kNone if this build has not linked the image.
+  // The images that the new OBJECT.CFG (see ListEverything()) names: the name of each file, and its
+  // index in built_, or kNone if this build has not linked the image.
   std::vector<std::pair<std::string, size_t>> listed_;
   std::vector<std::string> unlisted_;  // notes about images that ListEverything() does not list
   Harvest harvest_;

@@ -15,7 +15,8 @@ namespace openr_host {
 struct HarvestedImage {
   std::string name;    // file name of the image, such as HELLO.BIN
   std::string object;  // name of the image's object; "" if this build has not made the image
-  // How the image was found: "Makefile", "by its name", "the kit's own" and others.
+  // How the image for a name in OBJECT.CFG was found: "Makefile", "by its name", "the kit's own"
+  // and others.
   std::string from;
 };
 

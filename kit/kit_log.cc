@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns a line of the log file: `words` with tabs between them.  A tab or line end inside a word
-// becomes a blank.
+// Returns a line of the log file of a build: `words` with tabs between them.  A tab or line end
+// inside a word becomes a blank.
 std::string Line(const std::vector<std::string>& words) {
   std::string line;
   for (const std::string& word : words) {

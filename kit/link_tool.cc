@@ -57,8 +57,8 @@ bool HasForeignCode(const LinkCommand& command) {
   return false;
 }
 
-// Returns the path of the output without its extension.  The names of intermediate files begin with
-// this path, as with the SDK's mkbin.
+// Returns the path of `output`, the image, without its extension.  The names of intermediate files
+// begin with this path, as with the SDK's mkbin.
 std::string Stem(const std::string& output) {
   return (fs::path(output).parent_path() / fs::path(output).stem()).string();
 }

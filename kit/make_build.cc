@@ -311,8 +311,9 @@ MakeOutcome RunMakeTargets(const fs::path& folder, const MakePlan& plan,
   arguments.insert(arguments.end(), variables.begin(), variables.end());
   const size_t failures = ReadKitLog(options.log).failures.size();
   MakeOptions install = options;
-  // Shows the output of a failed run for `install` only if the log has new failures.  This target
-  // often repeats the steps of the first target, so their messages were already shown.
+  // Shows the output of a failed run of make for the target `install` only if the log has new
+  // failures.  This target often repeats the steps of the first target, so their messages were
+  // already shown.
   if (!outcome.is_good || failures > 0) {
     install.says = MakeOptions::Says::kIfGood;
     install.jobs = 1;

@@ -75,7 +75,7 @@ std::string WhyNoObjectName(const std::string& name) {
 }
 
 std::string WhyNoClass(const std::string& name, const std::string& sdk_root) {
-  // Compiles a harmless name as well: if that fails, too, the reason is not the name.
+  // Compiles a class with a harmless name as well: if that fails, too, the reason is not the name.
   if (Compiles(ClassName(name), sdk_root) || !Compiles("HelloWorld", sdk_root)) return "";
   return fmt::format(
       "no class can be called {}, because the OPEN-R headers or those of C use this name; choose "

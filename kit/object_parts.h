@@ -49,8 +49,8 @@ class ObjectParts {
   // make knows.
   bool HasUnreadableInstall() const;
 
-  // Finds a file outside of the sticks by its name, ignoring upper and lower case.  Returns an
-  // empty path if there is no such file.
+  // Finds a file of the project by its name, ignoring upper and lower case.  Files on sticks do not
+  // count.  Returns an empty path if there is no such file.
   std::filesystem::path FindFile(const std::string& name) const;
 
   // Returns the text of a file; for a Makefile the text that make reads (referred_places.h).

@@ -132,8 +132,8 @@ Project ScanProject(const std::vector<fs::path>& folders) {
   const auto is_ours = [&](const ObjectFolder& object) {
     return IsBelow(object.folder, project.root);
   };
-  // If the project has objects of its own, moves the objects of folders outside to `neighbours`, so
-  // that these objects are not built.
+  // If the project has objects of its own, moves the objects in folders outside of the project to
+  // `neighbours`, so that these objects are not built.
   if (std::any_of(project.objects.begin(), project.objects.end(), is_ours)) {
     const auto first =
         std::stable_partition(project.objects.begin(), project.objects.end(), is_ours);

@@ -20,7 +20,7 @@ struct ObjectFolder {
   std::vector<std::string> image_names;        // images that rules of its Makefile install
 };
 
-// A Memory Stick in the form of a folder: it holds OPEN-R/MW.
+// A Memory Stick in the form of a folder.  This folder holds OPEN-R/MW.
 struct StickFolder {
   std::filesystem::path root;
   std::vector<ObjectRecord> objects;    // lines of OBJECT.CFG in their order, for all robots

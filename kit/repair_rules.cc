@@ -272,7 +272,8 @@ bool MayInheritNames(const std::string& head) {
   return std::regex_search(head, kDerived) || std::regex_search(head, kMember);
 }
 
-// Returns whether the position `at` lies in a block for which MayInheritNames() is true.
+// Returns whether the position `at` lies in a block that may use names which a template inherits
+// (MayInheritNames()).
 bool IsInInheritingTemplate(const std::string& code, size_t at) {
   int depth = 0;
   while (at-- > 0) {

@@ -29,8 +29,8 @@ class RepairSession {
   // -fdiagnostics-format=json for `sources`.  Returns false if nothing could be repaired.
   bool Apply(const std::string& diagnostics, const std::vector<std::string>& sources);
 
-  // Keeps the repairs, and records them in the log (kit_log.h) under the names of the user's own
-  // files.
+  // Keeps the repairs of the private copies, and records them in the log (kit_log.h) under the
+  // names of the user's own files.
   void Keep();
 
   // Restores the text that the changed files had before this session.

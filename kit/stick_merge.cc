@@ -64,8 +64,8 @@ std::string MergeConfig(const std::string& base, const std::string& ours) {
   std::string text;
   const auto add = [&](const std::vector<std::string>& lines, bool in_section) {
     for (const std::string& line : lines) {
-      // Drops a repeated line only outside of sections, because each section is for another robot
-      // and so several sections may need the same line.
+      // Drops a repeated line of a configuration file only outside of sections, because each
+      // section is for another robot and so several sections may need the same line.
       if (IsRecord(line) && !known.insert(WithoutBlanks(line)).second && !in_section) continue;
       text += line + "\n";
     }

@@ -12,7 +12,8 @@ namespace openr_host {
 // The value of StructLayout::Member::wide_type for a pointer.
 inline constexpr char kWidePointer[] = "a pointer";
 
-// A struct or class.  Bit fields, static members and members without a name are left out.
+// The layout of a struct or class of a program.  Bit fields, static members and members without a
+// name are left out.
 struct StructLayout {
   struct Member {
     std::string name;

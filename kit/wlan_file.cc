@@ -115,9 +115,9 @@ const std::vector<WlanQuestion>& WlanQuestions() {
 }
 
 std::string SetWlanKey(const std::string& key, const std::string& value, WlanConfig* config) {
-  // Checks the value with the parser, because only the parser knows which values are allowed.  The
-  // parser begins with the robot's defaults, so all other keys are given to it again with their old
-  // values.
+  // Checks the value of the setting `key` with the parser of WLANCONF.TXT, because only the parser
+  // knows which values are allowed.  The parser begins with the robot's defaults, so all other keys
+  // are given to it again with their old values.
   const WlanResult result = ParseWlanConfig("", key + "=" + value);
   if (!result.diagnostics.empty()) return result.diagnostics[0].message;
   std::string text;

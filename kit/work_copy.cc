@@ -163,7 +163,8 @@ void WorkCopy::AddFolder(const fs::path& original) {
   for (const fs::path& file : FilesBelow(original)) {
     if (!IsBelow(file, work_)) CopyFile(file);
   }
-  // Creates all folders, also empty ones, because rules of Makefiles write into them.
+  // Creates all folders in the private copy, also empty ones, because rules of Makefiles write into
+  // them.
   std::error_code error;
   for (fs::recursive_directory_iterator it(original, error), end; !error && it != end;
        it.increment(error)) {

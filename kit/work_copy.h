@@ -75,10 +75,11 @@ class WorkCopy {
   std::map<std::string, std::string> left_out_, former_left_out_;
   // True: a header or a stub.cfg is new, was removed or has changed since the last build.
   bool has_new_headers_ = false;
-  // Size and time of the copied files at the last build, by the path of the original.  A file with
-  // the same size and time is not copied again.
+  // Size and time of the user's files at the last build; the key is the path.  A file with the same
+  // size and time is not copied again.
   std::map<std::string, Stamp> former_;
-  // Size and time of the files at this build, by the path of the original.
+  // Size and time of the user's files at this build; the key is the path.  The next build compares
+  // them to find out which files have changed.
   std::map<std::string, Stamp> present_;
 };
 
