@@ -7,8 +7,8 @@
 
 namespace openr_host {
 
-// Calls `kFunction`, a function of WorkerCallList, in the master, waits for the answer, and returns
-// the function's result.  The argument for an output parameter is a pointer.
+// Calls `kFunction`, a function of the master that workers may call (WorkerCallList), waits for the
+// answer, and returns the function's result.  The argument for an output parameter is a pointer.
 template <auto kFunction, typename... Arguments>
 auto AskMaster(MasterLink* master, const Arguments&... arguments) {
   using Function = call_codec::Signature<decltype(kFunction)>;
@@ -17,8 +17,8 @@ auto AskMaster(MasterLink* master, const Arguments&... arguments) {
   return Function::Decode(result, arguments...);
 }
 
-// Makes the master call `kFunction`, a function of WorkerCallList, with `arguments`.  Does not wait
-// for the call, so there is no result.
+// Makes the master call `kFunction`, one of its functions that workers may call (WorkerCallList),
+// with `arguments`.  Does not wait for the call, so there is no result.
 template <auto kFunction, typename... Arguments>
 void TellMaster(MasterLink* master, const Arguments&... arguments) {
   using Function = call_codec::Signature<decltype(kFunction)>;

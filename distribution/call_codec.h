@@ -67,8 +67,8 @@ void CopyBytes(const std::string& bytes, T* value) {
   if (bytes.size() == sizeof(T)) std::memcpy(static_cast<void*>(value), bytes.data(), sizeof(T));
 }
 
-// Reads the numbers of a list one after the other.  A faulty worker may send too few numbers, so
-// Next() returns 0 after the last number.
+// Reads the numbers of a call's arguments or results one after the other.  A faulty worker may send
+// too few numbers, so Next() returns 0 after the last number.
 class NumberReader {
  public:
   explicit NumberReader(const std::vector<uint64_t>& numbers) : numbers_(numbers) {}

@@ -17,7 +17,8 @@ namespace {
 
 bool IsSame(const char* name, const char* other) { return strcasecmp(name, other) == 0; }
 
-// An XML element <Domain> of the settings file: settings for one DDS domain or for "any".
+// An XML element <Domain> of the user's settings file for Cyclone DDS: settings for one DDS domain
+// or for "any".
 struct DomainElement {
   std::string id = "any";
   bool has_security = false;
@@ -32,7 +33,8 @@ struct DomainElement {
   }
 };
 
-// Reads the settings file with the XML parser of Cyclone DDS and keeps its <Domain> elements.
+// Reads the user's settings file for Cyclone DDS with the XML parser of Cyclone DDS and keeps its
+// <Domain> elements.
 class SettingsFile {
  public:
   SettingsFile(const std::string& name, int domain) : domain_(domain) {
@@ -45,8 +47,8 @@ class SettingsFile {
   }
 
   bool is_read() const { return is_read_; }
-  // Returns whether there are settings outside <Domain>.  Files for older versions of Cyclone DDS
-  // have such settings, which apply to all domains.
+  // Returns whether the settings file of Cyclone DDS has settings outside <Domain>.  Files for
+  // older versions of Cyclone DDS have such settings, which apply to all domains.
   bool has_others() const { return has_others_; }
   const std::vector<DomainElement>& domains() const { return domains_; }
 
@@ -63,8 +65,9 @@ class SettingsFile {
     } else if (parent == kRoot) {
       file->has_others_ = true;
     } else if (parent == kDomain && IsSame(name, "Id")) {
-      // Accepts the id of a domain also as an element <Id>.  In files for older versions of Cyclone
-      // DDS it is such an element; in newer files it is an attribute of <Domain>.
+      // Accepts the id of a DDS domain also as an element <Id>.  In settings files for older
+      // versions of Cyclone DDS it is such an element; in newer files it is an attribute of
+      // <Domain>.
       *element = kDomainId;
     } else if (parent == kDomain && (IsSame(name, "Security") || IsSame(name, "DDSSecurity"))) {
       file->domains_.back().has_security = true;

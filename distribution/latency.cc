@@ -12,8 +12,8 @@ namespace {
 
 constexpr int kBucketsPerOctave = 16;
 
-// Returns the number of the bucket that counts a duration.  Each power of two has 16 buckets; the
-// four bits after the highest set bit of the duration choose one of these buckets.
+// Returns the number of the bucket of the histogram that counts a duration.  Each power of two has
+// 16 buckets; the four bits after the highest set bit of the duration choose one of these buckets.
 size_t BucketOf(int64_t ns) {
   const auto value = static_cast<uint64_t>(std::max<int64_t>(ns, kBucketsPerOctave));
   const int octave = std::bit_width(value) - 1;
@@ -21,7 +21,7 @@ size_t BucketOf(int64_t ns) {
   return static_cast<size_t>(octave) * kBucketsPerOctave + step;
 }
 
-// Returns the limit below which the durations of a bucket lie, in nanoseconds.
+// Returns the limit below which the durations in a bucket of the histogram lie, in nanoseconds.
 double UpperNs(size_t bucket) {
   const double octave = std::ldexp(1.0, static_cast<int>(bucket / kBucketsPerOctave));
   return octave * (1 + static_cast<double>(bucket % kBucketsPerOctave + 1) / kBucketsPerOctave);

@@ -50,8 +50,8 @@ class Latency {
   uint64_t count_ = 0;
   int64_t max_ns_ = 0;
   double sum_ns_ = 0;
-  // The number of durations in each bucket.  A bucket counts durations of similar length; there are
-  // 16 buckets for each power of two.
+  // The number of durations in each bucket of the histogram.  A bucket counts durations of similar
+  // length; there are 16 buckets for each power of two.
   std::vector<uint64_t> buckets_;
 };
 

@@ -17,12 +17,12 @@ class MasterLink {
   // Posts `message` to its receiver, as SystemCalls::Post() does.
   virtual int32_t Post(OwnedMessage message, int64_t delay_us) = 0;
 
-  // Makes the master call function number `function` of WorkerCallList.  Does not wait for the
-  // call, so there is no result.  `arguments` must have no `bytes`, because the sample that carries
-  // them has no member for bytes.
+  // Makes the master call function number `function` of WorkerCallList, the list of the master's
+  // functions that workers may call.  Does not wait for the call, so there is no result.
+  // `arguments` must have no `bytes`, because the sample that carries them has no member for bytes.
   virtual void Tell(uint32_t function, const CallArguments& arguments) = 0;
-  // Makes the master call function number `function` of WorkerCallList, waits for the call and
-  // returns its result.
+  // Makes the master call function number `function` of WorkerCallList (the list of the master's
+  // functions that workers may call), waits for the call and returns its result.
   virtual CallResult Ask(uint32_t function, const CallArguments& arguments) = 0;
 
   // Records that the handler of the current object is about to wait for a reply.  `box` is the

@@ -26,11 +26,11 @@ class Monitor {
   // `workers` are the workers of the run; null if all objects are in this process.
   Monitor(const System* system, Bus* bus, const WorkerGroup* workers);
 
-  // Publishes the status if a second has passed since the last time.  Must not be called from a
-  // handler.
+  // Publishes the status of the run if a second has passed since the last time.  Must not be called
+  // from a handler.
   void PublishIfDue();
 
-  // Publishes the final status, which says that the run has ended.
+  // Publishes the final status of the run, which says that the run has ended.
   void End();
 
  private:
@@ -44,8 +44,8 @@ class Monitor {
   const std::string run_;
   StatusWriter writer_;
   const Clock::time_point begin_ = Clock::now();
-  // The time of the newest status and the counters at that time, from which the rates of the next
-  // status are computed.
+  // The time of the newest status of the run and the counters at that time, from which the rates of
+  // the next status are computed.
   Clock::time_point published_ = begin_;
   int64_t virtual_us_ = 0;
   uint64_t messages_ = 0;

@@ -206,9 +206,10 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
   return error;
 }
 
-// Calls function number `function` of WorkerCallList, as a worker has asked, in the name of the
-// current object.  There is no current object while the worker loads its objects.  For a number
-// that is not in the list, returns the status oNOT_SUPPORTED.
+// Calls function number `function` of WorkerCallList (the list of the master's functions that
+// workers may call), as a worker has asked, in the name of the current object.  There is no current
+// object while the worker loads its objects.  For a number that is not in the list, returns the
+// status oNOT_SUPPORTED.
 CallResult RemoteProcess::Call(uint32_t function, const CallArguments& arguments) {
   if (function >= WorkerCallList::kSize) return {oNOT_SUPPORTED};
   return WorkerCallList::Call(function, CallTargets{system_, calls_.get()}, arguments);

@@ -58,8 +58,8 @@ std::string Printable(const char* text) {
   return printable;
 }
 
-// Returns `value`, a number from the network, limited to what a table can show; 0 if it is not
-// finite.
+// Returns `value`, a number from the network, limited to what the table of openr top can show; 0 if
+// it is not finite.
 double FiniteFigure(double value) {
   return std::isfinite(value) ? std::clamp(value, 0.0, 1e12) : 0;
 }

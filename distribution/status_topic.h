@@ -13,7 +13,7 @@ namespace openr_host {
 
 class StatusWriter {
  public:
-  // Creates a writer in the partition of the bus's run.  Throws std::runtime_error.
+  // Creates a writer of the status of the bus's run.  Throws std::runtime_error.
   explicit StatusWriter(Bus* bus);
 
   // Sends `status` if this is possible without waiting; otherwise drops it.

@@ -171,9 +171,9 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
     for (const auto& [keyword, path] : robot.design_data)
       designs.push_back({i, arena->Text(keyword), arena->Text(path)});
     if (static_cast<size_t>(i) < member->robots) continue;
-    // Sends 0 as the hash at a restart, so that the worker does not compare it with the hash of its
-    // stick.  Objects may have written files since the beginning of the run, and the user may have
-    // replaced an image in order to try new code.
+    // Sends 0 as the hash of the run's stick at a restart, so that the worker does not compare it
+    // with the hash of its own stick.  Objects may have written files since the beginning of the
+    // run, and the user may have replaced an image in order to try new code.
     const uint64_t stick_hash = member->stage == Stage::kRunning ? robot.stick_hash : 0;
     robots.push_back({arena->Text(robot.design), robot.stick != nullptr,
                       robot.stick != nullptr && robot.stick->writable(), stick_hash});

@@ -35,8 +35,9 @@ bool WorkerGroup::MayRestart(const Member& member) const {
 }
 
 void WorkerGroup::EnterStage(Member* member, Stage stage) {
-  // Checks that `stage` may follow the present stage.  kCleaningUp may follow any stage, because
-  // the worker can be lost in each stage.  Every other stage may follow only one particular stage.
+  // Checks that `stage` may follow the present stage of the worker's restart.  kCleaningUp may
+  // follow any stage, because the worker can be lost in each stage.  Every other stage may follow
+  // only one particular stage.
   const Stage before = member->stage;
   ASSERT(stage == Stage::kCleaningUp || (stage == Stage::kRunning && before == Stage::kReplacing) ||
              (stage == Stage::kNotRestarted && before == Stage::kCleaningUp) ||

@@ -44,7 +44,8 @@ Sequence Borrowed(const std::vector<Element>& elements) {
   return {count, count, const_cast<Element*>(elements.data()), false};
 }
 
-// Makes a header that points to `frame_id`, so `frame_id` must outlive the header.
+// Makes the header of a ROS 2 message.  The header points to `frame_id`, so `frame_id` must outlive
+// the header.
 std_msgs_msg_dds__Header_ HeaderOf(int64_t time_us, const char* frame_id) {
   return {TimeOf(time_us), const_cast<char*>(frame_id)};
 }

@@ -193,7 +193,7 @@ class Ros2Texts {
 
   Ros2Texts(Bus* bus, const std::string& topic);
   bool HasMisfit() const { return reader_.HasMisfit(); }
-  // Returns the next text; nullopt when there is none.
+  // Returns the next text that was received on the ROS 2 topic; nullopt when there is none.
   std::optional<std::string> Take();
 
  private:
@@ -215,12 +215,12 @@ class Ros2JointCommands {
   static constexpr int kWaitingMax = 32;
   // Largest number of joints in a message; further joints are ignored.
   static constexpr size_t kJointsMax = 256;
-  // Largest number of characters of a name; the rest is cut off.
+  // Largest number of characters of a joint's name; the rest is cut off.
   static constexpr size_t kNameMax = 256;
 
   Ros2JointCommands(Bus* bus, const std::string& topic);
   bool HasMisfit() const { return reader_.HasMisfit(); }
-  // Returns the next command; nullopt when there is none.
+  // Returns the next command that was received on the ROS 2 topic; nullopt when there is none.
   std::optional<Ros2JointCommand> Take();
 
  private:
