@@ -27,10 +27,10 @@ struct Battery {
   int PercentAt(int64_t time_us) const;
 };
 
-// Reads the text of an option into `battery`.  With "100%", the battery is full at boot and stays
-// full.  With "drain", it is full at boot and drains.  With "1%" to "99%", it has this capacity at
-// boot and drains.  Returns "", or an error that names the mistake in `text` and, if it can be
-// guessed, the text that was meant.
+// Reads the text of the option --battery into `battery`.  With "100%", the battery is full at boot
+// and stays full.  With "drain", it is full at boot and drains.  With "1%" to "99%", it has this
+// capacity at boot and drains.  Returns "", or an error that names the mistake in `text` and, if it
+// can be guessed, the text that was meant.
 std::string ParseBattery(std::string_view text, Battery* battery);
 
 }  // namespace openr_host

@@ -109,7 +109,8 @@ class Body {
   virtual RayHit CastRay(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W,
                          double max_m) const = 0;
 
-  // Returns the world of the robot, with the things where they were at the beginning.
+  // Returns the world of the robot, with its things in the places where they were at the beginning
+  // of the run.
   virtual const World& world() const = 0;
 
   // Returns what surrounds the robot now: the things of its world in their present places and in

@@ -13,8 +13,8 @@ namespace {
 constexpr double kGearShare = 0.6;
 // Current, in mA, of a robot whose motors do nothing, for its computer, camera and radio.
 constexpr double kElectronicsMa = 1000;
-// Weight of a new frame in the mean current.  With this weight the mean has a time constant of 100
-// ms.
+// Weight of a new frame in the mean of the robot's current.  With this weight the mean has a time
+// constant of 100 ms.
 constexpr double kMeanShare = 0.08;
 // If the motors give a steady heat, the body's temperature rises in the end by kBodyPerW_k for each
 // W. kBodyTime_s is the time constant of this rise.

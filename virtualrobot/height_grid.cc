@@ -10,15 +10,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A place on the grid: column and row of the square in which the place lies, and the coordinates of
-// the place in this square, 0 to 1.
+// A place on the grid of a heightfield: column and row of the square in which the place lies, and
+// the coordinates of the place in this square, 0 to 1.
 struct GridPlace {
   int column = 0, row = 0;
   double u = 0, v = 0;
 };
 
-// Converts the coordinate `x` (in m; 0 is the middle of the grid) to a position in grid points: 0
-// is the first point, `count` - 1 the last.  The grid has `count` points over the length `size_m`.
+// Converts the coordinate `x` (in m; 0 is the middle of the grid) on a heightfield to a position in
+// points of its grid: 0 is the first point, `count` - 1 the last.  The grid has `count` points over
+// the length `size_m`.
 double InPoints(double x, double size_m, int count) { return (x / size_m + 0.5) * (count - 1); }
 
 GridPlace PlaceOnGrid(const WorldThing& thing, double x, double y) {
@@ -36,7 +37,7 @@ GridPlace PlaceOnGrid(const WorldThing& thing, double x, double y) {
 }
 
 // Adds to `found` each t between `enter` and `leave` at which at + t * step is a whole number.  At
-// these t, a ray crosses the lines of the grid.
+// these t, a ray crosses the lines of a heightfield's grid.
 void AddCrossings(double at, double step, double enter, double leave, std::vector<double>* found) {
   if (step == 0) return;
   double from = at + enter * step, to = at + leave * step;

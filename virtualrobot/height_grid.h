@@ -15,8 +15,8 @@ namespace openr_host {
 
 struct HeightGrid {
   int columns = 0, rows = 0;  // points along x and along y, 2 or more each
-  // Heights of the points, row by row.  The first row has the least y, and the first point of each
-  // row has the least x.
+  // Heights of the points of the heightfield, row by row.  The first row has the least y, and the
+  // first point of each row has the least x.
   std::vector<double> heights_m;
 
   double At(int column, int row) const {
@@ -53,8 +53,8 @@ struct SurfacePoint {
 SurfacePoint SurfaceAt(const WorldThing& thing, double x, double y);
 
 // Follows the ray p + t d for t from `enter` to `leave`, the range in which the ray is in the box
-// of the thing.  Returns the least t at which the ray is in the solid; infinite if the ray does not
-// meet the solid.
+// of the heightfield `thing`.  Returns the least t at which the ray is in the solid; infinite if
+// the ray does not meet the solid.
 double EnterHeights(const WorldThing& thing, const Eigen::Vector3d& p, const Eigen::Vector3d& d,
                     double enter, double leave);
 

@@ -23,8 +23,8 @@ class OptionalBytes {
   // `problems`.
   void Take(const ODataVectorInfo& sent, std::vector<std::string>* problems);
 
-  // Writes the bytes that Take() has copied, and their range, to `header`, the header of a sensor
-  // vector.
+  // Writes the optional bytes that Take() has copied, and their range, to `header`, the header of a
+  // sensor vector.
   void Put(ODataVectorInfo* header) const;
 
   void HashState(Hasher* hasher) const;

@@ -50,8 +50,8 @@ Power::Power(System* system, Battery battery) : system_(system), battery_(batter
 word Power::RemainingCapacity() const {
   const int64_t time_us = system_->now_us() - capacity_since_us_;
   if (!charging_) {
-    // The time in which the usual current would have drawn the same charge from the battery.  With
-    // this time, PercentAt() gives the capacity for the current that was really drawn.
+    // The time in which the usual current would have drawn the charge that was really drawn from
+    // the battery.  With this time, PercentAt() gives the present capacity.
     const int64_t drained_us = time_us + extra_ma_us_ / Energy::kUsualMa;
     return static_cast<word>(battery_.PercentAt(std::max<int64_t>(drained_us, 0)));
   }

@@ -41,10 +41,11 @@ class Power {
   bool is_battery_low() const;  // whether the status bit orsbBATTERY_CAPACITY_LOW is set
   int remaining_percent() const { return RemainingCapacity(); }
 
-  // Makes Power send a message to `entry` at each change that `filter` asks for.  Replaces an
-  // earlier filter of `entry`.
+  // Makes Power send a message to `entry` at each change of the power status that `filter` asks
+  // for.  Replaces an earlier filter of `entry`.
   void Observe(const OPowerStatus& filter, const OServiceEntry& entry);
-  // Ends the messages to `entry`.  Returns false when `entry` does not observe the power status.
+  // Ends the messages to `entry` about the power status.  Returns false when `entry` does not
+  // observe the power status.
   bool Unobserve(const OServiceEntry& entry);
 
   // The load of the battery in a frame of 8 ms.
@@ -95,8 +96,8 @@ class Power {
 
   Battery battery_;  // the battery as it was at the time capacity_since_us_
   int64_t capacity_since_us_ = 0;
-  // Charge drawn since capacity_since_us_, minus the charge that the usual current draws in this
-  // time.
+  // Charge drawn from the battery since the capacity was last set (capacity_since_us_), minus the
+  // charge that the usual current draws in this time.
   int64_t extra_ma_us_ = 0;
   Load load_;
   bool charging_ = false;

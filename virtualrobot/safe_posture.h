@@ -25,16 +25,18 @@ class SafePosture {
 
   explicit SafePosture(const RobotModel& model) : model_(model) {}
 
-  // Starts the movement of the joints of object `commander`, which has crashed in frame `frame`.
+  // Starts the movement of the joints of object `commander`, which has crashed in frame `frame`, to
+  // a safe posture.
   void CommanderIsGone(ObjectId commander, int64_t frame) {
     gone_.push_back({commander, frame, {}});
   }
-  // Ends the movement of the joints of object `commander`, because the object runs again.
+  // Ends the movement of the joints of object `commander` to a safe posture, because the object
+  // runs again.
   void CommanderIsBack(ObjectId commander) {
     std::erase_if(gone_, [commander](const Gone& gone) { return gone.commander == commander; });
   }
 
-  // Ends all movements, because the robot is switched off.
+  // Ends all movements to a safe posture, because the robot is switched off.
   void SwitchOff() { gone_.clear(); }
 
   // Sets the set points of frame `frame` for joints that a crashed object has commanded.  Called
@@ -47,7 +49,8 @@ class SafePosture {
   struct Gone {
     ObjectId commander;
     int64_t since;  // frame in which the object crashed
-    // Set points of all joints when the movement starts; empty before it starts.
+    // Set points of all joints when the movement to the safe posture starts; empty before it
+    // starts.
     std::vector<slongword> from_urad;
   };
 

@@ -17,7 +17,7 @@ class Hasher;
 
 class SyncKeys {
  public:
-  // Makes a key and returns it.  Returns ovrsynckeyUNDEF when all keys are in use.
+  // Makes a synchronisation key and returns it.  Returns ovrsynckeyUNDEF when all keys are in use.
   OVRSyncKey New();
 
   // Ends `key`, so that all vectors with its parts may start.  Returns false when there is no such

@@ -47,7 +47,7 @@ class OVirtualRobotComm : public CodeObject {
   RegionReference exposed_;  // the image that the camera is reading out of its sensor
   Selector frame_;
   bool running_ = false;
-  // A queue for each sender, in the order of their first vectors.
+  // A queue of command vectors for each sender, in the order of their first vectors.
   std::vector<CommandQueue> queues_;
 };
 

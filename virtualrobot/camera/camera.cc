@@ -131,7 +131,7 @@ CameraShot CameraDevice::ShotBefore(int64_t frame, const Body& body) const {
   return shot;
 }
 
-// Returns the number of bytes of the data of all layers.
+// Returns the number of bytes of the data of all layers of an image.
 size_t CameraDevice::DataBytes() const {
   size_t bytes = 0;
   for (OFbkImageLayer layer = 0; layer < ofbkimageNUM_LAYERS; ++layer)

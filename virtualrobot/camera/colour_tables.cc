@@ -23,8 +23,9 @@ bool ColourTables::Set(const OCdtInfo& info) {
   const auto bit = static_cast<uint8_t>(info.channel);
   for (size_t segment = 0; segment < ocdtMAX_Y_SEGMENT; ++segment) {
     const longword packed = info.table[segment];
-    // Replaces ocdtINIT, which means that the segment detects no colour, by the empty range from 1
-    // to 0, because ocdtINIT, read as a rectangle of Cr and Cb, would detect neutral grey.
+    // Replaces ocdtINIT, which means that the segment of a colour table detects no colour, by the
+    // empty range from 1 to 0, because ocdtINIT, read as a rectangle of Cr and Cb, would detect
+    // neutral grey.
     const bool unused = packed == ocdtINIT;
     Mark(&cr_[segment], bit, unused ? 1 : packed & 0xff, unused ? 0 : packed >> 8 & 0xff);
     Mark(&cb_[segment], bit, unused ? 1 : packed >> 16 & 0xff, unused ? 0 : packed >> 24);

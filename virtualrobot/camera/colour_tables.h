@@ -16,14 +16,14 @@ class Hasher;
 
 class ColourTables {
  public:
-  // Sets the table of the channel that `info.channel` names.  Returns false when `info.channel` is
-  // not the constant of exactly one channel.
+  // Sets the colour table of the channel that `info.channel` names.  Returns false when
+  // `info.channel` is not the constant of exactly one channel.
   bool Set(const OCdtInfo& info);
 
   bool empty() const { return used_ == 0; }
 
-  // Returns a byte in which bit k is set when the pixel with these values matches the table of
-  // channel k.
+  // Returns a byte in which bit k is set when the pixel with these values matches the colour table
+  // of channel k.
   uint8_t Detect(uint8_t y, uint8_t cr, uint8_t cb) const {
     const size_t segment = y / (256 / ocdtMAX_Y_SEGMENT);
     return cr_[segment][cr] & cb_[segment][cb];

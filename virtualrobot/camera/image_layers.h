@@ -53,7 +53,7 @@ class ImageLayers {
             word field_counter, OFbkImageVectorData* vector);
 
  private:
-  // Returns the number of bytes in one row of the layer, with all bands.
+  // Returns the number of bytes in one row of the layer `layer` of an image, with all bands.
   size_t BytesOfRow(OFbkImageLayer layer) const;
   void ReadPicture(const Picture& picture, const Exposure& exposure, byte* layer_h);
   // Computes Y, LH, HL and HH of `layer` into `to` from the luminance `from`, which has twice the

@@ -214,9 +214,9 @@ void JointTree::FindForces(const std::vector<TorqueLine>& lines, double gravity_
   }
 }
 
-// Factors the matrix into L^T D L, with L a lower triangle with ones on its diagonal.  Eliminates
-// the leaves first, because then only those elements change whose two unknowns are on one way to
-// the trunk.
+// Factors the matrix of the equation of motion into L^T D L, with L a lower triangle with ones on
+// its diagonal.  Eliminates the leaves first, because then only those elements change whose two
+// unknowns are on one way to the trunk.
 void JointTree::Factor() {
   for (int k = Unknowns() - 1; k >= 0; --k) {
     double* const row = RowOf(k);

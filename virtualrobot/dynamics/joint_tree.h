@@ -92,8 +92,8 @@ class JointTree {
   void AddRow(int part, const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W);
   int rows() const { return static_cast<int>(row_speed_.size()); }
 
-  // Returns the velocity along row `row` (the point and direction of a call of AddRow()) at the end
-  // of the step if no contact acts, in m/s.
+  // Returns the velocity along row `row` (the point and direction of a call of AddRow()) that the
+  // step would end with if no contact acted, in m/s.
   double FreeSpeed(int row) const { return row_speed_[row]; }
 
   // Returns by how much an impulse of 1 N s along row `b` changes the velocity along row `a`, in
@@ -163,8 +163,9 @@ class JointTree {
   // For each part: force that the present motion and gravity demand for the part and all parts
   // behind it.
   std::vector<Spatial> force_;
-  // Lower triangle of the matrix M + h B of the equation at the top of this file, row by row; after
-  // Factor() the factors L and D of this matrix.
+  // Lower triangle of the matrix M + h B, row by row; after Factor() the factors L and D of this
+  // matrix.  M is the inertia of the tree, h the length of a step, and B says by how much the
+  // torque of each servo falls when its hinge turns faster.
   std::vector<double> matrix_;
   std::vector<double> along_;  // for each unknown: its force; after Eliminate() its momentum
   bool is_eliminated_ = false;

@@ -47,7 +47,8 @@ void ReadBodies(const JsonReader& root, RobotModel* model) {
     row.AllowOnly({"name", "mass", "size", "centre"});
     BodyPart body;
     body.name = row.At("name").Text();
-    // Refuses a name that occurs twice, because joints and sensors refer to parts by name.
+    // Refuses the name of a part that occurs twice, because joints and sensors refer to parts by
+    // name.
     if (model->FindBody(body.name) >= 0) row.Fail("a second body '{}'", body.name);
     body.mass_kg = row.At("mass").Number() / 1000;
     if (body.mass_kg < 0)

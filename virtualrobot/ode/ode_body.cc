@@ -150,7 +150,8 @@ void OdeBody::EndFrame() {
     JointState& joint = state_.joints[j];
     joint.drive = servos_[j].Drive(joint.angle_rad, joint.speed_rad_s);
   }
-  // Computes the mean acceleration over the frame from the change of the velocity.
+  // Computes the mean acceleration of the robot's base over the frame from the change of the
+  // velocity.
   const Vector3d acceleration_W = (state_.v_WB - v_before_W_) / kFrame_s;
   state_.gravity_B =
       state_.X_WB.linear().transpose() * (Vector3d(0, 0, -kGravity_m_s2) - acceleration_W);
@@ -259,9 +260,9 @@ void OdeBody::PullByHand(double step_s) {
       Limited((v_wanted_W - state_.v_WB) * (0.5 * model_.bodies[0].mass_kg / step_s), kHandForce_n);
   tree_->AddForce(0, force_W, tree_->centre_W(0));
 
-  // Computes the axis of the rotation from the present to the wanted orientation, times its angle.
-  // For a small rotation, this is half the sum of the cross products of the present and the wanted
-  // axes.
+  // Computes the axis of the rotation from the present orientation of the trunk to the orientation
+  // that the person's hand wants, times its angle.  For a small rotation, this is half the sum of
+  // the cross products of the present and the wanted axes.
   const Matrix3d R = state_.X_WB.linear();
   Vector3d turn_W = Vector3d::Zero();
   for (int axis = 0; axis < 3; ++axis)

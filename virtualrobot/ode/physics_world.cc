@@ -47,8 +47,8 @@ PhysicsWorld::PhysicsWorld(const World& world, const OdeSettings& settings)
 }
 
 PhysicsWorld::~PhysicsWorld() {
-  // Destroys finder_, which finds contacts, first, because it refers to bodies of ODE's world,
-  // which is destroyed next.
+  // Destroys finder_, which finds contacts, before ODE's world, because finder_ refers to bodies of
+  // this world.
   finder_.reset();
   dWorldDestroy(ode_);  // destroys the world with its bodies
 }

@@ -65,8 +65,8 @@ void OVirtualRobotAudioComm::PlayFrame() {
                              Severity::kWarning, std::move(problem.text));
   }
   if (!plays) return;
-  // Does not report missing power after the pause button was pressed.  The amplifier then has no
-  // power, but this is no mistake of the program.
+  // Gives no warning about missing motor power after the pause button was pressed.  The speaker's
+  // amplifier then has no power, but this is no mistake of the program.
   const bool power = robot_.power.motor_power();
   if (!power && !robot_.power.pause()) {
     system().AddFinding(Severity::kWarning,

@@ -27,7 +27,7 @@ class Microphone {
   void set_directional(bool directional) { settings_.directional = directional; }
   void set_level_control(bool on) { settings_.level_control = on; }
 
-  // Returns whether a vector is complete when frame `frame` begins.
+  // Returns whether a sound vector of the microphones is complete when frame `frame` begins.
   bool Due(int64_t frame) const { return frame > 0 && frame % frames_per_vector_ == 0; }
 
   // Returns a vector with the sound of the frames_per_vector frames before `frame`.  The vector is

@@ -43,7 +43,8 @@ const SoundType* Speaker::FindSoundType(longword type) {
 
 void Speaker::SetVolume(longword volume) {
   settings_.volume = volume & 0xffff;
-  // Limits the factor to 1000 (60 dB), because beyond it every sample is at full scale anyway.
+  // Limits the factor of the volume to 1000 (60 dB), because beyond it every sample is at full
+  // scale anyway.
   settings_.gain = static_cast<int32_t>(std::min(GainOf(settings_.volume), 1000.0) * kFullGain);
 }
 
