@@ -249,7 +249,7 @@ class StickCompletion {
     harvest_.notes.insert(harvest_.notes.end(), unlisted_.begin(), unlisted_.end());
   }
 
-  // Adds to `listed_`, the images that the new OBJECT.CFG names, the images of this build that
+  // Adds to `listed_` (the images that the new OBJECT.CFG names) the images of this build that
   // rules of Makefiles have put on the stick, each under the name that the rule gave it.
   void ListInstalled() {
     for (const fs::path& file : InstalledFiles(stick_)) {
@@ -261,7 +261,7 @@ class StickCompletion {
     }
   }
 
-  // Adds to `listed_`, the images that the new OBJECT.CFG names, the images in the stick's folder
+  // Adds to `listed_` (the images that the new OBJECT.CFG names) the images in the stick's folder
   // OBJS that this build has not linked: images that rules of Makefiles have copied to the stick,
   // and images of the user's stick for which the SDK tree has an image, too.  Adds a note about
   // each image that stays out of OBJECT.CFG.

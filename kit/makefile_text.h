@@ -24,16 +24,16 @@ struct MakefileVariable {
   std::string folder;
 };
 
-// Returns the variables in `text`, a Makefile, that stand for the SDK's folder or a folder in it.
-// The text after a variable shows the folder: $(X)/OPEN_R/lib means that X is the SDK, $(X)/mkbin
-// that X is its folder OPEN_R/bin.
+// Returns the variables in `text`, the text of Makefiles, that stand for the SDK's folder or a
+// folder in it.  The text after a variable shows the folder: $(X)/OPEN_R/lib means that X is the
+// SDK, $(X)/mkbin that X is its folder OPEN_R/bin.
 std::vector<MakefileVariable> SdkVariables(const std::string& text);
 
-// Returns the variables in `text`, a Makefile, that stand for the root of a Memory Stick, as in
-// $(X)/OPEN-R/MW/OBJS.
+// Returns the variables in `text`, the text of Makefiles, that stand for the root of a Memory
+// Stick, as in $(X)/OPEN-R/MW/OBJS.
 std::vector<MakefileVariable> StickVariables(const std::string& text);
 
-// Returns whether `text`, a Makefile, assigns a value to a variable of this name.
+// Returns whether `text`, the text of Makefiles, assigns a value to a variable of this name.
 bool IsDefinedIn(const std::string& text, const std::string& name);
 
 // Returns the file names of images that rules of the Makefile `text` write below OPEN-R/MW/OBJS,

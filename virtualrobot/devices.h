@@ -60,8 +60,8 @@ class Devices {
   // act on it.
   const JointTrouble* TroubleOf(int joint) const;
 
-  // Sets the object whose command vector is applied next, and so sets joints.  SetTarget() stores
-  // this object as the commander of the joint.
+  // Sets the object whose command vector is applied next.  SetTarget() stores this object as the
+  // commander of the joint.
   void set_commander(ObjectId object) { commander_ = object; }
   void SetTarget(int joint, slongword urad);
   void SetLed2(int led, OLEDValue value);

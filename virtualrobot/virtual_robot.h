@@ -119,7 +119,7 @@ class VirtualRobot : public RobotServices {
   OStatus ForJoints(OPrimitiveID id, Function function);
 
   // Adds a warning to the findings for each servo that a change of gains or motor power has just
-  // made active far from its set point.
+  // made active while its joint is far from its set point, or before a set point was sent.
   void CheckServos();
 
   // Returns the primitive that `function` of OPENR:: reads; null when primitive `id` has no sensor.

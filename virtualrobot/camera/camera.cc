@@ -154,8 +154,7 @@ void CameraDevice::FillInfos(longword frame_number, OFbkImageVectorData* vector)
   for (OFbkImageLayer layer = 0; layer < ofbkimageNUM_LAYERS; ++layer) {
     OFbkImageInfo& info = *vector->GetInfo(static_cast<int>(layer));
     // Uses the data type for layers with six bands (luminance, two colours, three differences),
-    // because recent system software sends all six bands, also to a program that needs fewer (BBS
-    // 1856).
+    // because recent system software always sends all six bands (BBS 1856).
     info.type = layer == ofbkimageLAYER_C ? odataFBK_CDT : odataFBK_YCrCb_HPF;
     info.primitiveID = id_;
     info.frameNumber = frame_number;

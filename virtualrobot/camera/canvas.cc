@@ -96,9 +96,9 @@ void Canvas::Begin(const CameraShot& shot, const RgbBytes& floor, const RgbBytes
 
 Canvas::Linear Canvas::AlongRays(const Vector3d& v) const {
   // The ray through the point (x, y) of the picture has the direction (1, slope_h (1 - 2 x /
-  // width), slope_v (1 - 2 y / height)).  (slope_h and slope_v are the slopes of the rays at the
-  // left and the upper edge.) So the scalar product of this direction with `v` is linear in x and
-  // y.  Returns the constant and the factors of x and y.
+  // width), slope_v (1 - 2 y / height)).  Here, slope_h and slope_v are the slopes of the rays at
+  // the left and the upper edge.  So the scalar product of this direction with `v` is linear in x
+  // and y.  Returns the constant and the factors of x and y.
   return {v.x() + v.y() * slope_h_ + v.z() * slope_v_, -2 * v.y() * slope_h_ / width_,
           -2 * v.z() * slope_v_ / height_};
 }
