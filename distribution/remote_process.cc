@@ -27,8 +27,7 @@ constexpr int64_t kJoinNoticeMs = 300;
 // way.  One of these samples may be a goodbye, which has the reason of the end.
 constexpr int kGoodbyeWaitMs = 50;
 constexpr int64_t kShortTimeoutMs = 500;  // time limit for an answer while the run ends
-// Time limit for the worker to receive the sample that ends it.  The limit is long, because a busy
-// machine may not run the worker for seconds.
+// Time for a worker to receive the sample that ends it.  A busy machine may not run it for seconds.
 constexpr int kEndFlushMs = 5'000;
 // After this time without an answer, the user is told that the worker is silent.
 constexpr int64_t kSilenceMs = 2'000;
