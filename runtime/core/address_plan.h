@@ -77,7 +77,8 @@ class AddressPlace {
 // returns its first address.  There are two such areas.  Returns null if both are taken or
 // addresses are not planned.
 char* TakeRegionArea();
-// Gives back an `area` that TakeRegionArea() has returned, so that another System can take it.
+// Gives back `area`, the addresses for the regions of one System that TakeRegionArea() has
+// returned, so that another System can take them.
 void GiveRegionArea(char* area);
 // The size of a region area.  RegionMemory needs about 1.33 TiB: for each of its 65,536 slots one
 // block of every size class, which have 64, 256, 1024 ... bytes up to 16 MiB (region_memory.h),

@@ -46,6 +46,7 @@ class ArithmeticWatch {
   bool has_begun_ = false;
   unsigned kinds_ = 0;  // the flags that raise SIGFPE
   // The number of nested calls of functions of the SDK and the C library that are running now.
+  // While it is not 0, operations raise no SIGFPE.
   int calls_ = 0;
   // The image's value of MXCSR, the register that enables SIGFPE, kept while a function of the SDK
   // or of the C library runs.

@@ -85,10 +85,12 @@ class Dispatcher {
   Limits limits_;
   uint64_t delivered_ = 0;     // messages delivered in all calls of Run()
   uint64_t run_began_at_ = 0;  // value of delivered_ when the current Run() began
-  // The value of delivered_ from which on Loop() asks MayContinue() before each message.
+  // Loop() asks MayContinue() before each message as soon as delivered_, the number of all
+  // delivered messages, has this value.
   uint64_t stop_at_ = 0;
   const uint64_t free_deliveries_;
-  // The value of delivered_ from which on NoteManyDeliveries() is called for each message.
+  // NoteManyDeliveries() is called for each message as soon as delivered_, the number of all
+  // delivered messages, has this value.
   uint64_t many_at_;
 };
 

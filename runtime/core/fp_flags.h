@@ -26,15 +26,18 @@ constexpr int kFpKinds = 5;  // number of bits in kFpAll
 // The flags of operations that would stop the robot.  SIGFPE can find the instruction that raises
 // one of these flags (arithmetic_watch.h).
 constexpr unsigned kFpCaught = kFpInvalid | kFpDenormal | kFpDivByZero | kFpOverflow;
-// The mask bit of a flag lies this number of bits to the left of the flag in MXCSR.  While the mask
-// bit is set, operations that set the flag raise no SIGFPE.
+// MXCSR, the register with the floating-point flags, has a mask bit for each flag, this number of
+// bits to the left of the flag.  While the mask bit is set, operations that set the flag raise no
+// SIGFPE.
 constexpr int kFpMaskShift = 7;
 
 // Without SSE2 the next three functions do nothing.
 #if defined(__SSE2__)
-// Returns the register MXCSR, so that SetFpState() can restore it later.
+// Returns the register MXCSR (the floating-point flags and their mask bits), so that SetFpState()
+// can restore it later.
 inline unsigned FpState() { return _mm_getcsr(); }
-// Restores the register MXCSR to a result of FpState().
+// Sets the register MXCSR (the floating-point flags and their mask bits) to `state`, which
+// FpState() has returned.
 inline void SetFpState(unsigned state) { _mm_setcsr(state); }
 // Makes exactly the operations that set one of the flags `kinds` raise SIGFPE, and clears these
 // flags.

@@ -92,14 +92,14 @@ std::string OcfTextOf(const std::string& bytes) {
     Elf64_Shdr section;
     if (!ReadAt(bytes, section_at(i), &section)) return "";
     const uint64_t name = names.sh_offset + section.sh_name;
-    // Compares the NUL at the end of the section's name too, so that no longer name with the same
-    // beginning is taken for kOcfSection.
+    // Compares the NUL at the end of the section's name too, because a longer name that only begins
+    // with kOcfSection names another section.
     if (name >= bytes.size() ||
         bytes.compare(name, sizeof kOcfSection, kOcfSection, sizeof kOcfSection))
       continue;
     if (section.sh_offset > bytes.size()) return "";
     const std::string text = bytes.substr(section.sh_offset, section.sh_size);
-    // Cuts the section at the NUL that ends the .ocf text.
+    // Leaves out the NUL that ends the .ocf text, and all bytes of the section behind it.
     return text.substr(0, text.find('\0'));
   }
   return "";

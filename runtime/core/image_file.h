@@ -20,7 +20,8 @@ struct ImageFile {
 // it is an image, is for this machine, and is complete.
 ImageFile ReadImageFile(const std::string& path);
 
-// Does the checks of ReadImageFile() with the bytes of a file that the caller has already read.
+// Checks the bytes of a file that the caller has already read, as ReadImageFile() does: whether the
+// file is an image, is for this machine, and is complete.
 ImageFile CheckImage(std::string bytes);
 
 // Returns the .ocf text (name, priority and memory sizes of the object) in the bytes of a host

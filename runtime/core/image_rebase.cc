@@ -54,8 +54,8 @@ class Rebase {
  public:
   Rebase(std::string bytes, uint64_t by) : bytes_(std::move(bytes)), by_(by) {}
 
-  // Moves the image file, and returns its changed bytes.  Returns "" if the file cannot be moved or
-  // needs more than `size_max` bytes of memory.
+  // Adds the distance of the move to all addresses in the image file, and returns the changed
+  // bytes.  Returns "" if the file cannot be changed or needs more than `size_max` bytes of memory.
   std::string Run(uint64_t size_max);
 
  private:

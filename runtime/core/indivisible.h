@@ -17,9 +17,10 @@ class Indivisible {
   Indivisible(const Indivisible&) = delete;
   Indivisible& operator=(const Indivisible&) = delete;
 
-  // Called in a signal handler that wants to end the process by calling `end`.  If an Indivisible
-  // exists, returns true, and its destructor will call `end`.  If not, returns false, and the
-  // signal handler may end the process itself.  Only for signals of the thread that runs handlers.
+  // Called in a signal handler that wants to end the process by calling `end`.  If the signal has
+  // interrupted a section of code that is marked by an Indivisible, returns true, and the
+  // destructor of this Indivisible will call `end`.  Otherwise returns false, and the signal
+  // handler may end the process itself.  Only for signals of the thread that runs handlers.
   static bool PutOff(void (*end)());
 };
 

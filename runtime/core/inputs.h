@@ -28,7 +28,8 @@ class Inputs {
   // The work of one input.  `work` is called at the input's frame boundary, outside all handlers.
   struct Action {
     Action() = default;
-    // The constructor is not explicit, so that Verb::read can write `*action = [this] { ... };`.
+    // The constructor is not explicit, so that Verb::read can assign a lambda to an Action:
+    // `*action = [this] { ... };`.
     template <std::invocable Work>
     requires(!std::same_as<std::remove_cvref_t<Work>, Action>) Action(Work&& work_in)
         : work(std::forward<Work>(work_in)) {}
@@ -70,7 +71,8 @@ class Inputs {
   std::string Add(int robot, std::string_view line);
 
   // Adds the input `line` for the frame boundary at `time_us`, or the first frame boundary after
-  // it.  No listener is called.  REQUIRES: as Add(), and `time_us` is not in the past.
+  // it.  No listener is called.  REQUIRES: not called in a handler, and `time_us` is not in the
+  // past.
   std::string AddAt(int64_t time_us, int robot, std::string_view line);
 
   // Registers a `listener` that Add() calls with each line that it accepts.

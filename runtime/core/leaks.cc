@@ -50,7 +50,7 @@ struct Node {
   // Owner of the block or region.  If it is null, this block or region is never reported as a leak.
   const Object* object = nullptr;
   bool is_region = false;
-  // The calls that led to the allocation of the block, if this node is a block.
+  // The calls that led to the allocation, if this possible leak is a block and not a region.
   const std::vector<const void*>* calls = nullptr;
   const void* made_at = nullptr;  // the instruction that made the region, if this is a region
   bool is_reachable = false;
@@ -104,8 +104,8 @@ void LeakSearch::CollectBlocks() {
       nodes_.push_back(
           {.begin = HiddenAddress(block), .bytes = bytes, .object = object.get(), .calls = &calls});
     });
-    // Adds the memory that NewRegion() (MCOOP.h) has given to the object as a node without an
-    // owner, so that this memory is never reported as a leak: it belongs to the object until
+    // Adds the memory that NewRegion() (MCOOP.h) has given to the object.  The memory
+    // gets no owner, so that it is never reported as a leak: it belongs to the object until
     // DeleteRegion().
     for (void* const region : object->private_regions)
       nodes_.push_back({.begin = HiddenAddress(region), .bytes = Arena::UsableSize(region)});

@@ -20,8 +20,8 @@ std::unique_ptr<ImageObject> OpenImage(System* system, int robot, ObjectId id,
                                        const std::string& path, const std::string& where,
                                        const std::string& file = "");
 
-// Loads an image like OpenImage(), with a new object id, and adds the object to `system`.  Returns
-// the object; null if the image cannot be loaded.
+// Loads an image of the stick of `robot`, as OpenImage() does, but with a new object id, and adds
+// the object to `system`.  Returns the object; null if the image cannot be loaded.
 Object* LoadImage(System* system, int robot, const std::string& path, const std::string& where,
                   const std::string& file = "");
 

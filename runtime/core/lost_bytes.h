@@ -22,10 +22,10 @@ void FlushStream(std::FILE* stream, OpenFiles::File* file);
 // stream that is not a file of the object.
 void ReportErrorMark(std::FILE* file);
 
-// Writes the bytes to their files that the streams which `object` has left open still hold.
-// Reports, as ReportLostBytes() does, each file whose bytes the disk does not take, now or at an
-// earlier write.  Called before an object is replaced, which closes its streams without a look at
-// errors, and at the end of `openr run`, unless each robot has a process of its own.
+// Writes to their files the bytes that are still in the buffers of the streams that `object` has
+// left open.  Reports, as ReportLostBytes() does, each file whose bytes the disk does not take, now
+// or at an earlier write.  Called before an object is replaced, which closes its streams without a
+// look at errors, and at the end of `openr run`, unless each robot has a process of its own.
 void FlushStreams(Object* object);
 
 }  // namespace openr_host

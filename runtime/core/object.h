@@ -167,8 +167,8 @@ class Object {
   bool is_system = false;   // whether the object is a part of the robot and not of the application
   bool is_leaving = false;  // whether another object is about to replace this object
   // True if no code is loaded for the object with this id, because the robot was switched off.
-  // When the robot boots, the object with this path gets this id again.  If there is no path, the
-  // object with this name gets the id.
+  // When the robot boots, the new object with the same path gets this id again.  If this object has
+  // no path, the new object with the same name gets the id.
   bool is_absent = false;
   std::string name;  // OBJECT_NAME of the .ocf file, unique per robot
   std::string path;  // /MS/... of an image; empty for objects built in code
@@ -224,7 +224,8 @@ class Object {
   // with thousands of objects a delivery spends most of its time waiting for memory.  They come
   // last and leave 8 bytes of the line, so that CodeHost::code lies on this line, too.
 
-  // The object has the entries 0 to entry_count - 1.  For all other entries, HasEntry() is called.
+  // The object has the entries 0 to entry_count - 1.  Whether it has a later entry must be asked
+  // with HasEntry().
   alignas(64) uint32_t entry_count = 0;
   // The number of messages to the object, except replies, that are not delivered yet.
   int waiting = 0;

@@ -235,8 +235,9 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
   Forget(id);
   std::erase_if(system_->robot(old->robot).directory,
                 [&](const auto& entry) { return entry.second.first == id; });
-  // Does not call EndAllOf() for an object of a lost process, because the caller of Return() has
-  // called EndAllOf() for such objects already.
+  // Calls EndAllOf() for an image that is replaced, and for every object of a robot that was
+  // switched off.  For all other objects, whose process was lost, the caller of Return() has called
+  // it already.
   if (old->is_image || fresh->is_absent) EndAllOf(id);
   for (const Listener& listener : replace_listeners_) listener(id);
   PassStatistics(*old, fresh.get());

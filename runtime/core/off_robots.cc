@@ -31,8 +31,8 @@ void OffRobots::DoDue() {
     system_->robot(robot).services->RunFrameWhileOff();
     times.frame_us += system_->frame_us();
     if (times.boot_us > system_->now_us()) continue;
-    // Lets no further frame of this robot end, because its boot is posted and the object manager
-    // will boot it.
+    // Ends the frames of this robot, because its boot is posted and the object manager will boot
+    // it.
     times.frame_us = INT64_MAX;
     system_->manager().PostBootAgain(robot);
   }

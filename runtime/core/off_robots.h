@@ -28,8 +28,8 @@ class OffRobots {
   // Returns the virtual time at which robot number `robot` boots.  REQUIRES: Contains(robot).
   int64_t BootUs(int robot) const { return robots_.at(robot).boot_us; }
 
-  // Returns the earliest time at which a frame of a robot that is off ends; INT64_MAX if no robot
-  // is off.
+  // Each robot that is off has frames of its own; at the end of a frame its body moves (DoDue()).
+  // Returns the virtual time of the earliest such end; INT64_MAX if no frame will end.
   int64_t NextUs() const;
   // For each robot that is off and whose frame ends now: moves the robot's body, and posts the
   // robot's boot if it is due.  The object manager may execute a posted boot later.  So a robot

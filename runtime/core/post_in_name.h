@@ -39,8 +39,9 @@ std::vector<std::string> SubjectsOf(const System& system, int robot, std::string
 // subject and observer are not connected, or the queue is full.
 std::string PostNotification(System* system, const ServiceEnd& subject, const ServiceEnd& observer,
                              std::string_view datum);
-// Posts a ready to `subject`, as if `observer` had sent it.  Returns "", or the reason why nothing
-// was posted, as PostNotification() does.
+// If `is_ready`, posts a ready to `subject`, otherwise a deassert, as if `observer` had sent it.
+// Returns "", or the reason why nothing was posted: subject and observer are not connected, or the
+// queue is full.
 std::string PostReady(System* system, const ServiceEnd& observer, const ServiceEnd& subject,
                       bool is_ready);
 

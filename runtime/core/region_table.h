@@ -93,9 +93,9 @@ class RegionTable {
   // its memory.
   bool Resize(uint32_t id, size_t size);
 
-  // Returns whether a program has written beyond the end of region `id`, that is, whether the known
-  // bytes behind it were changed.  Always false with AddressSanitizer, which reports such a write
-  // itself.
+  // Returns whether a program has written beyond the end of region `id`, that is, whether the bytes
+  // with a known value that follow the region were changed.  Always false with AddressSanitizer,
+  // which reports such a write itself.
   bool WrittenBeyond(uint32_t id) const;
 
   // Pin() keeps the memory of a region that is still being read, until Unpin().  Both functions

@@ -34,8 +34,10 @@ class Requests {
 
   // Posts the request `message` and sets `*box` to a new box for the reply.
   int32_t Send(OwnedMessage message, uint64_t* box);
-  // Waits for the reply in `box`, and copies it to `reply` as Call() does.  If `got` is not null,
-  // sets `*got` to the number of copied bytes.  `why` is a text for users, as in Await().
+  // Waits for the reply in `box`, and copies at most `reply_size` bytes of it to `reply`, if this
+  // is not null.  If `got` is not null, sets `*got` to the number of copied bytes.  Returns
+  // sTIMEOUT if no reply came within `timeout_us`.  `why` describes for users what the handler
+  // waits for: "the answer of IPStack (Send)".
   int32_t Wait(uint64_t box, void* reply, size_t reply_size, size_t* got, int64_t timeout_us,
                std::string_view why);
 

@@ -11,8 +11,9 @@ namespace openr_host {
 // name this code.
 [[noreturn]] void StopAsTheRobotDoes(const std::string& what);
 
-// Returns the text `what` of the last call of StopAsTheRobotDoes(), or "" if there was none.
-// Called by the handler of SIGILL to describe the crash.
+// Returns the text about the fault with which StopAsTheRobotDoes() has stopped an object, such as
+// "unaligned access of 4 bytes"; "" if it was never called.  Called by the handler of SIGILL to
+// describe the crash.
 const char* AnnouncedFault();
 
 }  // namespace openr_host

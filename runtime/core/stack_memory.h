@@ -32,11 +32,11 @@ class StackMemory {
   // contains kBottomOffset and kImportsTopOffset as numbers; static_asserts in that file compare
   // them.
   static constexpr size_t kTopOffset = AddressPlace::kStackBytes - 4096;
-  // Offset of the bottom of the stack for the image's own code, also from the first address of the
-  // memory for stacks.
+  // Offset of the bottom of the stack for the image's own code, from the first address of the
+  // memory for the stacks of the image.
   static constexpr size_t kBottomOffset = kTopOffset - kBytes;
-  // Offset of the top of the stack for imported functions, also from the first address of the
-  // memory for stacks.
+  // Offset of the top of the stack for imported functions, from the first address of the memory for
+  // the stacks of the image.
   static constexpr size_t kImportsTopOffset = kBottomOffset - kGuardBytes;
 
   // Maps the memory at `address`.  If `address` is null or in use, the kernel chooses the address.
@@ -76,8 +76,8 @@ class StackMemory {
   // an address was a fault, the stack above the guard page has overflowed.
   static bool AnyGuardContains(const void* address);
 
-  // Returns the memory of all stacks of this thread that may be read.  Each part is given by its
-  // first address and its number of bytes.  Guard pages are left out, because they cannot be read.
+  // Returns the readable memory of all stacks of this thread: the first address and the number of
+  // bytes of each part.  Guard pages are left out, because they cannot be read.
   static std::vector<std::pair<const char*, size_t>> All();
 
  private:

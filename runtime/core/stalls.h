@@ -38,13 +38,15 @@ struct Stall {
 constexpr int64_t kStallUs = 1'000'000;
 
 // Returns the stalls that have lasted for `least_us` or longer, in the order of the objects' ids.
-// A stall with `may_be_done` is returned only after kStallUs, even if `least_us` is shorter,
-// because most observers work on a notification before they assert ready again.
+// A stall that may be no mistake (`may_be_done`) is returned only after kStallUs, even if
+// `least_us` is shorter, because most observers work on a notification before they assert ready
+// again.
 std::vector<Stall> FindStalls(const System& system, int64_t least_us);
 
-// Adds a finding for every stall that has lasted for kStallUs or longer: a note if `is_chosen`,
-// otherwise a warning.  `is_silent` says whether no object sends messages any more; only then are
-// stalls with `may_be_done` reported.  Called at the end of a run.
+// Adds a finding for every stall that has lasted for kStallUs or longer: a note if the observer has
+// probably stopped on purpose (`is_chosen`), otherwise a warning.  `is_silent` says whether no
+// object sends messages any more; only then are stalls reported that may be no mistake
+// (`may_be_done`).  Called at the end of a run.
 void ReportStalls(System* system, bool is_silent);
 
 }  // namespace openr_host

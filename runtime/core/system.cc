@@ -126,7 +126,7 @@ void System::Shutdown(int robot, const RunEnd& why) { calls_->Shutdown(robot, wh
 
 void System::BeginShutdown(int index, const RunEnd& why) {
   // If the robot is off already and waits for its boot timer, ends this wait, so that the robot
-  // stays off.  No object of the robot runs and would have to be stopped.
+  // stays off.  Its objects need not be stopped, because none of them runs.
   if (off_robots_.Remove(index)) {
     robot(index).end = why;
     return NoteWhetherAllAreOff(why);

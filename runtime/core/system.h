@@ -163,8 +163,8 @@ class System {
   const std::vector<Connection>& connections() const { return connections_; }
 
   // Sets the state of all random generators to that of a System with this seed.  Does not change
-  // the order of messages, which the first seed or set_schedule() has decided.  REQUIRES: before
-  // Boot().
+  // the order of messages, which SystemOptions::seed or set_schedule() has decided before.
+  // REQUIRES: before Boot().
   void Reseed(uint64_t seed);
 
   // Posts the message that begins the boot: DoInit of all objects, then their connections, then
@@ -324,7 +324,8 @@ class System {
   const SystemOptions& options() const { return options_; }
   MessageQueue& queue() { return queue_; }
   SystemCalls& calls() { return *calls_; }
-  // The next two functions are short forms for functions of calls().
+  // The next two functions call the functions of calls() with the same names.  If calls() is
+  // LocalCalls, they do the work themselves, which saves a virtual call.
   bool PinRegion(uint32_t region) {
     return calls_are_local_ ? regions_.Pin(region) : calls_->PinRegion(region);
   }
@@ -394,8 +395,9 @@ class System {
   void CheckPosts();
 
   SystemOptions options_;
-  // True if `calls_` is LocalCalls.  The functions that run for every notification then do the work
-  // themselves, which saves a virtual call.
+  // True if `calls_` is LocalCalls, that is, if the calls of handlers work on the tables of this
+  // System.  The functions that run for every notification then do this work themselves, which
+  // saves a virtual call.
   const bool calls_are_local_;
   // True if nothing but the receiver of a message may refuse or delay the message: `calls_` is
   // LocalCalls, and there is no schedule and no processor.

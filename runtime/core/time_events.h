@@ -32,19 +32,19 @@ class TimeEvents {
   // has arrived in the owner's reply box `box`.  REQUIRES: box != 0.
   uint32_t AddReply(Letter letter, uint64_t box);
 
-  // Cancels event `id`.  Returns false if `owner` has no such event.
+  // Cancels the time event or reply event `id`.  Returns false if `owner` has no such event.
   bool Cancel(ObjectId owner, uint32_t id);
-  // Returns the number of events of `owner`.
+  // Returns the number of time events and reply events of `owner`.
   int CountOf(ObjectId owner) const;
   // Removes all events of object `id`, and all events that post to it, because the object has ended
   // or is being replaced.
   void ForgetObject(ObjectId id);
 
-  // Returns the virtual time at which the next event is due, or INT64_MAX if all events wait for
-  // replies.
+  // Returns the virtual time at which the next time event is due; INT64_MAX if there is no time
+  // event.
   int64_t NextUs() const;
-  // Posts the messages of events that are due now, in the order of the events' ids, which is the
-  // same in every run.
+  // Posts the messages of all time events that are due now, in the order of the events' ids, which
+  // is the same in every run.
   void PostDue();
   // Posts the messages of the events that wait for the reply in reply box `box` of object `owner`,
   // and removes these events.  Called when this reply has arrived.

@@ -84,9 +84,9 @@ uint64_t PayloadHash(const Message& message, uint32_t* size);
 // hold addresses, which differ from run to run, so comparing them would be useless.
 std::string PayloadBytes(const Message& message);
 
-// Returns the same bytes as PayloadBytes().  If they are in one piece in memory, the result points
-// to them.  Otherwise they are copied to `*copy`, and the result points to the copy.  The result is
-// valid until the message is released or `*copy` changes.
+// Returns the content of `message`, the same bytes as PayloadBytes().  If they are in one piece in
+// memory, the result points to them.  Otherwise they are copied to `*copy`, and the result points
+// to the copy.  The result is valid until the message is released or `*copy` changes.
 std::string_view PayloadView(const Message& message, std::string* copy);
 
 }  // namespace openr_host

@@ -23,8 +23,8 @@ class WatchedFiber {
   // with the calls on this stack that never returned.  REQUIRES: the stack is not running.
   void Begin();
 
-  // Stores the fiber of ThreadSanitizer that belongs to the running stack, which is about to be
-  // left.
+  // Stores in fiber_, before the running stack is left, the list of calls that ThreadSanitizer
+  // keeps for this stack (ThreadSanitizer calls the list a fiber).
   void Leave();
 
   // Tells ThreadSanitizer that this stack runs from now on.  The caller must change the stack
