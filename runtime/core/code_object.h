@@ -89,8 +89,8 @@ class CodeObject : public OObject {
     Extra extra_;
   };
 
-  // Handles the ready messages to `subject`, which is a part of this entry.  Passes each message to
-  // `subject`, then calls `ready_`, the function that the object has given to AddSubject().
+  // The entry of a subject.  Passes each ready message to `subject`, a member of this class, then
+  // calls `ready_`, the function that the object has given to AddSubject().
   template <typename Ready>
   class ReadyEntry final : public Entry {
    public:
@@ -107,8 +107,8 @@ class CodeObject : public OObject {
     Ready ready_;
   };
 
-  // Handles the notifications to `observer`, which is a part of this entry.  Passes each message to
-  // `observer`, then calls `notify_`, the function that the object has given to AddObserver().
+  // The entry of an observer.  Passes each notification to `observer`, a member of this class, then
+  // calls `notify_`, the function that the object has given to AddObserver().
   template <typename Notify>
   class NotifyEntry final : public Entry {
    public:

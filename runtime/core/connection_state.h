@@ -35,7 +35,7 @@ struct RegionAccess {
   // notification that describes the subject's RCRegion.  Both RCRegions refer to the same memory,
   // unless the observer gets a read-only copy (guard_pages.h).
   static RCRegion* Receive(System* system, const TransferedData& data);
-  // Deletes an RCRegion of `system` that Receive() has made.
+  // Deletes `received`, an RCRegion that Receive() has made for an observer of `system`.
   static void GiveBack(System* system, RCRegion* received);
   // Visits the pool from which this thread takes the memory of its RCRegions.  Calls `memory` for
   // each piece of memory that belongs to the pool, and `used` for every RCRegion of the pool that
@@ -78,8 +78,8 @@ inline bool IsRunningMessage(const Object& object, PayloadKind kind) {
 }
 
 // Message type of a deassert (the message that an observer is not ready) that the runtime sends in
-// the name of an observer.  The observer cannot receive, because its process has ended or its
-// object is being replaced.  No message type of the SDK has this value.
+// the name of an observer, because the observer cannot receive: its process has ended or its object
+// is being replaced.  No message type of the SDK has this value.
 constexpr OMessageType kDeassertOfLost = 0x10000;
 
 // Message type of a connect message for a subject whose process is lost.  The observer records that
@@ -105,7 +105,7 @@ class RegionList {
   RCRegion* const* begin() const { return regions_; }
   RCRegion* const* end() const { return regions_ + size_; }
 
-  // REQUIRES: size() < MAX_NUM_DATA.
+  // Adds `region` as the newest region of the notification.  REQUIRES: size() < MAX_NUM_DATA.
   void Append(RCRegion* region) { regions_[size_++] = region; }
   // Removes the oldest region and returns it.  REQUIRES: !empty().
   RCRegion* TakeFirst();
@@ -274,7 +274,8 @@ struct ObserverState {
   // Records that this observer is connected with `subject`, which has registered `subject_service`.
   // Sends the command that the observer has given while this subject was missing.
   void AddSubject(const SubjectID& subject, const std::string& subject_service);
-  // Records the end of each connection for whose subject `ends` returns true.
+  // Removes from `subjects` and `names` each subject for which `ends` returns true, because this
+  // observer is no longer connected with the subject.
   void RemoveSubjects(const std::function<bool(const SubjectID&)>& ends);
   // Records that the subject of `subject_service` is missing: its process is lost, or its object is
   // being replaced.

@@ -29,7 +29,8 @@ class CostModel {
   // Returns the virtual time in us that a frame takes: the step in which the robot's sensors and
   // joints work, 8 ms on a robot.  A model may set another length.
   virtual int64_t FrameUs() const;
-  // Adds to the state hash all state of the model that can change later costs.
+  // Adds to the state hash all state of this model that can change what handlers cost later in the
+  // run.
   virtual void HashState(Hasher*) const {}
 };
 
@@ -51,8 +52,9 @@ class Cpu {
   // takes more than the time between two sensor vectors (field-notes.md, 1.12).
   static constexpr int64_t kLongHandlerUs = 32'000;
 
-  // Keeps `message` until a handler has ended, because its receiver `object` must wait for the
-  // processor.  Records `now_us` as the time at which the wait of the object began.
+  // Keeps `message` until a handler has ended and the processor may be free, because its receiver
+  // `object` must wait for the processor.  Records `now_us` as the time at which the wait of the
+  // object began.
   void Wait(Object* object, OwnedMessage message, int64_t now_us);
 
   // Removes the messages to object `id` that wait for the processor, and returns them, oldest

@@ -85,10 +85,10 @@ void GuardPages::Retire(const char* copy) {
   } else if (area != nullptr) {
     munmap(page, bytes);
   } else {
-    // Keeps the pages of a read-only copy, which the observer has given back, mapped, but allows no
-    // access, if addresses are not planned (address_plan.h).  If they were unmapped, the kernel
-    // could put other memory at these addresses, and a later access of the observer would be no
-    // fault.
+    // If addresses are not planned (address_plan.h), the pages of a read-only copy that the
+    // observer has given back stay mapped, but no access is allowed.  If they were unmapped, the
+    // kernel could put other memory at these addresses, and a later access of the observer would be
+    // no fault.
     madvise(page, bytes, MADV_DONTNEED);
     mprotect(page, bytes, PROT_NONE);
   }

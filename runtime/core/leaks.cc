@@ -104,9 +104,8 @@ void LeakSearch::CollectBlocks() {
       nodes_.push_back(
           {.begin = HiddenAddress(block), .bytes = bytes, .object = object.get(), .calls = &calls});
     });
-    // Adds the memory that NewRegion() (MCOOP.h) has given to the object.  The memory
-    // gets no owner, so that it is never reported as a leak: it belongs to the object until
-    // DeleteRegion().
+    // Adds the memory that NewRegion() (MCOOP.h) has given to the object.  The memory gets no
+    // owner, so that it is never reported as a leak: it belongs to the object until DeleteRegion().
     for (void* const region : object->private_regions)
       nodes_.push_back({.begin = HiddenAddress(region), .bytes = Arena::UsableSize(region)});
   }

@@ -232,8 +232,8 @@ class Object {
   int queue_max = 32;   // limit of `waiting` (field-notes.md, 2.3), set with SetResourceValue()
   int waiting_max = 0;  // the highest value of `waiting` so far
   ObjectLimits limits;
-  // The class of the messages that the object posts, which counts before the priority of the
-  // receiver in the order of delivery.
+  // The class of the messages that the object posts.  The order of delivery compares the classes of
+  // messages first, then the priorities of their receivers.
   MessageClass post_class = MessageClass::kObject;
   const bool is_image;  // whether the object was loaded from a file (an image)
   DeliveryState::PlainFlag is_plain{delivery};  // whether a delivery only calls the handler

@@ -82,9 +82,10 @@ class ObjectManager : public CodeObject {
   // Calls `entry` (DoInit, DoStart, DoStop or DoDestroy) of `object` with the `reason` (boot or
   // shutdown), and waits until it has returned.
   void Send(Object* object, Selector entry, OReason reason);
-  // Calls Send() for all system objects, or for all other objects if `system_objects` is false.
-  // There are two calls for each step, because system objects boot before the others and shut down
-  // after them.  The objects are those of `robot`, or of all robots.
+  // Calls Send() for all system objects (parts of the robot), or for all other objects if
+  // `system_objects` is false.  There are two calls for each step, because system objects boot
+  // before the others and shut down after them.  The objects are those of `robot`, or of all
+  // robots.
   void SendToAll(Selector entry, OReason reason, bool system_objects, int robot = kAllRobots);
   void Connect(const struct Connection& connection);
   void ReleaseEarlyMessages();

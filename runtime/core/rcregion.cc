@@ -187,9 +187,9 @@ RCRegion* RegionAccess::Receive(System* system, const TransferedData& data) {
   return region;
 }
 
-// Makes a read-only copy of the data of `region`, which Receive() has made, and replaces the
-// address in `region` by the address of the copy.  Does nothing if the current object may write
-// into the memory.
+// Makes a read-only copy of the data of `region`, an RCRegion that the current object has received,
+// and replaces the address in `region` by the address of the copy.  Does nothing if the current
+// object may write into the memory.
 void RegionAccess::UseReadOnlyCopy(RCRegion* region) {
   System* const system = t_current.system;
   const Object* const self = t_current.object;

@@ -40,8 +40,8 @@ class RegionTable {
   char* AdoptCopy(uint32_t id, size_t size);
   void KeepCopy(uint32_t id) { Pin(id); }
   void DropCopy(uint32_t id) { Unpin(id); }
-  // Removes region `id`, which AdoptOwn() made.  Called when the master process has deleted the
-  // region.  The memory stays while the region is pinned (Pin()).
+  // Removes region `id` of an object in this worker process (AdoptOwn()).  Called when the master
+  // process has deleted the region.  The memory stays while the region is pinned (Pin()).
   void Lose(uint32_t id);
 
   // Finds the region in which `address` lies, and sets `*id` to the region's id and `*offset` to

@@ -62,8 +62,8 @@ class RobotServices {
   // Returns the virtual time in us for which the robot stays off after the shutdown that Shutdown()
   // has begun; nullopt if only a person can boot the robot again.
   virtual std::optional<int64_t> TimeOffUs() const { return {}; }
-  // Switches the devices off, and sets all their state and settings as at a boot.  Called when a
-  // robot that boots again has shut down.
+  // Switches the devices off, and sets all their state and settings as at a boot.  Called after the
+  // shutdown of a robot that will boot again.
   virtual void SwitchOff() {}
   // Moves the body for one frame while the robot is off.  Called at the end of the frame.
   virtual void RunFrameWhileOff() {}

@@ -150,8 +150,8 @@ void System::Reseed(uint64_t seed) {
 }
 
 void System::Shutdown(const RunEnd& why) {
-  // Shuts down at least robot 0, because a System without robots, as in some tests, has its objects
-  // there.
+  // Shuts down at least robot 0, because a System without robots, as in some tests, counts its
+  // objects as objects of robot 0.
   for (int i = 0; i < std::max(1, robot_count()); ++i) Shutdown(i, why);
 }
 
@@ -288,8 +288,9 @@ int32_t System::Enqueue(OwnedMessage&& message, int64_t delay_us) {
   if (!message->is_reply) {
     if (message->selector >= target->entry_count && !target->HasEntry(message->selector))
       return RefuseSelector(*message, *target);
-    // Returns whether the message is a system object's message to itself, by which it is called
-    // again later.  A schedule must not refuse such messages, because the system object would stop.
+    // Returns whether the message goes from a system object (a part of the robot) to itself, as a
+    // call that the object has ordered for later.  A schedule must not refuse such messages,
+    // because the system object would stop.
     const auto is_clock = [&] {
       return target->is_system && (message->sender == target->id || message->sender == kNoObject);
     };

@@ -185,7 +185,7 @@ class System {
   void PowerOff(int robot, const RunEnd& why = {});
   // Does the work of Shutdown(), which only passes the request to calls().  In a worker process,
   // calls() sends the request to the master process.  In the master process, calls() is LocalCalls,
-  // which calls this function.  A robot that is off and waits for its boot timer then stays off.
+  // which calls this function.  If the robot is off and waits for its boot timer, it stays off.
   void BeginShutdown(int index, const RunEnd& why);
   // Switches the power of the robot off.  PowerOff() only passes the request to calls(), which
   // calls this function.
@@ -195,7 +195,7 @@ class System {
   // shutdown replaces the reason of the shutdown.  Shutdown() and PowerOff() call this function
   // themselves.
   void NoteEnd(int robot, const RunEnd& why);
-  // Records the reason why the run ends if no robot is the reason.  The first reason is kept.
+  // Records `why` as the reason for the end of the run, unless a reason was recorded before.
   void NoteRunEnd(const RunEnd& why);
   // Returns why the run has ended: the reason given to NoteRunEnd(), or, when all robots are off,
   // the reason of the robot that went off last.  Has no value while the run goes on.
@@ -246,14 +246,15 @@ class System {
     CheckHostAddresses(*message);
     return calls_->Post(std::move(message), delay_us);
   }
-  // Does what Post() does for a notification or a ready, except CheckHostAddresses().  This
-  // function is inline, because most messages of a run are of these two kinds.
+  // Posts a notification or a ready as Post() does, but does not search it for addresses of the
+  // host (CheckHostAddresses()).  This function is inline, because most messages of a run are of
+  // these two kinds.
   [[gnu::always_inline]] int32_t PostAtOnce(OwnedMessage message) {
     Message* const posted = message.release();
     return EnqueueAtOnce(posted) ? sSUCCESS : PostByCalls(posted);
   }
-  // Returns the time to add to a message posted now: 1 us if more messages were delivered at this
-  // instant than SystemOptions::free_deliveries, otherwise 0.
+  // Returns the time to add to the due time of a message that is posted now: 1 us if more messages
+  // were delivered at this instant than SystemOptions::free_deliveries, otherwise 0.
   int64_t creep_us() const { return creep_us_; }
   // Reports `message` if an image posts it and it holds an address of this process.
   void CheckHostAddresses(const Message& message) {
@@ -287,11 +288,11 @@ class System {
     gate_ = gate;
     CheckDeliveries();
   }
-  // Makes the dispatcher ask for each message again whether the receiver can handle it now.  Called
-  // when something begins that may hold messages to any object back: a gate, a model of the
-  // processor, or the boot of an object.  Dispatcher::Admit() makes the dispatcher stop asking when
-  // nothing can hold messages back any more and the time of handlers is not measured
-  // (SystemOptions::wall_clock_ns).
+  // Makes the dispatcher ask again, before it delivers a message, whether the receiver can handle
+  // the message now.  Called when something begins that may hold messages to any object back: a
+  // gate, a model of the processor, or the boot of an object.  Dispatcher::Admit() makes the
+  // dispatcher stop asking when nothing can hold messages back any more and the time of handlers is
+  // not measured (SystemOptions::wall_clock_ns).
   void CheckDeliveries() { are_deliveries_free_ = false; }
   // Puts into the queue again a message that a gate or the processor (cpu.h) has held.  The message
   // is due now and comes before all others of its class and priority.
@@ -400,7 +401,7 @@ class System {
   // saves a virtual call.
   const bool calls_are_local_;
   // True if nothing but the receiver of a message may refuse or delay the message: `calls_` is
-  // LocalCalls, and there is no schedule and no processor.
+  // LocalCalls, and there is no schedule and no model of the processor.
   bool are_posts_free_ = false;
   const std::unique_ptr<SystemCalls> calls_;
   int64_t now_us_ = 0;
