@@ -129,8 +129,8 @@ void Dispatcher::FinishImage(Object* object) {
 // of SystemOptions: a watch for floating-point faults, and the wall time of the handler.
 void Dispatcher::RunMeasured(Object* object) {
   ArithmeticWatch watch;
-  // Reads the clock of the host before an image becomes the current object, because clock() would
-  // then return the time of the robot.
+  // Reads the clock of the host, `clock`, before the image becomes the current object.  While an
+  // image is the current object, this clock would return the time of the robot.
   const auto clock = system_->options_.wall_clock_ns;
   const int64_t begin_ns = clock == nullptr ? 0 : clock();
   const bool is_watched = object->is_image && ArithmeticWatch::Catches();

@@ -270,8 +270,8 @@ void ImageObject::ReportFpFlags(uint32_t selector) {
          "a floating-point operation made an infinity (division by 0, log(0), a result too large)",
          "the robot is said to stop when it is used");
   }
-  // Does not report denormals of an object that makes them itself.  The robot turns denormal
-  // results into 0, so on the robot the object would have no denormals.
+  // Does not report that an object uses denormals which its own operations have made.  The robot
+  // turns denormal results into 0, so on the robot the object would have no denormals.
   if ((fresh & kFpDenormal) && !makes_denormals) {
     warn(kFpDenormal,
          "a denormal number was used in a floating-point operation (an int taken for a float, "

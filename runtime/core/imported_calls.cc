@@ -269,7 +269,8 @@ void Redirection::FindImports(int64_t table, int64_t size) {
   for (uint64_t i = 0; i < count; ++i) {
     const Elf64_Rela& relocation = relocations[i];
     const uint64_t type = ELF64_R_TYPE(relocation.r_info);
-    // Looks only at relocations of these types, because they store the address of a symbol.
+    // Skips all relocations except those that store the address of a symbol, because the address of
+    // an imported function is stored by such a relocation.
     if (type != R_X86_64_JUMP_SLOT && type != R_X86_64_GLOB_DAT && type != R_X86_64_64) continue;
     const Import import{reinterpret_cast<uint64_t*>(relocation.r_offset),
                         ELF64_R_SYM(relocation.r_info)};

@@ -99,8 +99,8 @@ void PassStatistics(const Object& old, Object* fresh) {
   fresh->waiting_max = old.waiting_max;
   fresh->handler_ns_max = old.handler_ns_max;
   fresh->stack_max = old.stack_max;
-  // Copies the count of waiting messages as it is.  It includes messages that a gate (schedule.h)
-  // keeps and that the new object will receive.
+  // Copies the count of waiting messages and does not set it to 0, because it includes messages
+  // that a gate (schedule.h) keeps and that the new object will receive.
   fresh->waiting = old.waiting;
 }
 

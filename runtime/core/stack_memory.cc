@@ -117,8 +117,8 @@ std::vector<std::pair<const char*, size_t>> StackMemory::All() {
   for (const StackMemory* each = t_newest; each != nullptr; each = each->older_) {
     all.emplace_back(each->bottom_, kBytes);
     const char* const imports = each->mapping_ + kGuardBytes;
-    // Adds the stack for the functions that an image imports, which only a stack at a planned
-    // address has below it.
+    // A stack at a planned address has a second stack below it, for the functions that an image
+    // imports.  Adds this second stack, too.
     if (imports < each->bottom_)
       all.emplace_back(imports, static_cast<size_t>(each->bottom_ - kGuardBytes - imports));
   }

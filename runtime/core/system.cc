@@ -288,8 +288,8 @@ int32_t System::Enqueue(OwnedMessage&& message, int64_t delay_us) {
   if (!message->is_reply) {
     if (message->selector >= target->entry_count && !target->HasEntry(message->selector))
       return RefuseSelector(*message, *target);
-    // Returns whether the message goes from a system object (a part of the robot) to itself, as a
-    // call that the object has ordered for later.  A schedule must not refuse such messages,
+    // Returns whether the message is a call that a system object (a part of the robot) gets later,
+    // as the object itself or the System has ordered.  A schedule must not refuse such messages,
     // because the system object would stop.
     const auto is_clock = [&] {
       return target->is_system && (message->sender == target->id || message->sender == kNoObject);
