@@ -23,7 +23,8 @@ LiveClient::LiveClient(const LiveRun& run, int timeout_ms)
               std::min(run.socket.size(), sizeof address.sun_path - 1));
   descriptor_ = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
   // Sets time limits. connect() waits while many other clients wait for the run, and send() waits
-  // while the run reads nothing.  If the run is stopped, both would wait for ever.
+  // while the run reads nothing.  If the process of the run is stopped (SIGSTOP), both would wait
+  // for ever.
   const timeval limit = {timeout_ms / 1000, timeout_ms % 1000 * 1000};
   setsockopt(descriptor_, SOL_SOCKET, SO_SNDTIMEO, &limit, sizeof limit);
   if (descriptor_ < 0 ||

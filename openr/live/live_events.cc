@@ -131,8 +131,8 @@ std::string LiveEvents::LineOfPast(std::string_view name, EventCursor* cursor) {
   // findings again when the present is shown again.
   if (name == "findings") cursor->findings = UINT64_MAX;
   const Rewind& rewind = *context_.rewind;
-  // Sets the highest bit of the version number, so that the version of the earlier moment is not
-  // equal to a version of the present, whose virtual time is below 2^63 us.
+  // Sets the highest bit of the version of this past moment, so that it is not equal to a version
+  // of the present: the sum of messages and virtual time in us, which is below 2^63.
   const uint64_t moment =
       static_cast<uint64_t>(rewind.shown_us()) + rewind.shown_messages() + (uint64_t{1} << 63);
   uint64_t& shown = cursor->versions[std::string(name)];

@@ -98,8 +98,8 @@ class LiveServer {
   LiveEvents* const events_;
   Couplings* const couplings_;
   std::string path_;
-  // Id of the process that made the socket.  Only this process removes the socket, and no fork of
-  // it.
+  // Id of the process that made the socket of this run.  Only this process removes the socket, and
+  // no fork of it.
   int process_ = 0;
   int listener_ = -1;
   int64_t next_ns_ = 0;

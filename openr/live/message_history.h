@@ -61,14 +61,16 @@ class MessageHistory {
                             const std::string& observer) const;
 
  private:
-  // The entries that identify a connection: the subject's object and selector, then the observer's.
+  // Identifies a connection: object and selector of its subject, then object and selector of its
+  // observer.
   using Ends = std::tuple<ObjectId, uint32_t, ObjectId, uint32_t>;
 
   struct ConnectionMessages {
     std::string subject;  // names of the services at the two ends of the connection
     std::string observer;
-    // How often the objects at both ends had been replaced when `subject` and `observer` were set.
-    // If this number changes, the kept messages are dropped and both names are looked up again.
+    // How often the objects at both ends of this connection had been replaced when the names
+    // `subject` and `observer` were set.  If this number changes, the kept messages are dropped and
+    // both names are looked up again.
     int loads = -1;
     uint64_t count = 0;
     std::deque<Entry> last;

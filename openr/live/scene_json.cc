@@ -201,8 +201,8 @@ Json SceneJson(const Simulation& simulation) {
     robots.push_back(RobotJson(simulation.model()));
   for (const render::Shape& shape : ShapesOfWorld(simulation.world()))
     shapes.push_back(JsonOf(shape));
-  // Counts the things of the world that can move, because each pose in the event "pose" belongs to
-  // one of them, in this order.
+  // Counts the things of the world that can move, because the event "pose" has one pose for each of
+  // them, in the order of the things.
   int movable = 0;
   const std::vector<WorldThing>& things = simulation.world().things;
   for (size_t i = 0; i < things.size(); ++i) {
