@@ -54,7 +54,8 @@ class Curve {
 // motion A.
 struct Fit {
   double gain = 0;
-  // Fraction of the variance of motion B that the line does not explain, 0 to 1.
+  // Fraction of the variance of motion B that the straight line (offset and gain) does not explain,
+  // 0 to 1.
   double unexplained = 1;
 };
 

@@ -122,7 +122,7 @@ std::vector<const JointConstants*> LoggedJoints(const RobotConstants& robot) {
   return joints;
 }
 
-// Tries each design of robot, because the file does not name its robot.  At most one design fits,
+// Tries each design of robot, because a log file does not name its robot.  At most one design fits,
 // because with a wrong number of joints the reader takes wrong bytes for the counts of values.
 LogFile ParseLog(const std::string& bytes) {
   std::string problem;
@@ -134,8 +134,8 @@ LogFile ParseLog(const std::string& bytes) {
       return log;
     } catch (const std::runtime_error& error) {
       if (problem.empty())
-        // Keeps only the error of reading the file as a log of the ERS-210, the first design,
-        // because Hohl 2004 describes the format for this robot.
+        // Keeps only the error of reading the file as a log of the ERS-210, the design that is
+        // tried first, because Hohl 2004 describes the format for this robot.
         problem = error.what();
     }
   }

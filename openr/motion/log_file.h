@@ -42,21 +42,21 @@ struct LogRecord {
 };
 
 struct LogFile {
-  // The robot, which ParseLog() finds by the number of joints.
+  // The robot of this log, which ParseLog() finds by the number of joints.
   const RobotConstants* robot = nullptr;
   std::vector<LogRecord> records;
 };
 
-// Returns the joints whose positions a log of `robot` has: the joints that the motion files of Sony
-// have.
+// Returns the joints whose positions are in the log of a motion of `robot`: the joints that the
+// motion files of Sony have.
 std::vector<const JointConstants*> LoggedJoints(const RobotConstants& robot);
 
-// Reads the bytes of a log file.  If the bytes are no log file, throws std::runtime_error with the
-// place and the mistake, such as "offset 48: ...".
+// Reads the bytes of a file with the log of a motion.  If the bytes are no such file, throws
+// std::runtime_error with the place and the mistake, such as "offset 48: ...".
 LogFile ParseLog(const std::string& bytes);
 
-// Returns the bytes of a log file.  REQUIRES: each record has one position for each joint of the
-// log, and a key frame of 0 to 32767.
+// Returns the bytes of the file for the log of a motion.  REQUIRES: each record has one position
+// for each joint of the log, and a key frame of 0 to 32767.
 std::string FormatLog(const LogFile& log);
 
 }  // namespace openr_host

@@ -3,9 +3,9 @@
 //
 // The first line has the names of the columns: key_frame, time_ms, roll_deg, pitch_deg, yaw_deg,
 // then the locators of the joints.  Each further line is a key frame.  Angles are in degrees with
-// five decimals, so that every micro-radian of the file is kept.  Ears have two positions, so their
-// values are 0 or 1. The text does not have the names that are in the file (motion, creator, design
-// label).
+// five decimals, so that the angles of a motion file are kept to the micro-radian.  Ears have two
+// positions, so their values are 0 or 1. The text does not have the names that are in the motion
+// file (motion, creator, design label).
 #pragma once
 
 #include <string>

@@ -105,7 +105,7 @@ std::vector<OdaMember> ReadOda(std::string_view bytes) {
   for (size_t i = 0; i < count; ++i) {
     members.push_back(ReadEntry(bytes, kOdaHead + i * kOdaEntry));
     // Limits the sum of the sizes, because members whose bytes overlap in the file could make a
-    // small container fill a disk.
+    // small ODA container fill a disk when they are saved.
     total += members.back().bytes.size();
     if (total > bytes.size()) {
       RefuseOda(kOdaHead + i * kOdaEntry,

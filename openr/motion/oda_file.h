@@ -11,17 +11,18 @@ namespace openr_host {
 struct OdaMember {
   std::string type;  // type of the member: "OMTN", "WAVE", "MIDI", "LED", "SYN" or "OSND"
   std::string name;  // name in the container: at most 128 bytes, not always readable text
-  // File name to save the member under, 8+3 characters, different for each member.
+  // File name to save this member of a container under, 8+3 characters, different for each member.
   std::string file;
   std::string_view bytes;  // content, a part of the container's bytes
 };
 
-// The largest number of members that a container may have.  A container with more members is
-// refused.  Containers of the robots' software have at most some hundred members.
+// The largest number of members (files) that an ODA container may have.  A container with more
+// members is refused.  Containers of the robots' software have at most some hundred members.
 constexpr size_t kOdaMembersMax = 4096;
 
-// Returns the members of a container, in its order.  `bytes` must outlive the members.  If the
-// bytes are no container, throws std::runtime_error with the mistake, such as "offset 8: ...".
+// Returns the members of an ODA container (the files in it), in its order.  `bytes` must outlive
+// the members.  If the bytes are no container, throws std::runtime_error with the mistake, such as
+// "offset 8: ...".
 std::vector<OdaMember> ReadOda(std::string_view bytes);
 
 }  // namespace openr_host
