@@ -12,8 +12,8 @@ constexpr size_t kSamplesMin = 10;
 // misfit is 0 if the follower repeats the leader's movement exactly.  A larger misfit means that
 // the follower does not follow the leader.
 constexpr double kMisfitMax = 0.25;
-// Misfits of the movements of two robots that are above the smallest one by at most this much count
-// as equally good.
+// Misfits of the movements of two robots count as equally good if they are above the smallest
+// misfit by at most this much.
 constexpr double kNearBest = 0.05;
 
 }  // namespace

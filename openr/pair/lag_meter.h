@@ -9,17 +9,18 @@
 
 namespace openr_host {
 
-// Measures the lag by correlation of measured positions: shifts the positions of the follower in
-// time until they fit the positions of the leader best.  The round trip of a packet cannot be used
-// instead: it is only a part of the lag, because the joints need time, too.
+// Measures the lag, the time by which the follower moves later than the leader, by correlation of
+// measured positions: shifts the positions of the follower in time until they fit the positions of
+// the leader best.  The round trip of a packet cannot be used instead: it is only a part of the
+// lag, because the joints need time, too.
 class LagMeter {
  public:
   // Duration of the movement that is compared between the two robots.
   static constexpr int64_t kWindowMs = 3000;
   // Largest lag of a robot behind the robot it follows that can be found.
   static constexpr int64_t kLagMaxMs = 1500;
-  // Least range of a joint's movement in 0.01 degree.  A joint that moves less is not used, because
-  // its movement does not show the lag.
+  // Least range of a joint's movement in 0.01 degree.  A joint that moves less is not used to
+  // measure the lag, the time by which the follower moves later than the leader.
   static constexpr int32_t kRangeMin = 300;
 
   // Adds the positions of all joints of one robot, the leader or the follower, at `time_ms`, in
@@ -28,8 +29,8 @@ class LagMeter {
   void AddLeader(int64_t time_ms, const std::vector<int32_t>& joints);
   void AddFollower(int64_t time_ms, const std::vector<int32_t>& joints);
 
-  // Returns the lag of the follower in ms; nullopt if no joint has moved enough, or if the
-  // movements of the two robots do not fit.
+  // Returns the lag in ms, the time by which the follower moves later than the leader; nullopt if
+  // no joint has moved enough, or if the movements of the two robots are too different.
   std::optional<int64_t> LagMs() const;
 
   void Clear();

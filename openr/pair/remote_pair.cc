@@ -314,8 +314,9 @@ void RemotePair::TakeSensors(PairSide side, const remote::Event& event) {
     Lead(side, event.frame, values.joints);
 }
 
-// Takes an event of the second robot with the values that its JointMover has set, and makes the
-// first robot follow the key frame in it.
+// Takes an event with the values that the second robot's object JointMover has set.  If a motion
+// plays and the first robot is to follow motions, sends the joint positions in this event to the
+// first robot.
 void RemotePair::TakeSetValues(const remote::Event& event) {
   const auto values = sides_[kSecond].robot->Read<RcSetValues>(event);
   const bool plays = values.keyFrame >= 0;
@@ -344,8 +345,8 @@ bool RemotePair::Lead(PairSide leader, uint32_t frame, const std::vector<int32_t
     if (!is_first && std::abs(int64_t{goals[i]} - follower.sent[i]) < kChangeMin) continue;
     const auto way =
         static_cast<uint32_t>(i < measured.size() ? std::abs(int64_t{goals[i]} - measured[i]) : 0);
-    // Gives the joint one frame more than have passed since the last goal, so that it does not stop
-    // before the next goal comes.
+    // Gives the joint one frame more than the number of frames since the last goal, so that the
+    // joint does not stop before the next goal comes.
     const uint32_t frames =
         std::clamp(std::max(is_first ? kTrackFramesMax : passed + 1, way / kTrackStepMax),
                    kTrackFramesMin, kTrackFramesMax);
@@ -369,7 +370,7 @@ void RemotePair::MeasureRoundTrip(PairSide side) {
   own.posted[own.robot->Send(rcINFO)] = {now_ms_, 0};
 }
 
-// Throws remote::Error if a robot is silent for too long.
+// Throws remote::Error if the robot `side` is silent for too long.
 void RemotePair::CheckAlive(PairSide side) const {
   if (side == kFirst && options_.first_may_pause) return;
   const auto timeout_ms = options_.connection.timeout.count();

@@ -125,7 +125,7 @@ class RemotePair {
     int64_t asked_ms = 0;  // time of the last request with which the round trip was measured
     std::map<remote::RequestId, Posted> posted;  // requests without an answer yet
     std::deque<int64_t> trips_ms;                // times of the last round trips, in ms
-    // Goals (joint positions) that were sent last to this robot; empty: none.
+    // The goals (joint positions) that were sent last to this robot; empty: none.
     std::vector<int32_t> sent;
     uint32_t goal_frame = 0;  // frame in which the other robot had the goals in `sent`
     int state = -1;           // state of the robot's JointMover (MoverState); -1: not known
