@@ -244,7 +244,7 @@ std::string RcCalls::FreeName() {
   throw std::runtime_error("the stick has all motions from PANEL0.MTN to PANEL99.MTN already");
 }
 
-// Plays a motion, and deletes its file as soon as JointMover has read it.
+// Plays a motion, and deletes its file as soon as the robot's object JointMover has read it.
 Json RcCalls::PlayAndDelete(const Request& request) {
   const std::string name = request.at("name").get<std::string>();
   Json answer;
@@ -256,8 +256,9 @@ Json RcCalls::PlayAndDelete(const Request& request) {
   }
   robot_->GetSensors();
   const uint32_t begin = robot_->frame();
-  // Waits until JointMover has read the file, which takes at most four sensor vectors after the
-  // answer to MTN_PLAY.  Asks at most kAsksMax times, because a paused run makes no vectors.
+  // Waits until the robot's object JointMover has read the file, which takes at most four sensor
+  // vectors after the answer to MTN_PLAY.  Asks at most kAsksMax times, because a paused run makes
+  // no vectors.
   constexpr int kAsksMax = 100;
   for (int i = 0; i < kAsksMax; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));

@@ -19,8 +19,8 @@ class RunLink final : public WebDescriptor {
 
   struct Owner {
     std::function<void(std::string line)> take_line;
-    // A function that is called once when the connection is lost.  The owner of the link may delete
-    // the link in this function.
+    // A function that is called once when the connection to the run is lost.  The owner of this
+    // RunLink may delete it in this function.
     std::function<void(const std::string& why)> end;
     // A function that is called when again fewer than kWaitingMax bytes wait for the run, so that
     // the page may send more lines.

@@ -9,8 +9,8 @@
 
 namespace openr_host {
 
-// Asks all runs of this user for their state.  Asks in a thread of its own, because a stopped run
-// does not answer and the server must not wait for it.
+// Asks all runs of this user for their state.  Asks in a thread of its own, because a run whose
+// process is stopped (SIGSTOP) does not answer and the server must not wait for it.
 class RunsLister {
  public:
   // Makes a lister.  `own` is the run, such as "default.123", that has started this server; "" if a
