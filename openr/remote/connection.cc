@@ -104,7 +104,7 @@ bool Connection::RobotGoesOn() const {
     Connection(address_, options_, true).Request(rcINFO);
     return true;
   } catch (const Error& error) {
-    // A refusal shows that the robot goes on, but has all the clients that it can serve.
+    // A refusal shows that the robot still runs, but has all the clients that it can serve.
     return error.code() == ErrorCode::kRefused;
   }
 }

@@ -31,8 +31,8 @@ namespace openr::remote {
 
 class TcpStream;
 
-// Structs for requests and answers of the protocol.  Client and robot share these structs; their
-// headers describe units and order.
+// Structs for requests and answers of the remote-control protocol.  Client and robot share these
+// structs; the header files that declare them describe units and order.
 using Info = RcInfo;  // describes the design of the robot and what the robot does now
 // Describes a device: its names, and the limits of a joint or the kind of a sensor.
 using Description = RcDescription;
@@ -78,7 +78,8 @@ struct Event {
   RequestId subscription = 0;  // id of the subscription, which Subscribe() has returned
   uint32_t frame = 0;
   int stream = 0;  // kind of the stream, an RcStream
-  // Number of values that the robot left out between the event before and this event.
+  // How many times the robot left out the values of this stream between the event before and this
+  // event.
   int left_out = 0;
   Bytes values;  // values of Sensors or SetValues; see Read()
 };
@@ -135,7 +136,8 @@ class Connection {
   // Returns a request of Move(), SetSpeed() or SetAcceleration(), to be sent with Send() or
   // Batch(). `command` is rcMOVE, rcSPEED or rcACCEL.
   static Call JointCall(RcCommand command, int joint, double value);
-  // Returns the value that is now in force, from the answer to a request of JointCall().
+  // Returns the position, speed or acceleration that is now in force for the joint, from the answer
+  // to a request of JointCall().
   double InForce(const Answer& answer) const;
 
   void SetLed(int led, bool on);
@@ -248,7 +250,7 @@ class Connection {
   // `count` the number of requests in the batch.
   std::vector<Answer> ReadBatch(const Answer& answer, size_t count) const;
 
-  // Makes the payload of a request from `payload`, a struct of the protocol.
+  // Makes the payload of a request from `payload`, a struct of the remote-control protocol.
   template <typename Payload>
   static Bytes BytesOf(const Payload& payload) {
     uint8_t bytes[RC_MAX_PACKET];
@@ -257,8 +259,8 @@ class Connection {
     return {bytes, bytes + writer.Size()};
   }
 
-  // Reads the payload of an answer into a struct of the protocol, or the values of an event into
-  // Sensors or SetValues.
+  // Reads the payload of an answer into a struct of the remote-control protocol, or the values of
+  // an event into Sensors or SetValues.
   template <typename Payload>
   Payload Read(const Answer& answer) const {
     return Read<Payload>(answer.payload);

@@ -8,9 +8,10 @@ namespace openr::remote {
 
 class Connection;
 
-// Reads the records of the log, which the robot makes for each key frame while a motion plays.  The
-// robot keeps the last 256 records, 8 s of a motion with vectors of the usual length.  Functions
-// throw the errors of Connection.
+// Reads the log of a motion from a robot.  For each key frame that the robot reports while a motion
+// plays, the log has a record with the positions of the joints.  The robot keeps the last 256
+// records, 8 s of a motion with vectors of the usual length.  Functions throw the errors of
+// Connection.
 class LogReader {
  public:
   // Makes a reader for the robot of `connection`, which must outlive the reader.
@@ -19,8 +20,8 @@ class LogReader {
   // Skips the records of a motion's log that the robot has made before this call.
   void SkipOld();
 
-  // Reads the records of a motion's log that the robot has made since the last call.  Returns the
-  // state of JointMover (MoverState) after the last of these records.
+  // Reads the records that the robot has added to the log of the motion since the last call.
+  // Returns the state of JointMover (MoverState) after the last of these records.
   int Take();
 
   // Returns the bytes of a log file (Hohl 2004, table 3.9): the header, and all records that were
