@@ -21,8 +21,8 @@ void AddSide(int axis, float sign, const Eigen::Vector3f& flat, float radius, in
   // direction in which this side of the box faces.  The angles go from -45 to 45 degrees in equal
   // steps, because this makes the edge evenly round.
   const auto slope = [steps](int i) {
-    // The grid has its middle line twice, at the two borders of the flat part of the side.  So
-    // `step` goes from -steps to 0, and then from 0 to steps.
+    // The grid of points of this side of the box has its middle line twice: at the two borders of
+    // the flat part.  So `step` goes from -steps to 0, and then from 0 to steps.
     const int step = i <= steps ? i - steps : i - steps - 1;
     return std::tan(static_cast<float>(step) / static_cast<float>(steps) * 0.78539816f);
   };
@@ -71,8 +71,8 @@ Mesh RoundedBox(const Eigen::Vector3f& size, float radius, int steps) {
 Mesh Cylinder(const Eigen::Vector3f& size, int sides) {
   Mesh mesh;
   const Eigen::Vector3f half = 0.5f * size;
-  // Adds a circle of vertices.  The side and the two ends need circles of their own, because their
-  // normals differ.
+  // Adds a circle of vertices of the cylinder.  The side face and the two ends need circles of
+  // their own, because the normals at their vertices differ.
   const auto add_circle = [&](float end, bool is_side) {
     const auto first = static_cast<uint32_t>(mesh.vertices.size());
     for (int i = 0; i < sides; ++i) {
