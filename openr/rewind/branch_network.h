@@ -75,8 +75,8 @@ class BranchNetwork : public PassingNetwork {
   const int robot_;
   InputLog& log_;
   uint64_t poll_ = 0;  // number of calls of Poll()
-  // The function that gives the events that Poll() returns, from RepeatFrom(); null: Poll() returns
-  // the events in inputs_.
+  // The function given to RepeatFrom(), from which Poll() takes the events that it returns; null:
+  // Poll() returns the events in inputs_.
   std::function<std::vector<NetworkEvent>()> say_;
   bool repeats_ = false;  // true: Poll() returns logged inputs, and nothing is sent
   // Inputs that Poll() has still to return, in order of their numbers.

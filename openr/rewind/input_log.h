@@ -17,9 +17,9 @@ struct LoggedInput {
   int robot = 0;
   // The input line, such as "press chin"; "" if this input is not a line.
   std::string line;
-  // The virtual time when the input line was added.
+  // The virtual time when the run got the input line.
   int64_t time_us = 0;
-  // The number of messages that had been delivered when the input line was added.
+  // The number of messages that the run had delivered when it got the input line.
   uint64_t messages = 0;
   // The number of the call of Network::Poll() that returned `events`. 0: this input is a line.
   uint64_t poll = 0;

@@ -42,9 +42,9 @@ class System;
 struct RewindParts {
   Simulation* simulation = nullptr;
   std::string why_not;  // the reason why this run cannot be rewound; "": it can be rewound
-  // The replay, if this run replays a recording or a known run; a view (which shows a past moment)
-  // or a branch (a new run) then asks the replay to go on.  Null: a view repeats the logged inputs
-  // of this run.
+  // The replay, if this run replays a recording or is another known run: to repeat its inputs, a
+  // view (which shows a past moment) or a branch (a new run) calls the replay.  Null: a view
+  // repeats the logged inputs of this run.
   KnownRun* known = nullptr;
   // The longest virtual time by which the run can go back from the present.
   int64_t span_us = 60'000'000;
@@ -85,8 +85,8 @@ class Rewind {
   // original run.  Returns again, with true, in a branch, a copy that goes on as a run of its own.
   bool AfterFrame(bool is_watched);
 
-  // Refuses all later requests to go back, for the reason `why`.  If `why` is "", allows such
-  // requests again.
+  // Refuses all later requests to go back to an earlier moment of the run, for the reason `why`.
+  // If `why` is "", allows such requests again.
   void Refuse(std::string why) { refusal_ = std::move(why); }
 
   // Returns the state of Rewind for clients: whether and how far the run can be rewound, the number

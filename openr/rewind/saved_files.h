@@ -27,7 +27,7 @@ class SavedStick {
 
   size_t bytes() const;
 
-  // Converts the files to JSON with binary values, to send them to another process.
+  // Converts these saved files to JSON with binary values, to send them to another process.
   nlohmann::json ToJson() const;
   // Converts JSON that ToJson() has made back to files.
   static SavedStick Of(const nlohmann::json& json);
@@ -64,9 +64,9 @@ class ProcessFiles {
   std::vector<std::string> KeepCopies();
 
   // Finds the copy that OpenAgain() has made of the written file `path`, and moves it to `target`.
-  // The fork then goes on writing to `target`; if `target` is "", it goes on writing to the copy.
-  // Returns the path of the file that is written from now on.  Throws std::runtime_error or
-  // std::system_error.
+  // This process, a fork of the run, then goes on writing to `target`; if `target` is "", it goes
+  // on writing to the copy.  Returns the path of the file that is written from now on.  Throws
+  // std::runtime_error or std::system_error.
   std::string MoveCopy(const std::string& path, const std::string& target);
 
  private:
