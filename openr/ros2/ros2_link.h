@@ -35,8 +35,8 @@ class Ros2Complaints {
   Ros2Complaints(std::string robot, Say say) : robot_(std::move(robot)), say_(std::move(say)) {}
 
   void Add(const std::string& what);
-  // Prints how many messages were left out because kMax texts had been printed.  Called at the end
-  // of the run.
+  // Prints how many messages to the user were left out because kMax messages had been printed.
+  // Called at the end of the run.
   void SayHowManyMore() const;
 
  private:
