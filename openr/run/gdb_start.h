@@ -7,9 +7,9 @@
 namespace openr_host {
 
 // Returns the handlers among `functions`, which are mangled names of functions of an image.
-// Handlers are the methods of the object's class whose argument is an event or the message of an
-// extra entry.  Each handler is written as gdb accepts it: "JointMover::ReadyEffector(OReadyEvent
-// const&)".
+// Handlers are the methods of the object's class whose argument is an event, or the message of an
+// entry that stub.cfg declares with Extra.  Each handler is written as gdb accepts it:
+// "JointMover::ReadyEffector(OReadyEvent const&)".
 std::vector<std::string> HandlersAmong(const std::vector<std::string>& functions);
 
 // Returns the words of the command that starts gdb. gdb reads the file `printers`, which shows data

@@ -23,8 +23,8 @@ class InterruptCounter {
 
   int count() const;
 
-  // Begins to count from 0 again.  Called in a fork of the process, after the fork has changed its
-  // signal handlers.
+  // Sets the count of Ctrl-C and similar signals to 0.  Called in a fork of the process, after the
+  // fork has changed its signal handlers.
   void StartAgain();
 
  private:

@@ -121,8 +121,8 @@ class Runner {
   bool good_ = true;
   // Time at the start of the run by the clock of this computer; 0: not running.
   int64_t begin_ns_ = 0;
-  // During the run, the negative of the time that drawing pictures has taken.  At other times, the
-  // duration of the run.
+  // During the run, the negative of the wall time that drawing pictures has taken.  At other times,
+  // the duration of the run in wall time, without the time for pictures.
   int64_t wall_time_ns_ = 0;
 };
 
