@@ -37,8 +37,8 @@ class RequestPipe {
   // owns the descriptor.
   int TakeDescriptor();
 
-  // Closes the descriptors that no command has used.  Keeps them if a part of the next request has
-  // come already, because they may belong to that request.
+  // Closes the file descriptors that came with requests and that no command has used.  Keeps them
+  // if a part of the next request has come already, because they may belong to that request.
   void DropDescriptors();
 
   // Returns whether a descriptor can come with a request.  This is possible if the input is a Unix

@@ -90,9 +90,10 @@ class RunServer {
 
   RequestPipe& pipe_;
   bool is_copy_ = false;
-  // An action that is registered before the EndingActions of `run_`, because actions are called in
-  // reverse order.  So the recording of the run is already complete if this action crashes while it
-  // makes the report.
+  // A function that is called when a crash ends the process, or a handler that does not return.  It
+  // is registered before the EndingActions of `run_`, because such functions are called in reverse
+  // order: so the recording of the run is already complete if this function crashes while it makes
+  // the report.
   const EndingAction last_words_{[this](Ending* ending) { TellLastWords(*ending); }};
   std::unique_ptr<ServedRun> run_;
   // These members end the process when an object crashes or its handler does not return:

@@ -189,7 +189,8 @@ RunServer::Answer RunServer::DoStep(const Request& request) {
   return Time();
 }
 
-// Returns the virtual time until which the command in `request` waits.
+// Returns the virtual time at which the command in `request` gives up waiting, for example for a
+// message.
 int64_t RunServer::LimitOf(const Request& request) {
   return run().system().now_us() + InUs(Number(request.json, "within_s"));
 }

@@ -43,14 +43,14 @@ class ReadyPipe {
   ReadyPipe(const ReadyPipe&) = delete;
   ReadyPipe& operator=(const ReadyPipe&) = delete;
 
-  // Tells the original process the problem that keeps the copy from going on; "" means that the
-  // copy is ready.
+  // Tells the original process the problem that keeps the copy, its fork, from going on; "" means
+  // that the fork is ready.
   void Tell(const std::string& problem) const {
     const std::string text = problem + '\n';
     [[maybe_unused]] const ssize_t count = write(ends_[1], text.data(), text.size());
   }
-  // Waits in the original process for the text that the copy gives to Tell(), and returns this
-  // text.
+  // Waits in the original process for the text that the copy, its fork, gives to Tell().  Returns
+  // this text.
   std::string Hear() {
     close(std::exchange(ends_[1], -1));
     std::string text;
@@ -109,7 +109,8 @@ RunServer::Answer RunServer::DoDisconnect(const Request& request) {
 }
 
 // Makes a copy of this process.  Returns in both processes.  The original answers the request at
-// its own pipe.  The copy serves the new socket, where no program waits for an answer yet.
+// its own pipe.  The copy serves the socket that came with the request, where no program waits for
+// an answer yet.
 RunServer::Answer RunServer::DoFork(const Request& request) {
   const int socket = pipe_.TakeDescriptor();
   if (socket < 0)
@@ -138,15 +139,15 @@ RunServer::Answer RunServer::DoFork(const Request& request) {
   }
 }
 
-// Prepares this process, which is a new copy, to serve requests at `socket`.  Calls `tell` with ""
-// when the copy is ready, or with an error.
+// Prepares this process, a new fork of the run, to serve requests at `socket`.  Calls `tell` with
+// "" when the process is ready, or with an error.
 RunServer::Answer RunServer::BecomeCopy(int socket, const std::string& record,
                                         const std::function<void(const std::string&)>& tell) {
   try {
     run_->BecomeCopy(record);
     watchdog_->StartAgain();
-    // Calls WatchCrashes() again, because from now on a crash record must be written to the stick
-    // of the copy.
+    // Calls WatchCrashes() again, because this process is now a copy of the run with a Memory Stick
+    // of its own, and must write a crash record to that stick.
     WatchCrashes();
   } catch (const std::exception& error) {
     tell(error.what());
