@@ -1,4 +1,4 @@
-// IsActivity(), which tells whether the objects of a stick still do something.
+// IsActivity(), which tells by a message whether the objects of a stick still do something.
 #pragma once
 
 namespace openr_host {

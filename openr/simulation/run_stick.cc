@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 constexpr char kCrashLog[] = "EMON.LOG";
 
 // Returns the path of the file for the crash record in the program's cache folder, and creates the
-// folder.  Ignores an error, because most runs need no record.  If a crash comes after such an
-// error, writing the record fails as well, and the program then says why.
+// folder.  Ignores an error, because most runs write no crash record.  If a crash comes after such
+// an error, writing the record fails as well, and the program then says why.
 std::string CrashLogInCache() {
   const fs::path folder = CacheFolder();
   std::error_code error;
