@@ -62,7 +62,7 @@ class CtfFields {
   CtfFields& U64(uint64_t value) { return Number(value, 8); }
   // Appends a text to the fields of an event, and a byte 0, which ends the text.
   CtfFields& Text(const std::string& text) {
-    // Ends the text at the first 0 byte, because a 0 ends it in the file, too.
+    // Leaves out what follows the first byte 0 of `text`, because a byte 0 ends a text in the file.
     bytes_ += text.c_str();
     bytes_ += '\0';
     return *this;

@@ -54,8 +54,8 @@ void Timeline::NameObject(const Object* object) {
 }
 
 // Returns the processor time that the cost file gives the handler of `message`.  Returns nullopt
-// without a cost file, for a message to a part of the robot, and for a reply, because these take no
-// processor time.
+// without a cost file, for a message to a system object (a part of the robot), and for a reply,
+// because these take no processor time.
 std::optional<double> Timeline::CostOf(const Object& object, const Message& message) const {
   if (system_->cpus().empty() || object.is_system || message.is_reply) return {};
   if (!object.delivery.is_busy()) return 0;
@@ -63,8 +63,8 @@ std::optional<double> Timeline::CostOf(const Object& object, const Message& mess
   return static_cast<double>(cpu.EndUs() - system_->now_us());
 }
 
-// Begins the slice of the handler that gets `message` now.  First ends the slice of the handler
-// before.
+// Begins the slice of the timeline for the handler that gets `message` now.  First ends the slice
+// of the handler before.
 void Timeline::Deliver(const TraceRecord& record, const Message& message) {
   EndSlice();
   const Object* const object = system_->object(record.target);

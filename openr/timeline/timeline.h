@@ -34,8 +34,8 @@ class Timeline {
   Timeline(const Timeline&) = delete;
   Timeline& operator=(const Timeline&) = delete;
 
-  // Ends the slice of the last handler.  Called before the run waits, for example for the clock, so
-  // that the wait does not count as time of the handler.
+  // Ends the slice of the timeline for the last handler.  Called before the run waits, for example
+  // for the clock, so that the wait does not count as time of the handler.
   void Rest();
 
   // Completes the file of the timeline.  Returns "", or the error that happened while the file was
@@ -57,10 +57,10 @@ class Timeline {
   CtfWriter* ctf_ = nullptr;  // the writer, if the timeline is in CTF; null: it is JSON
   int sink_ = 0;
   std::optional<HandlerSlice> running_;  // slice of the handler that runs
-  // Time at which the handler of `running_` began, by the clock of this computer.
+  // The time at which the handler that runs (`running_`) began, by the clock of this computer.
   int64_t begin_ns_ = 0;
-  // End of the last slice whose length is wall time; the next such slice begins at this time or
-  // later.
+  // The end of the last slice of the timeline whose length is wall time; the next such slice begins
+  // at this time or later.
   double free_us_ = 0;
   // Objects whose names were written: the id, and how many objects had this id before
   // (Object::predecessors).

@@ -11,8 +11,8 @@
 namespace openr_host {
 namespace {
 
-// The least length of a slice in a drawing.  Shorter slices are drawn with this length, because a
-// slice of length 0 could not be seen, and no arrow could end at it.
+// The least length of a slice in the drawing of a timeline.  Shorter slices are drawn with this
+// length, because a slice of length 0 could not be seen, and no arrow could end at it.
 constexpr double kSliceUs = 0.8;
 
 constexpr size_t kPlacesMax = 100'000;

@@ -31,7 +31,7 @@ struct HandlerSlice {
 class TimelineWriter {
  public:
   virtual ~TimelineWriter() = default;
-  // Gives the object `id` a name.  Called before the object's first slice.
+  // Gives the object `id` a name in the timeline.  Called before the object's first slice.
   virtual void AddObject(int robot, int32_t id, const std::string& name) = 0;
   // Adds a slice to the timeline.  Must be called in the order in which the slices begin.
   virtual void AddSlice(const HandlerSlice& slice) = 0;
@@ -51,7 +51,7 @@ class PerfettoWriter : public TimelineWriter {
   void Finish() override;
 
  private:
-  // The place of a slice in the drawing; an arrow begins at this place.
+  // The place of a slice in the drawing of the timeline; an arrow begins at this place.
   struct Place {
     int pid, tid;
     double at;
