@@ -15,9 +15,9 @@ class ConsoleLog {
     std::string text;
   };
 
-  // The largest number of printed lines that the log keeps.
+  // The largest number of printed lines that a ConsoleLog keeps.
   static constexpr size_t kLinesMax = 1000;
-  // The largest number of characters that the log keeps of a printed line.
+  // The largest number of characters that a ConsoleLog keeps of a printed line.
   static constexpr size_t kLineMax = 2000;
 
   // Adds text that was printed at the virtual time `time_us`.  If the text ends in the middle of a

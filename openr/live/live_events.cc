@@ -239,7 +239,8 @@ Json LiveEvents::Graph() {
           {"connections", ConnectionsJson()}};
 }
 
-// Returns the lines that objects have printed since the last call with this `cursor`.
+// Returns the lines that objects have printed since the last call with this `cursor`, which says
+// what a client has got already.
 Json LiveEvents::Log(EventCursor* cursor) {
   const ConsoleLog& console = *context_.console;
   const size_t kept = console.lines().size();

@@ -46,9 +46,9 @@ class MessageHistory {
   MessageHistory(const MessageHistory&) = delete;
   MessageHistory& operator=(const MessageHistory&) = delete;
 
-  // Begins the recording of messages for the history.
+  // Begins to keep messages for the history.
   void Begin();
-  // Ends the recording of messages, and forgets the recorded messages.
+  // Stops keeping messages, and forgets the kept messages.
   void End();
 
   // Returns the number of messages that both ends of a connection have sent to each other since the
