@@ -23,7 +23,7 @@ struct StepResponse {
 // step of at most `step_deg` towards the middle of its range.  Returns the response of each joint.
 std::vector<StepResponse> MeasureSteps(const RobotModel& model, double step_deg);
 
-// Readings of the distance sensor in front of a wall, over 200 samples.
+// Readings of the distance sensor in front of a wall: least, mean and largest of 200 values.
 struct DistanceReading {
   double distance_mm = 0;  // distance of the wall, along the ray of the sensor
   double reflectance = 1;
