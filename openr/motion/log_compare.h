@@ -1,5 +1,5 @@
-// Compares the motions of joints: two groups of positions (commanded, measured, simulated) from one
-// log, or from two logs.
+// Compares the motions of joints: two groups of positions (commanded, measured, simulated) from the
+// log of one motion, or from the logs of two motions.
 #pragma once
 
 #include <optional>

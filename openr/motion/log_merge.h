@@ -6,8 +6,8 @@
 
 namespace openr_host {
 
-// Moves the measured values of a log to the group of simulated values and returns the log.  This
-// makes the log of a simulated play-back (Hohl 2004, section 3.3.6).
+// Moves the measured values in the log of a motion to the group of simulated values and returns the
+// log.  This makes the log of a simulated play-back (Hohl 2004, section 3.3.6).
 LogFile AsSimulated(LogFile log);
 
 // Returns the log `real`, with the measured values of `other` as simulated values.  `other` is the
@@ -23,7 +23,7 @@ LogFile AsSimulated(LogFile log);
 LogFile MergeLogs(const LogFile& real, const LogFile& other);
 
 // Largest difference at which two commanded positions count as equal.  Equal commands may differ a
-// little in the logs, because each log rounds to 0.01 degree.
+// little in the logs of two motions, because each log rounds to 0.01 degree.
 constexpr int kSameCommandCdeg = 2;
 
 }  // namespace openr_host

@@ -23,7 +23,8 @@ std::vector<double> PlayTimes(const LogFile& log, const MtnFile& motion, int per
   std::vector<double> times_ms;
   int frames = 0;
   for (const LogRecord& record : log.records) {
-    // Makes the first record at once, at the key frame with which the motion begins.
+    // Plays no frames for the first record, because it has the key frame with which the motion
+    // begins.
     const int wanted = times_ms.empty() ? 0 : player.FramesOfNextVector();
     if (wanted == 0 && !times_ms.empty()) break;
     for (int f = 0; f < wanted; ++f) player.NextFrame();
