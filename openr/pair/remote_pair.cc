@@ -23,8 +23,8 @@ constexpr int64_t kRoundTripMs = 500;  // time between two measurements of the r
 // The largest number of requests that one robot has not answered yet.  While a robot has so many,
 // no positions are sent to it, because newer positions follow.
 constexpr size_t kPostedMax = 16;
-// The time of silence after which a robot gets no more positions.  When it goes on, all positions
-// that were sent during its silence would be old.
+// The time of silence after which a robot gets no more positions.  When the robot goes on, all
+// positions that were sent during its silence would be old.
 constexpr int64_t kSilentMs = 500;
 // Number of round trips to a robot (request and answer) whose times are kept; the shortest counts
 // as the time that the network needs.
