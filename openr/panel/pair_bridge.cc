@@ -145,7 +145,9 @@ class Coupling {
   const PairBridge::Work& work_;
 };
 
-// Prepares both robots as Hohl 2004, section 3.3.1 describes, and returns the answer for the page.
+// Prepares the pair as Hohl 2004, section 3.3.1 describes: gives the first robot's joints the
+// limits of the second robot's joints and, the first time, switches lights and ears off.  Returns
+// the answer for the page.
 OrderedJson Prepare(const PairBridge::Work& work, RemotePair* pair) {
   OrderedJson joints = OrderedJson::array();
   const std::vector<RcJointState> limits = pair->CopyLimits();
