@@ -79,7 +79,8 @@ class BranchNetwork : public PassingNetwork {
   // Poll() returns the events in inputs_.
   std::function<std::vector<NetworkEvent>()> say_;
   bool repeats_ = false;  // true: Poll() returns logged inputs, and nothing is sent
-  // Inputs that Poll() has still to return, in order of their numbers.
+  // Inputs that Poll() has still to return, in the order of the calls of Poll() that returned them
+  // in the original run.
   std::deque<LoggedInput> inputs_;
   // Events that tell the robot that its connections are broken; the next Poll() returns them.
   std::vector<NetworkEvent> broken_;

@@ -33,14 +33,14 @@ class InputLog {
 
   void Add(LoggedInput input);
 
-  // Returns the number of inputs that were added to the log so far.
+  // Returns the number of inputs that were added to this InputLog so far.
   uint64_t end() const { return first_ + inputs_.size(); }
   // Returns the inputs from the number `begin` on.  REQUIRES: these inputs were not dropped.
   std::vector<LoggedInput> From(uint64_t begin) const;
   // Drops the inputs whose numbers are below `begin`.
   void DropBefore(uint64_t begin);
 
-  // Returns whether the inputs in the log have together more than kBytesMax bytes.
+  // Returns whether the inputs in this InputLog have together more than kBytesMax bytes.
   bool is_full() const { return bytes_ > kBytesMax; }
 
  private:

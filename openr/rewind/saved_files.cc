@@ -74,7 +74,8 @@ bool IsStandardStream(const struct stat& status) {
   return false;
 }
 
-// Returns the flags among `flags` that are needed to open the file again.
+// Returns the flags among `flags`, with which a file was opened, that are needed to open this file
+// again.
 int FlagsAgain(int flags) { return flags & (O_ACCMODE | O_APPEND | O_NONBLOCK); }
 
 // Returns the path with a number behind the name: DIR/NAME-NUMBER.EXT for DIR/NAME.EXT.
