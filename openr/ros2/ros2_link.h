@@ -30,8 +30,8 @@ class Ros2Complaints {
   using Say = std::function<void(const std::string& line)>;
   static constexpr size_t kMax = 20;
 
-  // Makes an object for the robot with the namespace `robot` in ROS 2; each message to the user
-  // begins with this namespace.
+  // Makes a Ros2Complaints for the robot with the namespace `robot` in ROS 2; each message to the
+  // user begins with this namespace.
   Ros2Complaints(std::string robot, Say say) : robot_(std::move(robot)), say_(std::move(say)) {}
 
   void Add(const std::string& what);
