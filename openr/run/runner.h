@@ -52,7 +52,8 @@ struct RunPlan {
 };
 
 // Virtual time without activity after which a run with --until-idle ends.  Activity is a message
-// from an object of the stick that does not ask for sensor values (IsActivity()).
+// that an object of the stick sends, except the ready messages by which objects ask for sensor
+// values (IsActivity()).
 constexpr int64_t kIdleUs = 1'000'000;
 
 // Virtual time that objects have to shut the robot down after the pause button was pressed.  After
@@ -67,8 +68,8 @@ class Runner {
   // taken.  If a picture was wanted for a time after the end, adds an error to the findings.
   bool Run();
 
-  // Notes whether the robots stand.  Called after each frame, and also in a copy of the run that
-  // repeats frames.
+  // Finds out whether each robot stands.  Called after each frame, and also in a copy of the run
+  // that repeats frames.
   void SampleStanding();
 
   // Returns how long the run has taken by the clock of this computer.  Leaves out the time in which
