@@ -19,9 +19,10 @@ struct DeliveredMessage {
   uint64_t cause = 0;
   int64_t time_us = 0;
   std::string kind;  // kind of the message: "notify", "ready", "not ready", "reply" or "other"
-  // The sender's service, "RCServer.Mover.MoverCommand.S", or else the name of the sender's object.
+  // The service of the message's sender, "RCServer.Mover.MoverCommand.S", or else the name of the
+  // sender's object.
   std::string from;
-  // The receiver, in the same form as the sender in `from`.
+  // The receiver of the message, in the same form as the sender in `from`.
   std::string to;
   std::string entry;  // name of the receiver's handler for the message
   ObjectId target = kNoObject;

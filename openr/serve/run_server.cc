@@ -117,8 +117,9 @@ ServedRun& RunServer::BootedRun() {
   return *run_;
 }
 
-// Throws std::runtime_error if the run is finished.  Does not throw if all robots are off, because
-// the answer to the command then says how the run ended.
+// Throws std::runtime_error if the run is finished, because then no command can make it go on.
+// Does not throw if all robots are off, because the answer to a command then says how the run
+// ended.
 void RunServer::CheckGoesOn() {
   if (BootedRun().is_finished())
     throw std::runtime_error("the run is finished; it can be read but cannot go on");
@@ -157,9 +158,9 @@ void RunServer::TellEnding(Ending* ending) {
   ending->answered = true;
 }
 
-// Sends a second message after the message of TellEnding().  It has what the commands findings,
-// console and report would answer now, because the program that drives the run cannot ask a process
-// that ends.  Called in a signal handler.
+// Sends a second message after the message that TellEnding() sends.  The second message has what
+// the commands findings, console and report would answer now, because the program that drives the
+// run cannot ask a process that ends.  Called in a signal handler.
 void RunServer::TellLastWords(const Ending& ending) {
   if (run_ == nullptr) return;
   try {
