@@ -22,8 +22,8 @@ class RunStick {
   // cannot be copied.
   RunStick(const std::string& wanted, bool is_written);
 
-  // Returns the folder of the original stick, for messages and recordings.  Unlike the copy, it
-  // still exists after the run.
+  // Returns the folder of the original stick, for messages and recordings.  Unlike the copy that
+  // the run may use, it still exists after the run.
   const std::string& name() const { return name_; }
 
   // Returns the folder that this run uses as its stick: the original stick or the copy of the
