@@ -62,8 +62,8 @@ class Timeline {
   // The end of the last slice of the timeline whose length is wall time; the next such slice begins
   // at this time or later.
   double free_us_ = 0;
-  // Objects whose names were written: the id, and how many objects had this id before
-  // (Object::predecessors).
+  // Objects whose names are already in the timeline: the id, and how many objects had this id
+  // before (Object::predecessors).
   std::set<std::pair<int32_t, int>> known_;
   bool is_finished_ = false;
 };
