@@ -18,8 +18,8 @@ struct EventCursor {
   // True: the client has got the lines that objects had printed before it began to watch the run.
   bool has_console = false;
   uint64_t findings = UINT64_MAX;
-  // For each kind of event, by its name: the counter of changes of the run when the client got its
-  // last event of this kind.
+  // For each kind of event, by its name: the version of the run's state (LiveEvents::Version()) of
+  // which the client got an event of this kind last.
   std::map<std::string, uint64_t> versions;
 };
 

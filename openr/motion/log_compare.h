@@ -1,5 +1,5 @@
-// Compares the motions of joints: two groups of positions (commanded, measured, simulated) from the
-// log of one motion, or from the logs of two motions.
+// Compares the motions of joints: two groups of positions (commanded, measured, simulated) from one
+// log of a motion, or from two such logs.
 #pragma once
 
 #include <optional>

@@ -23,7 +23,7 @@ LogFile AsSimulated(LogFile log);
 LogFile MergeLogs(const LogFile& real, const LogFile& other);
 
 // Largest difference at which two commanded positions count as equal.  Equal commands may differ a
-// little in the logs of two motions, because each log rounds to 0.01 degree.
+// little in two logs of the same motion, because each log rounds to 0.01 degree.
 constexpr int kSameCommandCdeg = 2;
 
 }  // namespace openr_host

@@ -33,7 +33,8 @@ class RcForwarder {
   // Returns whether a thread of any RcForwarder of this process still runs.
   static bool HasThreads();
 
-  // Data that the threads read: how to find the robot, the token, and what is allowed.
+  // Data that the threads of an RcForwarder read: how to find the robot, the token, and whether
+  // clients may upload controllers.
   struct Rules;
 
  private:

@@ -38,7 +38,7 @@ class Network;
 class Simulation;
 class System;
 
-// The run that can be rewound, and functions of the program that Rewind calls.
+// The run that can be rewound, and functions of other parts of the program, which Rewind calls.
 struct RewindParts {
   Simulation* simulation = nullptr;
   std::string why_not;  // the reason why this run cannot be rewound; "": it can be rewound

@@ -15,7 +15,7 @@ class Simulation;
 class System;
 struct Ending;
 
-// Facts for the report that the simulation does not know.
+// Facts that the report of a run needs and that the simulation does not know.
 struct RunFacts {
   double wall_time_s = 0;
   uint64_t seed = 1;

@@ -142,7 +142,7 @@ std::vector<ReadValue> FindGroup(const OfRobot& wanted, const RobotModel& model)
   return values;
 }
 
-// Returns the quantity `wanted` if only this source file knows quantities of this name; null if
+// Returns the quantity `wanted` if its name is known in this source file only; null if
 // FindQuantity() has to find the quantity.
 Quantity FindOwn(const OfRobot& wanted, const RobotModel& model) {
   const size_t dot = wanted.rest.find('.');
