@@ -23,7 +23,7 @@ struct Battery {
   // bit then never changes, no object is notified of it.
   bool is_low_at_boot() const { return percent < kLowCapacityPercent; }
 
-  // Returns the remaining capacity in percent, `time_us` of virtual time after boot.
+  // Returns the remaining capacity of the battery in percent, `time_us` of virtual time after boot.
   int PercentAt(int64_t time_us) const;
 };
 

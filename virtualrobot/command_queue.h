@@ -53,9 +53,9 @@ class CommandQueue {
   // such vectors could start in different frames.
   void AnnounceFirst();
 
-  // Starts the first waiting vector if no vector plays and its synchronisation key (if it has one)
-  // allows the start.  Then applies the set points of frame `frame`.  Adds to `problems` a text for
-  // each mistake in a vector that starts.
+  // Starts the first waiting vector if no vector plays, and if the synchronisation key of the
+  // waiting vector (if there is a key) allows the start.  Then applies the set points of frame
+  // `frame`.  Adds to `problems` a text for each mistake in a vector that starts.
   void Apply(int64_t frame, std::vector<std::string>* problems);
 
   void HashState(Hasher* hasher) const;

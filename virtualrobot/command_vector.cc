@@ -57,8 +57,9 @@ std::string Objection(const OCommandInfo& info, const Primitive* primitive) {
   return "";
 }
 
-// Returns the number of command frames of an element, 0 to 16.  If the element names more than 16
-// frames, or if the program never filled some of its frames, describes this mistake in `problem`.
+// Returns the number of command frames of an element of a command vector, 0 to 16.  If the element
+// names more than 16 frames, or if the program never filled some of its frames, describes this
+// mistake in `problem`.
 int CountFrames(const OCommandInfo& info, const OCommandData& data, std::string* problem) {
   const int frames = static_cast<int>(std::min<longword>(info.numFrames, ocommandMAX_FRAMES));
   if (info.numFrames > ocommandMAX_FRAMES) {
@@ -67,8 +68,8 @@ int CountFrames(const OCommandInfo& info, const OCommandData& data, std::string*
         "the element behind it and is not played",
         info.numFrames, ocommandMAX_FRAMES);
   }
-  // Looks for a frame that still has the number kNeverFilled, which NewCommandVectorData() writes
-  // into every frame: the program has never filled such a frame.
+  // Looks for a command frame that still has the number kNeverFilled, which NewCommandVectorData()
+  // writes into every command frame: the program has never filled such a frame.
   for (int i = 0; i < frames; ++i) {
     if (data.value[i].value[0] != kNeverFilled) continue;
     *problem = fmt::format(

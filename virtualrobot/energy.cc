@@ -86,7 +86,8 @@ void Energy::Keep(WarmThing thing, std::optional<int> celsius) {
 }
 
 // Adds only values that differ from the values at boot.  So a robot without physics, which always
-// draws the usual current, adds nothing and keeps its state hash.
+// draws the usual current, adds nothing: the simulation of energy does not change the state hash of
+// such a robot.
 void Energy::HashState(Hasher* hasher) const {
   if (mean_ma_ != kUsualMa) hasher->Add(mean_ma_);
   for (const WarmThing thing : {WarmThing::kBody, WarmThing::kBattery}) {

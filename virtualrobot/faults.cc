@@ -55,9 +55,9 @@ void Faults::AddVerbs() {
         {name, usage, help, [this, read](int, std::string_view rest, Inputs::Action* action) {
            const std::string problem = (this->*read)(rest, action);
            // Makes inputs of time 0 act before the boot.  Objects open most primitives in DoInit,
-           // so a part that is missing at time 0 must be missing before.  All inputs of faults do
-           // so, not only those for missing parts, so that they take effect in the order of their
-           // lines, and a repair ends the faults above it.
+           // so a part that is missing at time 0 must be missing before DoInit.  All inputs of
+           // faults do so, not only those for missing parts, so that they take effect in the order
+           // of their lines, and a repair ends the faults above it.
            action->is_before_boot = true;
            return problem;
          }});

@@ -35,12 +35,14 @@ class Faults {
   // Returns the faults that the input "break" knows, such as "jammed".
   static std::vector<std::string> Names();
 
-  // Ends the faults that are over, and chooses the errors that the sensors of noisy joints measure
-  // in the next frame.  Called before the body moves and its sensors are sampled.
+  // Ends the faults that are over, and chooses at random the errors that noisy sensors of joints
+  // add to their angles in the next frame.  Called before the body moves and its sensors are
+  // sampled.
   void DoFrame();
 
   // Adds an error finding for each limb of which all joints are missing, because a robot does not
-  // boot without a limb.  Called while the robot boots, after the inputs of that time.
+  // boot without a limb.  Called while the robot boots, after the inputs that act before the boot
+  // (is_before_boot), because these inputs can make parts missing.
   void ReportMissingLimbs() const;
 
   // Returns the faults that the robot has now, a text for each fault, such as "LF_j1 weak 30%".

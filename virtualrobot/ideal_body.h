@@ -4,10 +4,10 @@
 // stops.  A disabled joint stays where it is.  The robot rests on the flat floor z = 0 as a stiff
 // statue would (PlaceOnFloor()).
 //
-// The body never walks, turns, slides or falls over: x, y and yaw stay as they are at the start. It
-// ignores gains, torques and speed limits, and its drives are always 0.  It does not touch the
-// things of its world, but its distance sensor sees them.  The velocity of its base is 0, and its
-// accelerometer measures gravity only.  It cannot be pushed, but a hand can lift it.
+// The body never walks, turns, slides or falls over: x, y and yaw stay as they are at the start.
+// It ignores gains, torques and speed limits, and the drives of its servos are always 0.  It does
+// not touch the things of its world, but its distance sensor sees them.  The velocity of its base
+// is 0, and its accelerometer measures gravity only.  It cannot be pushed, but a hand can lift it.
 #pragma once
 
 #include <optional>

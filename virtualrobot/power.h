@@ -90,8 +90,8 @@ class Power {
   void NotifyChange();
 
   System* const system_;
-  // Time in which the battery gains 1 % on the station: a full charge takes two hours.  The number
-  // is our choice.
+  // Time in which the battery gains 1 % on the charging station: a full charge takes two hours.
+  // The number is our choice.
   static constexpr int64_t kChargeUs = 72'000'000;
 
   Battery battery_;  // the battery as it was at the time capacity_since_us_

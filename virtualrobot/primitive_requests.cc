@@ -176,9 +176,9 @@ const PrimitiveRequests::Row PrimitiveRequests::kRows[] = {
      SetLed2},
     {oprmreqLED3_SET_COMMAND, oprimitiveLED3, sizeof(OPrimitiveControl_LEDCommandValue3), 0,
      SetLed3},
-    // Leaves out rows for oprmreqBT_ATTACH, oprmreqBT_DETACH and oprmreqSENSOR_WATCH_BT_SWITCH,
-    // because no model has the Bluetooth primitive.  These requests are answered with oINVALID_ARG,
-    // like every request to a primitive that does not accept it.
+    // The table has no rows for the requests oprmreqBT_ATTACH, oprmreqBT_DETACH and
+    // oprmreqSENSOR_WATCH_BT_SWITCH, because no model has the Bluetooth primitive.  These requests
+    // are answered with oINVALID_ARG, like every request to a primitive that does not accept it.
 };
 
 const PrimitiveRequests::Row* PrimitiveRequests::Find(OPrimitiveRequest request,

@@ -16,8 +16,9 @@ namespace {
 // speed.  The number is our choice.
 const double kJamSpeed_rad_s = Radians(5);
 
-// A patient robot lets a joint be jammed for this many times as long.  The number is our choice: it
-// is only known that VRCOMM.CFG makes a robot more patient (field-notes.md 7.20).
+// If VRCOMM.CFG asks for it, a joint may be jammed for this many times as long before the robot
+// shuts down.  The number is our choice: it is only known that VRCOMM.CFG makes a robot wait longer
+// (field-notes.md 7.20).
 constexpr int kPatience = 5;
 
 }  // namespace

@@ -108,8 +108,8 @@ void Servo::AddTrouble(double angle_rad, double step_s, TorqueLine* line) const 
   }
 }
 
-// Returns the torque of a limp joint: dry friction.  Below the creep speed the friction is viscous,
-// because a force that jumps at speed 0 would make the joint tremble.
+// Returns the torque of a limp joint: dry friction.  Below the speed limp_creep_rad_s the friction
+// is viscous, because a force that jumps at speed 0 would make the joint tremble.
 TorqueLine Servo::LimpLine(double speed_rad_s) const {
   const double speed =
       std::max(speed_rad_s < 0 ? -speed_rad_s : speed_rad_s, settings_.limp_creep_rad_s);

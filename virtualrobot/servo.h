@@ -81,8 +81,8 @@ class Servo {
   double target_rad_ = 0;
   double target_speed_rad_s_ = 0;
   double p_ = 0;  // factor of the P part, in PWM counts per rad
-  // Factor of the I part, in PWM counts per rad and frame, because the servo integrates once a
-  // frame.
+  // Factor of the I part of the servo's control law, in PWM counts per rad and frame, because the
+  // servo integrates once a frame.
   double i_ = 0;
   double d_ = 0;         // factor of the D part, in PWM counts per rad/s
   double integral_ = 0;  // integral of the control law, in PWM counts

@@ -66,7 +66,8 @@ Triangle HugeTriangleOver(const Vector3d& centre) {
 // and `centre` are in a frame whose z axis points up; R converts vectors of the body's frame B, in
 // which `hull` is, to this frame.  REQUIRES: `centre` lies over `t`.
 void SinkToSupport(const Hull& hull, const Matrix3d& R, const Vector3d& centre, Triangle* t) {
-  // Largest number of corners that are replaced; far more than the hulls of these robots need.
+  // Limit of the number of passes, each of which replaces one corner of the triangle by a lower
+  // point of the hull.  The hulls of these robots need far fewer passes.
   constexpr int kSwapsMax = 64;
   for (int swaps = 0; swaps < kSwapsMax; ++swaps) {
     const Plane plane = Through(*t);
@@ -79,8 +80,8 @@ void SinkToSupport(const Hull& hull, const Matrix3d& R, const Vector3d& centre, 
       next[k] = p;
       if (Under(next, centre)) break;
     }
-    // Ends the search if the point p of the hull lies in line with an edge of the triangle, because
-    // the new triangle then has no area.
+    // Ends the search for a lower triangle if the point p of the hull lies in line with an edge of
+    // the triangle, because the new triangle then has no area.
     if (Cross2(next[0], next[1], next[2]) < 1e-12) return;
     *t = next;
   }

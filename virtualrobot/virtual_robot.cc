@@ -218,8 +218,9 @@ OStatus VirtualRobot::GetBootCondition(OBootCondition* condition) {
 // because System::Shutdown() does not know these two reasons.
 OStatus VirtualRobot::Shutdown(const OBootCondition& condition) {
   parts_.power.next_boot = condition;
-  // Adds a note when an object asks for a second restart at a later time.  One developer's robot
-  // did only the first such restart, and only restarts at once were reliable (field-notes.md 5.13).
+  // Adds a note when an object asks for the second time for a restart by the boot timer, some time
+  // after the shutdown.  One developer's robot did only the first such restart, and only restarts
+  // without a waiting time were reliable (field-notes.md 5.13).
   const bool is_timed = (condition.bitmap & obcbBOOT_TIMER) != 0 && condition.bootTime > 0;
   if (is_timed && ++timed_restarts_ == 2) {
     parts_.system.AddFinding(
@@ -309,14 +310,16 @@ void VirtualRobot::HashState(Hasher* hasher) const { parts_.HashState(hasher); }
 
 namespace {
 
-// The files that make a robot more patient with jammed joints.  Nobody wrote down in which of the
-// two folders for configuration files VRCOMM.CFG lies, so both places count.
+// The paths on the stick at which VRCOMM.CFG may be.  With the line "JamDetectionHighThreshold" in
+// this file, the robot waits longer before it shuts down because of a jammed joint.  Nobody wrote
+// down in which of the two folders for configuration files VRCOMM.CFG lies, so both paths are
+// tried.
 constexpr const char* kJamFiles[] = {"/MS/OPEN-R/MW/CONF/VRCOMM.CFG",
                                      "/MS/OPEN-R/SYSTEM/CONF/VRCOMM.CFG"};
 constexpr char kJamKey[] = "JamDetectionHighThreshold";
 
-// Reads from the stick whether the robot is to be more patient with jammed joints (field-notes.md
-// 7.20).  Only robots that look for jams have this setting.
+// Reads from the stick whether the robot is to wait longer before it shuts down because of a jammed
+// joint (field-notes.md 7.20).  Only robots that look for jammed joints have this setting.
 void ReadJamSetting(RobotParts* parts) {
   MemoryStick* const stick = parts->system.robot(parts->robot_index).stick.get();
   if (stick == nullptr || parts->model.protection.jam_frames == 0) return;

@@ -127,9 +127,9 @@ void HashWorld(const World& world, Hasher* hasher) {
     hasher->AddBytes(thing.size_m.data(), 3 * sizeof(double));
     hasher->AddBytes(thing.centre_m.data(), 3 * sizeof(double));
     hasher->AddBytes(thing.R_WT.data(), 9 * sizeof(double));
-    // Adds only values that differ from the defaults, so that worlds with the defaults keep their
-    // hash.  Leaves out colours and light, because they change only images, and the bytes of an
-    // image are hashed when an object receives it.
+    // Adds only values that differ from the defaults, so that the hash of an old world stays the
+    // same when WorldThing gets a new member.  Leaves out colours and light, because they change
+    // only images, and the bytes of an image are hashed when an object receives it.
     if (thing.mass_kg > 0) hasher->Add(thing.mass_kg);
     if (!thing.is_solid) hasher->Add(thing.is_solid);
     if (thing.reflectance != 1) hasher->Add(thing.reflectance);

@@ -1,4 +1,5 @@
-// RenderedWorld: draws what a camera sees of its robot's world, in flat light.
+// RenderedWorld: draws what a camera sees of its robot's world, with a brightness that depends only
+// on how a surface lies to the light.  Nothing throws a shadow.
 #pragma once
 
 #include <string>

@@ -44,7 +44,8 @@ Friction NextFriction(const Friction& now, double a, double b, double c, const F
   // The contact slides, so its impulse must have the length `max` and the direction of `missing`.
   // Each call makes one step along `missing`, and shortens the result to `max` if it is longer.
   // Repeated steps end where the impulse and `missing` have one direction.  The factor of a step is
-  // 1 divided by the largest eigenvalue of the matrix, the largest factor that does not overshoot.
+  // 1 divided by the largest eigenvalue of the matrix (a, b; b, c), the largest factor that does
+  // not overshoot.
   const double half = (a - c) / 2;
   const double step = 1 / ((a + c) / 2 + Length(half, b));
   const Friction slide{now.x + step * missing.x, now.y + step * missing.y};

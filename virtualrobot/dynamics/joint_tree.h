@@ -123,7 +123,8 @@ class JointTree {
     Eigen::Vector3d moment{0, 0, 0};
     Eigen::Matrix3d about_o = Eigen::Matrix3d::Zero();
 
-    // Returns the momentum of these parts when they move as one body with `velocity`.
+    // Returns the momentum of the parts that this Inertia sums up, when they move as one body with
+    // `velocity`.
     Spatial MomentumAt(const Spatial& velocity) const;
   };
 

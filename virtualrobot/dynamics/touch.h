@@ -1,7 +1,8 @@
-// Finds where balls, boxes and cylinders touch things that ODE's colliders do not serve.
+// Finds where balls, boxes and cylinders touch spheres and cylinders.
 //
-// Pairs of boxes are left to ODE (ode/contact_finder.h).  ODE's colliders for cylinders are not
-// used, because they call sine and cosine of libm, whose bits depend on the processor.
+// ODE finds where balls and boxes touch boxes (ode/contact_finder.h).  ODE's colliders for
+// cylinders are not used, because they call sine and cosine of libm, whose bits depend on the
+// processor.
 #pragma once
 
 #include <Eigen/Core>

@@ -105,8 +105,8 @@ struct DistanceRow {
 // A sensor.  Its index in RobotModel::sensors is also the index of its element in sensor vectors.
 struct Sensor {
   std::string name;
-  // Name for commands and tests, such as "chin"; "" for sensors of joints, which are found by the
-  // joint's name.
+  // Name of the sensor in inputs and tests, such as "chin"; "" for the sensor of a joint, which is
+  // found by the joint's name.
   std::string short_name;
   std::string locator;
   SensorKind kind = SensorKind::kRaw;
@@ -119,7 +119,8 @@ struct Sensor {
   // Unit vector: the direction of the ray of a sensor of kind kDistance or, in the base frame B, of
   // the axis that a sensor of kind kAcceleration measures.
   Eigen::Vector3d direction{0, 0, 0};
-  // Table of a sensor of kind kDistance: at least two rows, in rising order of distance_m.
+  // Table by which a sensor of kind kDistance converts the distance of a thing to its value: at
+  // least two rows, in rising order of distance_m.
   std::vector<DistanceRow> lookup;
   // For one of two sensors that are measured in turn (the distance sensors of an ERS-7): its
   // number, 0 or 1.  For a sensor that is measured in every frame: -1.

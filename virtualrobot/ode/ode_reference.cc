@@ -93,7 +93,7 @@ void OdeReference::Push(int part, const Vector3d& force_W, const Vector3d& p_W) 
 }
 
 // Takes the angle from ODE, which calls atan2 of libm, so its bits depend on the processor.  This
-// is good enough for a comparison.
+// is good enough, because OdeReference serves only for comparisons with our own simulation.
 double OdeReference::angle_rad(int joint) const {
   return start_rad_[joint] + dJointGetHingeAngle(hinges_[joint]);
 }
