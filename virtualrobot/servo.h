@@ -68,7 +68,7 @@ class Servo {
     return trouble_ == nullptr ? angle_rad : trouble_->Measured(angle_rad);
   }
 
-  // Constants that are computed from the joint and the settings.
+  // Constants of the servo that are computed from the joint and the settings.
   double counts_per_rad_;
   double stall_nm_;
   double motor_slope_nm_s_;  // stall torque divided by no-load speed

@@ -114,8 +114,8 @@ MoverCore::Remember(const VectorPlan& plan)
     joints_.VectorMade(record.number);
 }
 
-// Returns whether the newest frame completes the present state: all joints have reached their
-// goals, or the motion is over.
+// Returns whether the newest frame completes the present state of MoverCore, such as "standing":
+// all joints have reached their goals, or the motion is over.
 bool
 MoverCore::HasArrived() const
 {

@@ -16,8 +16,8 @@ public:
     // Returns the present angle of a joint in urad (10^-6 rad).
     virtual Sint32 Measure(int joint) = 0;
 
-    // Enables the gain of a joint and sets its values: the P, I and D gain in `gain`, and the
-    // shifts that RobotDescription has for the joint.
+    // Enables the gain of a joint.  Sets the P, I and D gain to `gain`, and their shifts (powers of
+    // 2 that scale the gains) to the values of the joint in RobotDescription.
     virtual void EnableGain(int joint, const Sint32 gain[3]) = 0;
 
     // Disables the gain of a joint, which becomes limp.

@@ -19,18 +19,20 @@ public:
     FileUpload() : file_(0), place_(0), size_(0), received_(0), crc_(0), crcSoFar_(0) {}
     ~FileUpload() { Abort(); }
 
-    // Sets the number of the client, for the name of the temporary file.
+    // Sets the number of the client, which becomes a part of the name of the temporary file of an
+    // upload.
     void SetPlace(int place) { place_ = place; }
 
     // Begins the upload that `request` describes.  First ends an earlier upload of this client that
     // has not ended yet.
     int Begin(const StickStore& store, const RcUploadBegin& request, std::string* why);
 
-    // Appends data to the file; `offset` must be the number of bytes received so far.
+    // Appends data to the temporary file of the upload; `offset` must be the number of bytes
+    // received so far.
     int Append(Uint32 offset, const Uint8* bytes, int count, std::string* why);
 
-    // Checks the whole file and renames it from its temporary to its final name.  Checks a motion
-    // for `robot` by reading it into `motion`; for an image, neither argument is used.
+    // Checks the whole uploaded file and renames it from its temporary to its final name.  Checks a
+    // motion for `robot` by reading it into `motion`; for an image, neither argument is used.
     int End(StickStore* store, const RobotConstants* robot, MtnFile* motion, std::string* why);
 
     // Ends the upload, if there is one, and removes its temporary file.

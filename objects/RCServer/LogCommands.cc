@@ -1,14 +1,15 @@
 //
-// Answers the requests for the log of motions.
+// Answers the requests for the log of motions (the key frames that motions have reached).
 //
 
 #include "RequestHandler.h"
 
 #include "TextFormat.h"
 
-// Writes as many records of the log as there is room for, from the number in the request on.  The
-// log keeps only the newest records.  If it has lost the record that was asked for, begins with the
-// oldest record that is kept; the client sees this by the number of the first record.
+// Writes as many records of the log of motions to the answer as there is room for, from the record
+// number in the request on.  The log keeps only the newest records.  If it has lost the record that
+// was asked for, begins with the oldest record that is kept; the client sees this by the number of
+// the first record.
 int
 RequestHandler::TellLog(RcReader* in, RcWriter* out)
 {

@@ -2,8 +2,8 @@
 
 #include "Angle.h"
 
-// Returns whether records of the log have a position of `joint`.  The log has the same joints as
-// the vendor's motion files, which lack mouth and tail.
+// Returns whether records of the log of motions have a position of `joint`.  The log has the same
+// joints as the vendor's motion files, which lack mouth and tail.
 static bool
 IsLogged(const JointConstants& joint)
 {

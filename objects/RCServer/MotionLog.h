@@ -15,26 +15,27 @@
 
 class MotionLog {
 public:
-    // Number of records that are kept: 8 s of a motion with a record every 32 ms.
+    // Number of records that the log of motions keeps: 8 s of a motion with a record every 32 ms.
     static const int CAPACITY = 256;
 
     MotionLog() : robot_(0), numJoints_(0), count_(0) {}
 
     void Begin(const RobotConstants* robot);
 
-    // Adds a record with the key frame in `report`, if a motion plays.  Takes the state of the paws
-    // from `sensors`, the newest sensor values.
+    // Adds a record to the log of motions, with the key frame in `report`, if a motion plays.
+    // Takes the state of the paws from `sensors`, the newest sensor values.
     void Add(const SetValueMessage& report, const SensorValues& sensors);
 
-    // Returns the number of records that were added since the boot.
+    // Returns the number of records that were added to the log of motions since the boot.
     Uint32 Count() const { return count_; }
 
-    // Returns the number of the oldest record that is kept.
+    // Returns the number of the oldest record that the log of motions keeps.
     Uint32 Oldest() const { return count_ > (Uint32)CAPACITY ? count_ - CAPACITY : 0; }
 
     int RecordSize() const { return LogRecordSize(numJoints_); }
 
-    // Returns the bytes of record number `number`.  REQUIRES: Oldest() <= number < Count().
+    // Returns the bytes of record number `number` of the log of motions.  REQUIRES: Oldest() <=
+    // number < Count().
     const Uint8* Record(Uint32 number) const { return record_[number % CAPACITY]; }
 
 private:

@@ -21,28 +21,29 @@ class PictureSlot {
 public:
     PictureSlot() : owner_(-1), layer_(0), lastFrame_(0), isHere_(false) {}
 
-    // Returns the client to which the slot belongs; -1 if it belongs to no client.
+    // Returns the client to which this memory for a picture belongs; -1 if it belongs to no client.
     int Owner() const { return owner_; }
 
-    // Returns whether the owner has not asked for the picture or for a part of it in the last two
-    // seconds, so that another client may take the slot.
+    // Returns whether the owner (the client to which this memory belongs) has not asked for the
+    // picture or for a part of it in the last two seconds, so that another client may take the
+    // memory.
     bool IsForgotten(Uint32 frame) const { return frame - lastFrame_ >= FORGOTTEN_FRAMES; }
 
-    // Gives the slot to a client, which waits for a picture from now on.
+    // Gives this memory for a picture to a client, which waits for a picture from now on.
     void Take(int client, int layer, Uint32 frame);
 
-    // Empties the slot, so that any client may take it.
+    // Takes this memory for a picture from its owner, so that any client may get it.
     void Clear() { owner_ = -1; }
 
-    // Records that the owner has asked for a part of the picture, so that the owner keeps the slot
-    // for two more seconds.
+    // Records that the client to which the picture belongs has asked for a part of it, so that this
+    // client keeps the picture for two more seconds.
     void Touch(Uint32 frame) { lastFrame_ = frame; }
 
     int Layer() const { return layer_; }
     bool IsWaiting() const { return owner_ >= 0 && !isHere_; }
     bool IsHere() const { return isHere_; }
 
-    // Stores a copy of `layer`, for which the owner waits.  REQUIRES: IsWaiting().
+    // Stores a copy of `layer`, the picture for which a client waits.  REQUIRES: IsWaiting().
     void Put(const CameraLayer& layer);
 
     // Returns the number of parts of the picture.  REQUIRES: IsHere().
@@ -53,8 +54,8 @@ public:
     void WritePart(int part, RcWriter* out) const;
 
 private:
-    // Time after the owner's last request from which on another client may take the slot: two
-    // seconds, in frames of 8 ms.
+    // Time after a client's last request for its picture, from which on another client may take the
+    // memory of the picture: two seconds, in frames of 8 ms.
     static const Uint32 FORGOTTEN_FRAMES = 250;
 
     int owner_;

@@ -172,7 +172,7 @@ RequestHandler::FailIndex(const char* what, int index, int count)
                                                   index, robot_->design, count));
 }
 
-// Handles the commands of version 1, which version 2 has as well.
+// Handles the commands of version 1 of the remote control's protocol, which version 2 has as well.
 int
 RequestHandler::HandleVersion1(int command, RcReader* in, RcWriter* out)
 {

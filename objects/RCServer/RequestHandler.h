@@ -130,7 +130,8 @@ private:
     int state_;  // MoverState in the newest report of JointMover; -1 if there is no report yet
     SetValueMessage report_;  // the newest report of JointMover
     bool motorsOff_;  // whether a client has switched motor power off
-    // For each joint, the limit of speed that the remote control has set last (Hohl 2004, 5.3.6).
+    // For each joint, the limit of its speed that the remote control has set last (Hohl 2004,
+    // 5.3.6).
     Sint32 speed_[MAX_JOINTS];
     // For each joint, the limit of acceleration that the remote control has set last.
     Sint32 acceleration_[MAX_JOINTS];

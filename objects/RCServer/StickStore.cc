@@ -68,7 +68,8 @@ StickStore::ReadNames(const char* extension)
     return true;
 }
 
-// Inserts a name into the sorted table.  When the table is full, the last name is dropped.
+// Inserts a file name into the sorted table of motions.  When the table is full, the last name is
+// dropped.
 void
 StickStore::Insert(const char* name)
 {
@@ -179,14 +180,15 @@ CanOpen(const std::string& path)
     return false;
 }
 
-// Gives the spare file of `path`, if there is one, the name `path` again.  Removes the spare file
-// instead if there is a file `path`, because this is the new file, or the old one with its name
-// back.  Returns whether no spare file is left.
+// Gives the spare file of `path` (the old file, which Replace() has renamed), if there is a spare
+// file, the name `path` again.  Removes the spare file instead if there is a file `path`, because
+// this is the new file, or the old one with its name back.  Returns whether no spare file is left.
 static bool
 PutBackOne(const std::string& path)
 {
     const std::string spare = SpareName(path);
-    // Usually there is no spare file.  Any other error may hide a file, so nothing is renamed then.
+    // A spare file (the old file of an interrupted Replace()) usually does not exist: ENOENT.  Any
+    // other error may hide a spare file, so nothing is renamed then.
     if (!CanOpen(spare)) return errno == ENOENT;
     if (CanOpen(path)) return remove(spare.c_str()) == 0;
     return errno == ENOENT && rename(spare.c_str(), path.c_str()) == 0;
@@ -201,7 +203,7 @@ StickStore::PutBack()
     for (int i = 0; i < 2; i++) {
         if (!PutBackOne(images[i])) left = SpareName(images[i]);
     }
-    // A stick without motions may lack their folder.
+    // Ignores ENOENT, because a stick without motions may lack the folder of the motions.
     if (!ReadNames(".~TN") && errno != ENOENT) left = Path(rcfileMOTION, "");
     for (int j = 0; j < count_; j++) {
         std::string motion = Path(rcfileMOTION, names_[j]);

@@ -8,7 +8,8 @@
 #include "ByteOrder.h"
 #include "TextFormat.h"
 
-// Handles the commands that version 2 adds, and leaves the others to HandleVersion1().
+// Handles the commands that version 2 of the remote control's protocol adds, and leaves the others
+// to HandleVersion1().
 int
 RequestHandler::HandleVersion2(int command, RcReader* in, RcWriter* out)
 {
@@ -103,9 +104,9 @@ RequestHandler::CountBatch(RcReader in, int* count)
                                              *count, RC_MAX_BATCH));
 }
 
-// Answers the requests one after the other.  Each answer leaves room for the smallest answers to
-// the requests behind it.  Because RC_MAX_BATCH of the smallest answers fit into a packet, every
-// request gets an answer.
+// Answers the requests of a batch (several requests in one packet) one after the other.  Each
+// answer leaves room for the smallest answers to the requests behind it.  Because RC_MAX_BATCH of
+// the smallest answers fit into a packet, every request gets an answer.
 int
 RequestHandler::AnswerBatch(RcReader* in, RcWriter* out)
 {

@@ -137,7 +137,7 @@ MtnFile::BeginSection(Cursor* cursor, Uint32 number, Uint32 smallest)
 
 // Moves to section `next`, which begins after the padding of the present section.  If the size that
 // the present section says does not match its content, there are two places where the next section
-// may begin.  The place that holds the number `next` is taken.
+// may begin.  The section begins at the place that holds the section number `next`.
 bool
 MtnFile::EndSection(Cursor* cursor, Uint32 next)
 {

@@ -20,15 +20,17 @@
 #include "RemotePacket.h"
 #include "RobotDescription.h"
 
-// The text at the beginning of a log file, before the records.
+// The text at the beginning of a file with the log of motions, before the records.
 #define RC_LOG_HEADER "AIBO_1.1"
 
-// Value of the record number in a request LOG that asks for no records, but only for their number.
+// Number of a record in a request LOG that asks for no records of the log, but only for the number
+// of records so far.
 const Uint32 RC_LOG_END = 0xffffffff;
 
 const int RC_LOG_PAWS = 4;
 
-// Size of a record with `numJoints` joints, in bytes.
+// Size, in bytes, of a record in the log of motions when the log has `numJoints` joints.  A record
+// is for one key frame (posture) that a motion has reached.
 inline int
 LogRecordSize(int numJoints)
 {
@@ -37,7 +39,8 @@ LogRecordSize(int numJoints)
 
 const int RC_MAX_LOG_RECORD = 2 + 2 * MAX_JOINTS + 1 + 2 * (MAX_JOINTS + RC_LOG_PAWS) + 1;
 
-// The beginning of an answer to LOG, before the records.
+// The beginning of an answer to LOG, the request for the log of motions, before the records of the
+// log.
 struct RcLogHead {
     Uint32 count;  // number of records since the robot has booted
     Uint32 first;  // number of the first record in this answer

@@ -63,7 +63,7 @@ public:
     // Counts `count` bytes that the caller has written at End().  REQUIRES: count <= Room().
     void Add(int count) { size_ += count; }
 
-    // Drops all bytes after the first `size` bytes.
+    // Drops all bytes in the buffer after the first `size` bytes.
     void Truncate(int size);
 
     // Writes the header of the packet into the first RC_HEADER_SIZE bytes.  Called last, when the
@@ -102,10 +102,11 @@ public:
 
     // Returns the bytes of the packet that were not read yet.
     const Uint8* Rest() const { return bytes_ + at_; }
-    // Returns the number of bytes that were not read yet.
+    // Returns the number of bytes of the packet that were not read yet.
     int RestSize() const { return size_ - at_; }
 
-    // Returns whether all reads found their bytes and no byte is left over.
+    // Returns whether all reads found their bytes in the packet, and no byte of the packet is left
+    // over.
     bool IsComplete() const { return !hasFailed_ && at_ == size_; }
     bool HasFailed() const { return hasFailed_; }
 
@@ -145,7 +146,7 @@ public:
     const Uint8* Payload() const { return buffer_ + RC_HEADER_SIZE; }
     int PayloadSize() const { return header_.size - RC_HEADER_SIZE; }
 
-    // Returns the reason why Next() returned BROKEN.
+    // Returns the reason why the bytes are no packet, after Next() has returned BROKEN.
     const std::string& Error() const { return error_; }
 
 private:

@@ -53,7 +53,8 @@ RcInfo::Read(RcReader* in)
     return in->IsComplete();
 }
 
-// Writes `numbers` one after the other.  Does not write their count; the caller writes it.
+// Writes `numbers` to a packet, one after the other.  Does not write their count; the caller writes
+// it.
 static void
 WriteNumbers(RcWriter* out, const std::vector<Sint32>& numbers)
 {

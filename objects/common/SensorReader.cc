@@ -24,8 +24,9 @@ SensorReader::Open(const RobotConstants* robot)
     return oSUCCESS;
 }
 
-// Returns the index of the element with primitive `id`; -1 when the vector has no such element.
-// Called for the first vector only, because an element has the same index in every vector.
+// Returns the index of the element of a sensor vector that has primitive `id`; -1 when the vector
+// has no such element.  Called for the first vector only, because an element has the same index in
+// every vector.
 int
 SensorReader::FindElement(OSensorFrameVectorData* vector, OPrimitiveID id,
                           const char* locator) const

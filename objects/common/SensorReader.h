@@ -31,9 +31,11 @@ private:
     OPrimitiveID joint_[MAX_JOINTS];
     OPrimitiveID sensor_[MAX_SENSORS];
     bool isFound_;                  // whether jointElement_ and sensorElement_ are set
-    // For each joint, the index of its element in a vector; -1 if the vector has no such element.
+    // For each joint, the index of its element in a sensor vector; -1 if the vector has no such
+    // element.
     int jointElement_[MAX_JOINTS];
-    // For each sensor, the index of its element in a vector; -1 if the vector has no such element.
+    // For each sensor, the index of its element in a sensor vector; -1 if the vector has no such
+    // element.
     int sensorElement_[MAX_SENSORS];
 };
 

@@ -231,7 +231,7 @@ void ReadLights(const JsonReader& root, RobotModel* model) {
   }
 }
 
-// Reads the width and the height of a picture.
+// Reads the width and the height of a picture of the camera from a model file.
 std::pair<int, int> PixelsOf(const JsonReader& size) {
   const std::vector<JsonReader> v = size.Elements();
   if (v.size() != 2) size.Fail("must be [width, height]");
