@@ -171,18 +171,19 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
   Check(posted.message, self);
   const CurrentScope scope(system_, self);
   OwnedMessage message = system_->NewMessage(posted.message.target, posted.message.selector);
-  // Keeps the class of the message and its cause (the number of the message whose handler sends
-  // this message), which NewMessage() has set.  They are kept because Decode() overwrites them with
-  // the worker's values, and the message must be the same as in a run with one process.
+  // Keeps two members that NewMessage() has set: the message's class (messages that are due at the
+  // same time are delivered in the order of their classes) and its cause (the number of the message
+  // whose handler sends this message).  They must be the same as in a run with one process, and not
+  // the worker's values that Decode() may store.
   const MessageClass message_class = message->message_class;
   const uint64_t cause = message->cause;
   const std::string problem = marshaller_->Decode(posted.message, message.get());
   marshaller_->ReleaseSample();
   if (!problem.empty()) Refuse(problem);
   if (posted.delay_us < 0 || posted.delay_us > kDelayMaxUs) Refuse("a message for another time");
-  // Restores the master's values of class and cause, which Decode() has overwritten, so that the
-  // message is the same as in a run with one process.  The number is 0 until System::Post() sets
-  // it.
+  // Restores the message's class and cause (the number of the message whose handler sends this
+  // message), so that they are the same as in a run with one process.  Removes the number that the
+  // worker has given to the message, because System::Post() gives it a number of the master.
   message->number = 0;
   message->cause = cause;
   message->message_class = message_class;
@@ -197,8 +198,9 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
                               message->target, message->selector};
   const bool answers = Answers(*message, self);
   const int32_t error = system_->Post(std::move(message), posted.delay_us);
-  // Marks the request as answered.  Without this mark the master would answer it again if the
-  // worker is lost before the handler ends (RemoteObject::SendEmptyReply()).
+  // Marks the request, to which this message is the reply, as answered.  Without this mark the
+  // master would answer the request again if the worker is lost before the handler ends
+  // (RemoteObject::SendEmptyReply()).
   if (answers && error == sSUCCESS) self->handler.running->reply_box = 0;
   // Records that the observer is not ready any more.  After a notification, an observer must assert
   // ready again before it gets the next notification.

@@ -242,8 +242,8 @@ class RemoteProcess {
   // HandleFreeSample() posts this reply when the handler has stopped.
   bool is_free_ = false;
   uint64_t wake_box_count_ = 0;  // number of reply boxes made for RemoteObjects
-  // The objects with a handler in the worker; the value is the reply box for which the object's
-  // stand-in waits in the master.
+  // The objects of which a handler runs in the worker now; the value is the reply box for which the
+  // object's stand-in waits in the master.
   std::map<ObjectId, uint64_t> running_;
   std::map<ObjectId, Stop> stops_;  // the reason why the handler of each object has stopped
   // The time of the worker's last sample, or the time when an idle worker was given work.
