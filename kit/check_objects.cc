@@ -96,9 +96,9 @@ class ObjectCheck {
     return sources;
   }
 
-  // Returns the text of files that may define sbjX, obsX or entryX beside stub.cfg: each def.h and
-  // entry.h that somebody wrote by hand, and the services in other files of the form of stub.cfg,
-  // because a Makefile may make the stub from such a file.
+  // Returns the text of files that may define sbjX, obsX or entryX in addition to stub.cfg: each
+  // def.h and entry.h that somebody wrote by hand, and the services in other files of the form of
+  // stub.cfg, because a Makefile may make the stub from such a file.
   std::string OtherDefinitions() const {
     static const std::regex kService(
         "Service[ \t]*:[ \t]*\"[ \t]*\\w+\\.(\\w+)\\.[^\"]*\\.([SO])\"");

@@ -44,8 +44,8 @@ Words WordsFor(const KitLog::Command& command, const std::string& original,
   const auto first_flag = std::find_if(
       words.begin(), words.end(), [](const std::string& word) { return word.starts_with('-'); });
   words.insert(first_flag, originals.begin(), originals.end());
-  // Adds the folder of the copied source, because headers that the build makes, such as def.h, are
-  // only in this folder.
+  // Adds the folder of the copied source to the header folders (-I), because headers that the build
+  // makes, such as def.h, are only in this folder.
   const std::string copied_folder = fs::path(command.file).parent_path();
   words.insert(words.end(), {"-I" + copied_folder, "-c", original});
   return words;

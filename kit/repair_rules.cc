@@ -66,8 +66,8 @@ Edits RepeatedParameter(const Spot& place) {
   if (close == kNone || word.empty()) return {};
   size_t next = NextOf(place.code, close + 1);
   if (next != kNone && HasWordAt(place.code, next, "const")) next = NextOf(place.code, next + 5);
-  // Does nothing if no ';' follows the list of parameters.  The text is then a definition, and its
-  // body needs the names of the parameters.
+  // Leaves the names of the parameters if no ';' follows their list, because the text is then the
+  // definition of a function, whose body needs the names.
   if (next == kNone || place.code[next] != ';') return {};
   return {{place.at, place.at + word.size(), std::string(word.size(), ' '),
            fmt::format("the second parameter called '{}' left without a name", word)}};

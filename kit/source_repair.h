@@ -29,11 +29,12 @@ class RepairSession {
   // -fdiagnostics-format=json for `sources`.  Returns false if nothing could be repaired.
   bool Apply(const std::string& diagnostics, const std::vector<std::string>& sources);
 
-  // Keeps the repairs of the private copies, and records them in the log (kit_log.h) under the
-  // names of the user's own files.
+  // Records the repairs that this session has made in the private copies in the log (kit_log.h),
+  // under the names of the user's own files.  Called if the repaired sources compile; otherwise
+  // Undo() is called.
   void Keep();
 
-  // Restores the text that the changed files had before this session.
+  // Restores the text that the changed private copies had before this session repaired them.
   void Undo();
 
  private:
