@@ -52,7 +52,8 @@ public:
     // become ready for the buffer of joint commands.
     void BatchMoverReady();
 
-    // Puts the LEDs and ears that the remote control has set (`change`) into the buffers.
+    // Puts the LEDs and ears that the remote control has set (`change`) into the buffers from which
+    // the next LED and ear vectors are made.
     void RemoteLights(const LedEarState& change);
 
     // Sets the ears of `mask` to their positions in the key frame (posture) that a motion has

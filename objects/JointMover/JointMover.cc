@@ -287,8 +287,9 @@ JointMover::StateChanged(MoverState state)
     OSYSLOG1((osyslogINFO, "state: %s", MoverStateName(state)));
 }
 
-// Sets the message but does not send it.  SendReports() sends all messages of a handler together,
-// because a second call of NotifyObservers() would replace the messages of the first call.
+// Adds `message`, a report of the state of JointMover, to the reports of the present handler.
+// SendReports() sends these reports together, because a second call of NotifyObservers() would
+// replace the reports of the first call.
 void
 JointMover::Report(const SetValueMessage& message)
 {

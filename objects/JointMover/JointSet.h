@@ -64,8 +64,8 @@ public:
     // they are used when the joint is switched on.
     void SetGain(int joint, const Sint32 gain[3]);
 
-    // Returns whether there is a vector to send.  This is so if a joint moves, or if the gain of a
-    // joint is to be switched on together with the next vector.
+    // Returns whether there is a command vector to send.  This is so if a joint moves, or if the
+    // gain of a joint is to be switched on together with the next vector.
     bool IsBusy() const;
     bool IsMoving(int joint) const;
 

@@ -134,8 +134,8 @@ private:
     const RobotConstants* robot_;
     JointSet joints_;
     MoverState state_;
-    // Number of states entered so far.  Each vector stores this number, which shows at the end of
-    // the vector whether the vector belongs to an earlier state.
+    // Number of times that MoverCore has entered a state.  Each command vector stores this number,
+    // which shows at the end of the vector whether the vector belongs to an earlier state.
     Sint32 stateCount_;
     bool filled_;  // whether the first vector (state moverFILLING) was made already
     int posture_;  // index of the start-up posture to which the robot moves

@@ -1,5 +1,5 @@
 //
-// Answers the requests for pictures of the camera.
+// Answers the requests of the remote control for pictures of the camera.
 //
 
 #include "RequestHandler.h"

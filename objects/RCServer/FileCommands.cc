@@ -1,5 +1,6 @@
 //
-// Answers the requests for files of the Memory Stick, for shutdown and for reboot.
+// Answers the requests of the remote control for files of the Memory Stick, for shutdown and for
+// reboot.
 //
 
 #include "RequestHandler.h"

@@ -1,5 +1,6 @@
 //
-// Answers the requests for motors and power: MOTOR_OFF, MOTOR_ON, GAINS, POWER.
+// Answers the requests of the remote control for motors and power: MOTOR_OFF, MOTOR_ON, GAINS,
+// POWER.
 //
 
 #include "RequestHandler.h"

@@ -22,7 +22,7 @@ public:
 
     bool IsEmpty() const { return size_ == 0; }
 
-    // Removes the oldest command and returns it.  REQUIRES: !IsEmpty().
+    // Removes the oldest command from the queue and returns it.  REQUIRES: !IsEmpty().
     MoverCommand Pop()
     {
         const int index = first_;
@@ -32,8 +32,8 @@ public:
     }
 
 private:
-    // Maximum number of commands: enough if six clients command all joints (at most 20) before
-    // JointMover is ready again.
+    // Maximum number of commands in the queue: enough if six clients command all joints (at most
+    // 20) before JointMover is ready again.
     static const int CAPACITY = 128;
 
     MoverCommand command_[CAPACITY];

@@ -1,5 +1,6 @@
 //
-// Answers the requests that make the robot do something.
+// Answers the requests of the remote control that make the robot do something, such as moving a
+// joint.
 //
 
 #include "RequestHandler.h"

@@ -24,13 +24,13 @@ DivideRounded(Sint64 numerator, Sint64 denominator)
     return numerator >= 0 ? (numerator + half) / denominator : -((half - numerator) / denominator);
 }
 
-// Number of urad in one cdeg, times 10^9: pi / 18000 x 10^6 x 10^9.
+// Number of urad (10^-6 rad) in one cdeg (0.01 degree), times 10^9: pi / 18000 x 10^6 x 10^9.
 const Sint64 URAD_PER_CDEG_E9 = 174532925199LL;
 
 // Number of urad in a radian, the unit in which controllers give positions.
 const double URAD_PER_RAD = 1e6;
 
-// Number of cdeg in a radian.
+// Number of cdeg (0.01 degree) in a radian.
 const double CDEG_PER_RAD = 5729.577951308232;
 
 // Converts an angle in 0.01 degree to urad.  An angle of more than 100 turns counts as 100 turns,

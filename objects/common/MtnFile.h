@@ -61,7 +61,8 @@ public:
     // ...".
     const std::string& Error() const { return error_; }
 
-    // Returns texts about unusual but harmless content, in the order of the file.
+    // Returns texts about unusual but harmless content of the motion file, in the order of the
+    // content.
     const std::vector<std::string>& Warnings() const { return warnings_; }
 
     // Finds the joint or plunger (ear) of `robot` for each joint of the file, by its locator
@@ -101,7 +102,7 @@ public:
     // with interpolation count n lasts (n + 1) x 16 ms.
     Sint32 TimeMs(int k) const;
 
-    // Returns TimeMs() of the last key frame; 0 for an empty motion.
+    // Returns the time from key frame 0 to the last key frame, in ms; 0 for an empty motion.
     Sint32 DurationMs() const;
 
 private:

@@ -7,7 +7,7 @@
 
 #include <string>
 
-// Size of a buffer for a file name, in bytes.
+// Size of a buffer for the name of a motion file, in bytes.
 const int MTN_NAME_SIZE = 16;
 // Checks that `given` is an 8+3 file name without a path, and writes it to `name`, in upper case
 // and padded with zeros.  When `given` is not such a name, returns false and sets `error` to the

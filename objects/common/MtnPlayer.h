@@ -40,11 +40,11 @@ public:
     // Ends the play-back of the motion at the present frame.
     void Stop() { motion_ = 0; }
 
-    // Returns whether there is a frame left to play.
+    // Returns whether the motion has a frame that is left to play.
     bool IsPlaying() const { return motion_ != 0; }
 
-    // Returns the number of frames of the next vector: 1 to MAX_VECTOR_FRAMES; 0 when play-back has
-    // ended.
+    // Returns the number of frames of the motion's next command vector: 1 to MAX_VECTOR_FRAMES; 0
+    // when play-back has ended.
     int FramesOfNextVector() const;
 
     // Advances play-back by one frame of 8 ms.  REQUIRES: IsPlaying().
@@ -54,7 +54,7 @@ public:
     // urad (10^-6 rad).
     Sint32 Position(int j) const;
 
-    // Returns the index of the key frame reached last; 0 at the beginning.
+    // Returns the index of the key frame that the motion has reached last; 0 at the beginning.
     int KeyFrame() const { return keyFrame_; }
 
 private:

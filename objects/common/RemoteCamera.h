@@ -15,7 +15,8 @@ const int NUM_RC_LAYERS = 4;
 // Size of the largest layer of any robot, in bytes: six bands of 208 x 160 pixels (ERS-7).
 const Uint32 RC_MAX_PICTURE = 6 * 208 * 160;
 
-// The beginning of an answer to CAMERA_PART, before the bytes of the layer.
+// The beginning of an answer to CAMERA_PART, the request for a part of a picture, before the bytes
+// of the layer.
 struct RcPicturePart {
     Uint16 part;    // number of the part, from 0
     Uint16 parts;   // number of parts of the picture

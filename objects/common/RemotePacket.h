@@ -57,7 +57,7 @@ public:
 
     // Returns the place in the buffer at which the next byte will be written.
     Uint8* End() const { return buffer_ + size_; }
-    // Returns the number of free bytes from End() on.
+    // Returns the number of bytes of the buffer that are free, from End() on.
     int Room() const { return capacity_ - size_; }
 
     // Counts `count` bytes that the caller has written at End().  REQUIRES: count <= Room().
@@ -70,7 +70,7 @@ public:
     // size of the packet is known.
     void PutHeader(int command, int tag, int version = RC_VERSION);
 
-    // Writes the `size` bytes at `bytes` without a change.
+    // Writes the `size` bytes at `bytes` to the buffer without a change.
     void Bytes(const Uint8* bytes, int size);
 
 private:

@@ -27,7 +27,7 @@ enum RcCommand {
     rcSENSORS = 0x30,
     rcMTN_PLAY = 0x40,
     rcMTN_STOP = 0x41,
-    // The commands below need version 2 of the protocol.
+    // The commands below need version 2 of the remote control's protocol.
     rcBATCH = 0x03,
     rcGAINS = 0x14,
     rcMOTOR_OFF = 0x15,
@@ -84,7 +84,7 @@ const int RC_SMALLEST_BATCH_ANSWER = RC_ANSWER_HEADER_SIZE + 24;
 // into the answer to the batch.
 const int RC_MAX_BATCH = (RC_MAX_PACKET - RC_ANSWER_HEADER_SIZE) / RC_SMALLEST_BATCH_ANSWER;
 
-// The header with which an answer begins.
+// The header with which an answer of the remote control begins.
 struct RcAnswerHeader {
     RcHeader header;
     Uint32 frame;  // frame number of the newest sensor values; 0xffffffff before the first values
@@ -100,7 +100,8 @@ struct RcInfo {
     std::string design;    // such as "ERS-210"
     std::string software;  // "openr-host RCServer"
 
-    // The values `processor`, `largestMotion` and `largestImage` are sent in version 2 only.
+    // The values `processor`, `largestMotion` and `largestImage` are sent in version 2 of the
+    // protocol only.
     bool hasFiles;         // whether the packet has the three values below
     Uint8 processor;       // ImageProcessor of the images that the robot runs
     Uint32 largestMotion;  // size in bytes of the largest motion that can be uploaded

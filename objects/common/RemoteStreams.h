@@ -29,7 +29,7 @@ struct RcSubscribe {
     bool Read(RcReader* in);
 };
 
-// The beginning of the payload of EVENT, before the values of the stream.
+// The beginning of the payload of EVENT, a packet of a stream, before the values of the stream.
 struct RcEventHead {
     Uint8 stream;    // a value of RcStream
     Uint16 leftOut;  // number of values that the client has missed since the packet before
