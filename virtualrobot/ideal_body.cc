@@ -11,8 +11,9 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-// Returns the next angle of a joint on which `trouble` acts.  The joint is at `angle_rad`, and its
-// servo would move it to `goal_rad`.
+// Returns the angle at the end of the frame of a joint on which `trouble`, a fault or a person's
+// hand, acts.  At the beginning of the frame the joint is at `angle_rad`, and its servo would move
+// it to `goal_rad`.
 double AngleInTrouble(const JointTrouble& trouble, double angle_rad, double goal_rad) {
   if (trouble.jammed_rad || (trouble.strength == 0 && !trouble.hand_rad)) return angle_rad;
   return trouble.hand_rad.value_or(goal_rad);

@@ -52,8 +52,8 @@ int64_t WaitOf(const SentVector& vector, std::vector<std::string>* problems);
 // region is used again when it is free, that is, when no object refers to it.
 class VectorPool {
  public:
-  // Returns a free region.  Returns null when all regions are in use; then the caller makes a new
-  // region and calls Add().
+  // Returns a region of the pool that is free.  Returns null when all regions of the pool are in
+  // use; then the caller makes a new region and calls Add().
   RCRegion* Free() const;
 
   // Adds `region` to the pool.  The caller must hold the only reference to the region; the pool
@@ -62,8 +62,8 @@ class VectorPool {
   // object.
   void Add(RCRegion* region);
 
-  // Gives up the references to all regions.  REQUIRES: the object that has called Add() is the
-  // current object.
+  // Gives up the references to all regions of the pool.  REQUIRES: the object that has called Add()
+  // is the current object.
   void Clear();
 
  private:

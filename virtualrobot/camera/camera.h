@@ -37,10 +37,10 @@ class CameraDevice {
   void set_auto_white_balance(bool on);
   ColourTables& tables() { return tables_; }
 
-  // Returns how many images have been completed since boot when frame `frame` begins.  An ERS-210
-  // completes an image every 5 frames.
+  // Returns how many images the camera has completed since boot when frame `frame` begins.  An
+  // ERS-210 completes an image every 5 frames.
   int64_t ImagesBefore(int64_t frame) const;
-  // Returns whether an image was completed just before `frame`.
+  // Returns whether the camera completed an image just before `frame`.
   bool Due(int64_t frame) const { return ImagesBefore(frame) > ImagesBefore(frame - 1); }
 
   // Returns a vector with the image that was completed just before frame `frame`.  The sensor

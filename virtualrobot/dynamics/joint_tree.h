@@ -150,7 +150,8 @@ class JointTree {
   // unknown 0; -1 for unknown 0 itself.
   std::vector<int> parent_;
 
-  // The state of the tree: all other members are computed from it in each step.
+  // The state of the tree: orientation, place and velocities of the trunk, and the angles and
+  // speeds of the hinges.  All other members are computed from this state in each step.
   Eigen::Quaterniond q_WB_ = Eigen::Quaterniond::Identity();
   Eigen::Vector3d centre_W_{0, 0, 0};  // the trunk's centre of mass
   Eigen::Vector3d v_W_{0, 0, 0}, w_W_{0, 0, 0};

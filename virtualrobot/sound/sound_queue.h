@@ -57,7 +57,7 @@ class SoundQueue {
   // the mistakes in vectors that start.
   bool Fill(int64_t frame, SoundFrame* samples, std::vector<SoundProblem>* problems);
 
-  // Drops all vectors, and gives up the references to their regions.
+  // Drops all sound vectors of the queue, and gives up the references to their regions.
   void Clear();
 
   bool busy() const { return !waiting_.empty() || !finished_.empty() || playing_.region; }

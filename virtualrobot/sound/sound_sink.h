@@ -25,7 +25,8 @@ class SoundSink {
   // could not be written.
   virtual std::string Play(int64_t frame, const SoundFrame& samples) = 0;
 
-  // Ends the sound.  Returns "", or the reason why some of the sound could not be written.
+  // Ends the sound after its last frame.  Returns "", or the reason why some of the sound could not
+  // be written.
   virtual std::string Close() { return ""; }
 };
 
