@@ -1,4 +1,5 @@
-// The command openr explore: runs one graph of objects with many legal orders of its messages.
+// The command openr explore: runs the objects of a stick many times, with many legal orders of
+// their messages.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>

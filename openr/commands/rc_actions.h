@@ -35,7 +35,7 @@ struct RcFlags {
   int key_frames = 0;
   // Layer of the picture: "h", "m", "l" (high, medium or low resolution) or "c" (detected colours).
   std::string layer = "m";
-  // Whether to write the bytes of the layer exactly as the robot sends them.
+  // True: the bytes of the camera picture are written exactly as the robot sends them.
   bool raw = false;
   std::string log;         // file on this host to which the log of a motion is written; "": no log
   bool simulated = false;  // true: the log's values are values of a simulated robot

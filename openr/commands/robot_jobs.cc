@@ -39,7 +39,7 @@ using Json = nlohmann::ordered_json;
 
 // Longest wait for data from the processes of the robots, so that Ctrl-C is noticed soon.
 constexpr int kInterruptMs = 200;
-// Most findings that are printed; the report has all findings.
+// Largest number of findings that are printed; the report has all findings.
 constexpr size_t kFindingsPrinted = 20;
 
 struct RunningCopy {

@@ -94,7 +94,7 @@ std::string Summary(const nlohmann::ordered_json& report, const std::optional<Ru
 }
 
 // Writes the report when an object ends the run, by a crash or by a handler that does not return.
-// The report has the present state of the run, and the record of the crash as its member "error".
+// The report has the present state of the run, and the crash record as its member "error".
 void ReportTheEnding(Ending* ending, Simulation* simulation, DistributedRun* distribution,
                      const RunFacts& facts, const RunFlags& flags) {
   NoteTheEnding(*ending, simulation);
@@ -395,9 +395,9 @@ bool CommandedRun::Report() {
   if (!boots_ && !is_stopped) fmt::print(stderr, "openr: the robot does not boot\n");
   EndConsoleLine();
   nlohmann::ordered_json report = MakeReport(&simulation_, facts_);
-  // Writes out the bytes that objects' open files still hold only now, after the state hash,
-  // because this hash contains the files of the stick, and a replay of the run does not write such
-  // bytes.
+  // Writes the bytes that still wait in the buffers of objects' open files.  Does so only after the
+  // state hash was computed, because this hash contains the files of the stick, and a replay of the
+  // run does not write such bytes.
   for (const auto& object : system().objects()) {
     if (object != nullptr) FlushStreams(object.get());
   }

@@ -38,7 +38,7 @@ ProcessHost HostOf(const RunStatus& run, const RunStatus::Object& object) {
 }
 
 // Returns the time since the last status of `run` if it is longer than kSilent_s, because the table
-// then warns that the run is silent.  Else, and for a run that has ended, returns 0.
+// of openr top then warns that the run is silent.  Else, and for a run that has ended, returns 0.
 double Silence_s(const Run& run, double now_s) {
   const double silent_s = now_s - run.heard_s;
   return run.status.has_ended || silent_s < kSilent_s ? 0 : silent_s;
@@ -263,8 +263,8 @@ std::string OnScreen(const std::string& text, size_t rows, size_t columns) {
     lines.resize(rows - 1);
     lines.push_back(fmt::format("... {}", Counted(left_out, "more line")).substr(0, columns));
   }
-  // The text of the page, with control codes of the terminal that clear the end of each line and
-  // the rest of the screen.
+  // The text for the whole screen of the terminal, with control codes that clear the end of each
+  // line and the rest of the screen.
   std::string screen;
   for (const std::string& line : lines) screen += (screen.empty() ? "" : "\r\n") + line + "\x1b[K";
   return screen + "\x1b[J";

@@ -22,8 +22,8 @@ class RunsHeard {
 
   void Take(const std::vector<RunStatus>& news, double now_s);
 
-  // Removes the runs that ended more than 10 s ago.  Until then the table shows how these runs
-  // ended.
+  // Removes the runs that ended more than 10 s ago.  Until then the table of openr top shows how
+  // these runs ended.
   void Forget(double now_s);
 
   bool empty() const { return runs_.empty(); }
