@@ -134,7 +134,7 @@ class RemotePort : public ControllerPort {
   bool is_continued_ = false;
   std::chrono::steady_clock::time_point heard_{};   // time of the robot's last event or answer
   std::chrono::steady_clock::time_point warned_{};  // time of the last WarnOfRefusal()
-  // Id of the INFO request to a silent robot that waits for its answer; 0: none.
+  // Id of the request INFO that was sent to a silent robot and is not answered yet; 0: none.
   openr::remote::RequestId life_ = 0;
 };
 

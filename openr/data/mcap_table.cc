@@ -131,8 +131,8 @@ class McapReader {
     --depth_;
   }
 
-  // Throws std::runtime_error with the name of the file, the place of the present record in it, and
-  // the text `why`.
+  // Throws std::runtime_error with the name of the file, the place in it of the MCAP record that is
+  // being read, and the text `why`.
   [[noreturn]] void Refuse(const std::string& why) const {
     throw std::runtime_error(
         fmt::format("{}: the record at byte {} {}", file_, good_ + kMcapMagic.size(), why));
@@ -183,8 +183,8 @@ class McapReader {
   Table table_;
   std::map<std::string, size_t> places_;  // key: name of a quantity; value: index in table_.series
   std::map<uint16_t, std::string> schemas_, topics_;
-  // Place in the file of the present record, or of the chunk that contains this record, for error
-  // messages.
+  // Place in the file of the MCAP record that is being read, or of the chunk that contains this
+  // record, for error messages.
   size_t good_ = 0;
   int depth_ = 0;  // 1 while the records of a chunk are read, else 0
   bool is_over_ = false;

@@ -165,8 +165,8 @@ class Reader {
     return true;
   }
 
-  // Fills the stack up to `address` with copies of the line of the dump that was read last, because
-  // a line '*' stands for such equal lines.
+  // Adds to the stack the words up to `address`: copies of the line of the stack dump that was read
+  // last, because a line '*' in the dump stands for such equal lines.
   void RepeatUpTo(uint32_t address) {
     if (row_.empty() || address <= row_at_) return;
     for (size_t i = row_.size(); i < kStackWordsMax; ++i) {
@@ -206,8 +206,8 @@ class Reader {
   }
 
   void ReadFields(const std::string& text) {
-    // Register to which the previous number of the line belongs.  If the next number has no name,
-    // it belongs to the register after this one.
+    // Register to which the previous number of this line of a crash record belongs.  If the next
+    // number has no name, it belongs to the register after this one.
     std::optional<int> last;
     for (const NamedNumber& number : Split(text)) {
       std::optional<int> reg;

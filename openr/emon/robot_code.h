@@ -47,7 +47,8 @@ class RobotCode {
   std::string bytes_;  // bytes of the image, decompressed
   bool is_compressed_ = false;
   std::filesystem::path names_;
-  // The address for which the code was linked, minus its address in the headers of the file names_.
+  // The address for which the code was linked, minus the address of the code in the headers of the
+  // file names_, which has the names of the functions.
   uint32_t names_moved_by_ = 0;
   uint32_t text_ = 0;         // address of the code, as the headers of the file give it
   uint32_t text_offset_ = 0;  // place of the code's first byte in bytes_
