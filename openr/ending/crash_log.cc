@@ -142,11 +142,11 @@ const std::string* FileOf(int robot) {
   return file.empty() ? nullptr : &file;
 }
 
-// The file to which the record of a crash is written.  It is opened and written only with calls
-// that are allowed in a signal handler.
+// The file to which a crash record is written.  It is opened and written only with calls that are
+// allowed in a signal handler.
 class RecordFile {
  public:
-  // Opens the file `name`.  If `name` is null, no file is opened or written.
+  // Opens the file `name` for a crash record.  If `name` is null, no file is opened or written.
   explicit RecordFile(const std::string* name) : name_(name) {
     if (name == nullptr) return;
     // Calls the system directly, because open() is replaced in this process by a function that may
@@ -220,8 +220,8 @@ unsigned MemoryExceptionCode(const void* context) {
 // Returns the code of the exception that the robot's processor raises for the signal
 // (field-notes.md 4.1); 0 for an error that it does not notice.
 unsigned RobotExceptionCode(int signal, const siginfo_t& info, const void* context) {
-  // If the runtime itself has found the fault, takes the code from the text with which the runtime
-  // has announced it, such as "a division by zero at Dog.cc:5 (exception 9)".
+  // If the runtime itself has found the fault, takes the exception code from the text with which
+  // the runtime has announced the fault, such as "a division by zero at Dog.cc:5 (exception 9)".
   if (*AnnouncedFault() != 0) {
     static constexpr char kException[] = "(exception ";
     const char* const begin = std::strstr(AnnouncedFault(), kException);
@@ -243,10 +243,10 @@ unsigned RobotExceptionCode(int signal, const siginfo_t& info, const void* conte
   }
 }
 
-// Writes the record of the crash to standard error and to the robot's record file.  The record file
-// also gets the record in the robot's form, which needs the stack.  Stack and robot's form come
-// last, because the stack may be so damaged that walking it crashes again; the file then lacks
-// both.
+// Writes the crash record to standard error and to the robot's file for crash records.  The file
+// also gets the crash record in the robot's form, which needs the call stack.  Call stack and
+// robot's form come last, because the stack may be so damaged that walking it crashes again; the
+// file then lacks both.
 void WriteRecordInSignal(Ending* ending, RobotException* exception, const void* context,
                          int robot) {
   const std::string* const name = FileOf(robot);
@@ -269,7 +269,7 @@ void WriteRecordInSignal(Ending* ending, RobotException* exception, const void* 
     ending->finding.Add("; record: ").Add(*name).Add(**g_place);
 }
 
-// Handles SIGSEGV, SIGBUS, SIGFPE and SIGILL: ends the process with a record if an object was
+// Handles SIGSEGV, SIGBUS, SIGFPE and SIGILL: ends the process with a crash record if an object was
 // running.
 void OnCrashSignal(int signal, siginfo_t* info, void* context) {
   if (signal == SIGFPE && GoesOnInSignal(*info, context)) return;
@@ -385,9 +385,9 @@ CrashLog::~CrashLog() {
 }
 
 void CrashLog::BeginAfresh(const std::string& file) {
-  // Ignores errors when it removes an old record file.  A file that does not exist need not be
-  // removed.  If the file cannot be removed, writing the record to it will most likely fail too,
-  // and RecordFile::Tell() reports that.
+  // Ignores errors when it removes the file of an old crash record.  A file that does not exist
+  // need not be removed.  If the file cannot be removed, writing the new crash record to it will
+  // most likely fail too, and RecordFile::Tell() reports that.
   std::error_code error;
   std::filesystem::remove(file, error);
 }

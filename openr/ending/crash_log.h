@@ -13,18 +13,19 @@
 namespace openr_host {
 
 // While a CrashLog exists, a SIGSEGV, SIGBUS, SIGFPE or SIGILL that comes while an object runs ends
-// the run with a record.  The same signals have their default action while no object runs.  A
+// the run with a crash record.  The same signals have their default action while no object runs.  A
 // CrashLog does nothing under AddressSanitizer, because the report of AddressSanitizer says more
 // about a crash.
 class CrashLog {
  public:
-  // `files` has the path of the record file for each robot (RunStick::crash_log()); for an empty
-  // path no file is written.  `adds` is true if other processes of the run write to the same file:
-  // a record is then added at the end of the file, else it replaces the file.
+  // `files` has the path of the file for crash records of each robot (RunStick::crash_log()); for
+  // an empty path no file is written.  `adds` is true if other processes of the run write to the
+  // same file: a crash record is then added at the end of the file, else it replaces the file.
   //
-  // `place` has a value if the finding in the report must name the record's file, because the user
-  // cannot guess where it is: it is on another host, or the user has named no stick.  The value is
-  // the text that follows the file's name in the finding, such as " on HOST"; it may be "".
+  // `place` has a value if the finding in the report must name the file of the crash record,
+  // because the user cannot guess where it is: it is on another host, or the user has named no
+  // stick.  The value is the text that follows the file's name in the finding, such as " on HOST";
+  // it may be "".
   explicit CrashLog(std::vector<std::string> files, bool adds = false,
                     const std::optional<std::string>& place = {});
   ~CrashLog();

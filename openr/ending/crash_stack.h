@@ -22,19 +22,21 @@ class CrashStack {
   // the processor's registers at the signal.
   CrashStack(const Object& object, const void* context);
 
-  // Adds to `text` the word "STACK" and one line per frame, the innermost frame first, such as
-  // "  #0 TROUBLE.BIN+0x1234 Trouble::Go() (Trouble.cc:57)".
+  // Adds to `text` the word "STACK" and one line for each stack frame, the innermost first, such as
+  //   "  #0 TROUBLE.BIN+0x1234 Trouble::Go() (Trouble.cc:57)".
   void AddTo(SignalText* text) const;
 
-  // Adds to `text` the innermost frame of the object's own code, such as ", at TROUBLE.BIN+0x1234
-  // Trouble::Go() (Trouble.cc:57)".  Adds nothing if no frame is of the object's own code.
+  // Adds to `text` the place of the innermost stack frame of the object's own code, such as ", at
+  // TROUBLE.BIN+0x1234 Trouble::Go() (Trouble.cc:57)".  Adds nothing if no stack frame is of the
+  // object's own code.
   void AddPlace(SignalText* text) const;
 
-  // Returns the address of the innermost frame of the object's own code; null if no frame is of the
-  // object's own code.
+  // Returns the address of the instruction in the innermost stack frame of the object's own code;
+  // null if no stack frame is of the object's own code.
   const void* OwnAddress() const;
 
-  // Returns the place of OwnAddress() in the file of the object's image; 0 if OwnAddress() is null.
+  // Returns the place of OwnAddress(), an instruction of the object, in the file of the object's
+  // image; 0 if OwnAddress() is null.
   uintptr_t OwnOffset() const;
 
  private:
@@ -42,7 +44,7 @@ class CrashStack {
 
   struct Frame {
     uintptr_t address = 0;
-    // The loaded file that has the address of this frame; null: no file has it.
+    // The loaded file that has the code of this stack frame; null: no file has it.
     const char* file = nullptr;
     uintptr_t offset = 0;
     bool is_own = false;  // true if the code of this frame is in the object's image

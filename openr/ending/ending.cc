@@ -17,12 +17,13 @@
 namespace openr_host {
 namespace {
 
-// Time limit for all registered EndingActions together, after which the remaining actions are left
-// out.  Actions normally take some milliseconds.
+// Time limit for all EndingActions together (functions that are called before the process ends),
+// after which the remaining actions are left out.  Actions normally take some milliseconds.
 constexpr unsigned kActionsMaxS = 10;
 
-// Signals that are handled while EndingActions run: the first five show that an action has crashed,
-// SIGALRM shows that the actions took too long.
+// Signals that are handled while EndingActions (functions that are called before the process ends)
+// run: the first five show that an action has crashed, SIGALRM shows that the actions took too
+// long.
 constexpr int kHandledSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM};
 
 EndingAction* g_newest = nullptr;
@@ -52,9 +53,10 @@ void AnswerInSignal(const Ending& ending) {
   g_answer_file->Close();
 }
 
-// Handles a signal that comes while EndingActions run, because an action has crashed or the actions
-// took too long.  Does not run the remaining actions: writes the JSON report of the run, if it is
-// not written yet, and ends the process.
+// Handles a signal that comes while EndingActions (functions that are called before the process
+// ends) run, because an action has crashed or the actions took too long.  Does not run the
+// remaining actions: writes the JSON report of the run, if it is not written yet, and ends the
+// process.
 void OnSignalDuringEnding(int) {
   const Ending* const ending = std::exchange(g_ending, nullptr);
   if (ending != nullptr) AnswerInSignal(*ending);
