@@ -1,4 +1,4 @@
-// Explores one graph of objects with many runs: random orders of messages, two runs of each seed
+// Explores the objects of a stick with many runs: random orders of messages, two runs of each seed
 // that must be equal, or all possible orders.
 #pragma once
 
@@ -21,7 +21,8 @@ struct ExplorePlan {
   // True: SearchOrders() tries only one of several orders of messages with equal results.
   bool reduce = true;
   bool stop_at_first = true;  // true: stops at the first seed that breaks a property
-  // Most runs that are made to find which deviations a failure needs; 0: none.
+  // Largest number of runs that may be made to find which deviations a failure needs; 0: no such
+  // run is made.
   int shorten_runs = 2000;
   // A function that is called after each run with the number of runs so far, to show progress; may
   // be empty.  Runs that only remove deviations from a failing run do not count.

@@ -31,7 +31,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr char kReady[] = "ready";
-// Time slice of the second run of a seed; no multiple of a frame, so slices end inside frames.
+// Time slice of the second run of each seed, which must have the same result as the first run
+// although it is advanced in other slices.  No multiple of a frame, so slices end inside frames.
 constexpr int64_t kOddSliceUs = 50'021;
 
 void SilenceOutput() {
@@ -54,8 +55,9 @@ bool Send(int channel, const std::string& line) {
   return true;
 }
 
-// Takes all free blocks of the heap that begin before `end`, and never gives them back.  Takes
-// large blocks first, because otherwise malloc() would cut small blocks out of them.
+// Takes all free blocks of the heap that begin before `end`, and never gives them back, so that
+// later blocks lie behind `end`.  Takes large blocks first, because otherwise malloc() would cut
+// small blocks out of them.
 void UseUpFreeBlocks(const void* end) {
   constexpr size_t kLargest = 1 << 20, kSmall = 1024, kStep = 16;
   constexpr int kBlocksMax = 100'000;

@@ -1,5 +1,5 @@
-// A pool of child processes that make runs.  Each child process assembles the graph of objects
-// once, and then makes a run for each plan (run_plan.h) that it gets.
+// A pool of child processes that make runs.  Each child process assembles a run once, and then
+// makes a run for each plan (run_plan.h) that it gets.
 #pragma once
 
 #include <sys/types.h>
@@ -22,7 +22,7 @@ enum class Memory {
 
 class ExplorerProcesses {
  public:
-  // Starts `count` child processes and waits until each has assembled its graph of objects.  Throws
+  // Starts `count` child processes and waits until each has assembled its run.  Throws
   // std::runtime_error when a process cannot do so.  `memory` chooses the memory addresses in these
   // processes.  `outer_channel` is a descriptor that the child processes inherit and do not use, so
   // they close it (-1: none).  REQUIRES: this process has one thread, because fork() copies no
@@ -43,8 +43,8 @@ class ExplorerProcesses {
 
   // Calls `next` for a plan whenever a child process is idle, until `next` returns nothing.  Calls
   // `take` for each answer as soon as it comes; `number` is the number of its plan, counted from 0.
-  // Throws std::runtime_error when a plan does not fit the graph, or when a child process has
-  // ended.
+  // Throws std::runtime_error when a plan does not fit the objects of the runs, or when a child
+  // process has ended.
   void Run(const std::function<std::optional<nlohmann::ordered_json>()>& next,
            const std::function<void(size_t number, nlohmann::ordered_json answer)>& take);
 

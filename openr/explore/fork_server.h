@@ -1,7 +1,8 @@
-// Makes runs of one graph of objects, each in a copy of the process (fork).
+// Makes runs of the objects of a stick, each in a copy of the process (fork).
 //
-// Assembling a graph takes longer than a run of it.  A copy of the process has the graph ready at
-// once.  Every run begins in the same state, because an earlier run has changed only its own copy.
+// Assembling a run takes longer than the run itself.  A copy of the process has the assembled run
+// at once.  Every run begins in the same state, because an earlier run has changed only its own
+// copy.
 #pragma once
 
 #include <cstdint>
@@ -35,8 +36,8 @@ class ForkServer {
   // the answer says that the property no-crash is broken.  A handler that uses more time than
   // handler_us of the ForkLimits, or a copy that must be killed after wall_s seconds, breaks the
   // property handlers-return; the answer about a killed copy also has the field kNotEnded.  If the
-  // plan does not fit the graph, for example names an object that the graph does not have, the
-  // answer is {"problem": text}.
+  // plan does not fit the run, for example names an object that the run does not have, the answer
+  // is {"problem": text}.
   nlohmann::ordered_json Run(const nlohmann::ordered_json& plan);
 
  private:

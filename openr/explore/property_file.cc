@@ -158,7 +158,7 @@ class RuleProperty : public Property {
   const PropertyRule rule_;
   Quantity quantity_;
   Value last_;
-  // For an `eventually` line: true if its comparison was true at least once.
+  // For a property with the word `eventually`: true if its comparison was true at least once.
   bool has_been_ = false;
   bool was_looked_at_ = false;
 };

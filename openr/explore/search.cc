@@ -1,5 +1,6 @@
-// Searches all orders of messages of one graph, depth first.  The search tells each run its first
-// choices, so that the run begins like the run before and then takes another branch.
+// Searches all orders of messages of the objects of a stick, depth first.  For each run, the search
+// decides the first choices between orders, so that the run begins like the run before and then
+// takes another branch.
 #include <fmt/format.h>
 
 #include <algorithm>
