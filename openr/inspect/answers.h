@@ -14,7 +14,8 @@ namespace openr_host {
 
 struct RobotModel;
 
-// A message that the compared object has sent, and whose bytes differ from the recorded bytes.
+// A message whose bytes differ from the recorded bytes.  The object that openr replay --only names
+// has sent it.
 struct AnswerDifference {
   TraceRecord record{};         // describes the message in the replay
   std::string receiver, entry;  // names of the receiver and of its entry (handler)

@@ -11,10 +11,10 @@
 
 namespace openr_host {
 
-// The breakpoints of a session of openr replay --step.  Each breakpoint is a text: "object
-// JointMover", "service Effector", "state JointMover accepting-commands", "when robots[0].pitch_deg
-// > 10", "finding".  As texts they can be passed to another process, in which the session continues
-// after going back (stepper.h).
+// The breakpoints of openr replay --step.  Each breakpoint is a text: "object JointMover", "service
+// Effector", "state JointMover accepting-commands", "when robots[0].pitch_deg > 10", "finding".  As
+// texts they can be passed to another process, which carries out the user's commands after going
+// back (stepper.h).
 class Breakpoints {
  public:
   Breakpoints(Replayer* replayer, const SimulationView* view) : replayer_(replayer), view_(view) {}
@@ -36,10 +36,10 @@ class Breakpoints {
   size_t Hit();
 
   // Returns all breakpoints as text, one per line.  Called when the user goes back, because another
-  // process then continues the session and needs the breakpoints.
+  // process then carries out the user's commands and needs the breakpoints.
   std::string Save() const;
-  // Replaces all breakpoints by the breakpoints in `text`, which Save() has returned in the process
-  // before.
+  // Replaces all breakpoints by those in `text`, which Save() has returned in another process of
+  // openr replay --step, before the user went back.
   void Load(const std::string& text);
 
  private:

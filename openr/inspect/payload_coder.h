@@ -31,9 +31,9 @@ class LastPayload {
   // std::runtime_error when the read bytes are damaged.
   void Read(ByteReader* in);
 
-  // Reads a payload as Read() does, but in the form of version 4 and earlier versions of the
-  // format. This form has pieces of bytes that equal the last payload, and pieces of bytes that
-  // differ from it.
+  // Reads a payload as Read() does, but in the older form that recordings of format version 4 and
+  // earlier have.  This form has pieces of bytes that equal the last payload, and pieces of bytes
+  // that differ from it.
   void ReadPieces(ByteReader* in);
 
  private:

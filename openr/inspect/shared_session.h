@@ -15,8 +15,9 @@ struct SharedSession {
   bool went_back;    // true: a process has ended because the user goes back
   uint64_t target;   // number of messages after which going back ends
   int64_t until_us;  // virtual time up to which the session runs after going back; 0: none
-  // True while a process runs the session.  A process that ends as it should sets it to false.  If
-  // it is still true when the process has ended, the run has crashed.
+  // True while a process of openr replay --step carries out the user's commands.  A process that
+  // ends as it should sets it to false.  If it is still true when the process has ended, the run
+  // has crashed.
   bool runs;
   bool ends;  // true: the session is over
   bool differs;
@@ -26,12 +27,12 @@ struct SharedSession {
   char breaks[16 << 10];  // the breakpoints as text (Breakpoints::Save())
   PromptHistory history;
 
-  // Notes that text for standard output was lost.  The first process of the session then ends with
-  // the exit code for lost answers.  `error` is an errno, or 0 if the reason is not known.
+  // Notes that text for standard output was lost.  openr replay --step then ends with the exit code
+  // for lost answers.  `error` is an errno, or 0 if the reason is not known.
   void NoteLostText(int error);
 
   // Writes out the text in the buffers of the streams, which fork() would double and _exit() would
-  // drop.  Returns false if some text of the session was lost.
+  // drop.  Returns false if some text for standard output was lost, now or earlier.
   bool FlushText();
 };
 

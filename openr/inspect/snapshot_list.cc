@@ -7,8 +7,9 @@
 namespace openr_host {
 namespace {
 
-// A snapshot is removed when the number of messages since the next snapshot in the list is at least
-// this many times the number of messages between the snapshot before and the next snapshot.
+// A snapshot of openr replay --step (a process that waits) is removed when the number of messages
+// since the next snapshot in the list is at least this many times the number of messages between
+// the snapshot before and the next snapshot.
 constexpr uint64_t kAgePerDistance = 4;
 
 }  // namespace

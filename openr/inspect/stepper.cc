@@ -34,7 +34,8 @@
 namespace openr_host {
 namespace {
 
-// The number of messages of a replay between two snapshots, before old snapshots are thinned out.
+// Number of messages of a replay after which openr replay --step makes the next snapshot: a process
+// that waits, so that the user can go back to this moment.
 constexpr uint64_t kSnapshotMessages = 1000;
 
 // Returns the number that `text` has; nullopt if `text` is no number, or if the number is too
@@ -72,7 +73,7 @@ class Stepper {
     } catch (const ReaderGone&) {
       shared_->NoteLostText(EPIPE);
     } catch (const std::system_error& error) {
-      // Throws the error on if standard output works, because the error then has another reason.
+      // Throws the error again if standard output works, because the error then has another reason.
       if (std::ferror(stdout) == 0) throw;
       shared_->NoteLostText(error.code().value());
     }
@@ -80,9 +81,10 @@ class Stepper {
   }
 
  private:
-  // Takes a snapshot after the present message: forks; the copy continues the session, and the
-  // original process waits.  If the user goes back to this snapshot, the original makes another
-  // copy.  Returns true in a copy, and false in the original when the session is over.
+  // Keeps the state of the replay after the present message (takes a snapshot): forks; the copy
+  // goes on with the user's commands, and the original process waits.  If the user goes back to
+  // this snapshot, the original makes another copy.  Returns true in a copy, and false in the
+  // original when openr replay --step is over.
   bool Snapshot() {
     const uint64_t here = replayer_->count();
     AddToSnapshots(here);
@@ -99,15 +101,16 @@ class Stepper {
       }
       WaitForCopies();
       if (shared_->ends) return false;
-      // Ends this copy if the session goes back to a moment before the snapshot that this copy
-      // keeps.  The process of an earlier snapshot then makes a new copy.
+      // Ends this process, which is a copy, if the user goes back to a moment before the state that
+      // it keeps.  The process of an earlier snapshot then makes a new copy.
       if (shared_->target < here && is_copy_) _exit(0);
     }
   }
 
-  // Adds this process to the list of snapshots, and ends the processes of snapshots that are no
-  // longer needed.  The child of an ended process becomes a child of the nearest snapshot before,
-  // which then waits for it, because each snapshot is a "subreaper" (prctl(2)).
+  // Adds this process, which now keeps the state of the replay, to the list of snapshots.  Ends the
+  // processes of snapshots that are no longer needed.  The child of an ended process becomes a
+  // child of the nearest snapshot before, which then waits for it, because each snapshot is a
+  // "subreaper" (prctl(2)).
   void AddToSnapshots(uint64_t here) {
     prctl(PR_SET_CHILD_SUBREAPER, 1);
     for (const pid_t process :
@@ -115,8 +118,8 @@ class Stepper {
       kill(process, SIGKILL);
   }
 
-  // Prepares this process, a new copy of the snapshot that was taken after `here` messages, to
-  // continue the session.
+  // Prepares this process to go on with the user's commands.  This process is a new copy (fork) of
+  // the waiting process that keeps the state after `here` messages.
   void BeginCopy(uint64_t here) {
     is_copy_ = true;
     shared_->runs = true;
@@ -128,9 +131,9 @@ class Stepper {
     if (went_back_) CatchUp(here);
   }
 
-  // Waits until no child process is left: the session then goes back to this snapshot or an earlier
-  // one, or is over.  A child whose snapshot is no longer needed ends earlier; its own child
-  // process then becomes a child of this process.
+  // Waits until no child process is left: the user then goes back to this snapshot or an earlier
+  // one, or openr replay --step is over.  A child whose snapshot is no longer needed ends earlier;
+  // its own child process then becomes a child of this process.
   void WaitForCopies() {
     while (waitpid(-1, nullptr, 0) > 0 || errno == EINTR) {
     }
@@ -138,7 +141,7 @@ class Stepper {
       EndSession("the replay has ended here, as the run did; start again to step up to it");
   }
 
-  // Ends the session, because it cannot go on for the reason `why`.
+  // Ends openr replay --step, because it cannot go on for the reason `why`.
   void EndSession(const std::string& why) {
     ClearProgressLine();
     fmt::print("{}\n", why);
@@ -147,7 +150,8 @@ class Stepper {
     shared_->runs = false;
   }
 
-  // Runs this process, a new copy of the snapshot after `here` messages, to the wanted message.
+  // Runs this process to the message to which the user goes back.  This process is a new copy
+  // (fork) of the waiting process that keeps the state after `here` messages.
   void CatchUp(uint64_t here) {
     went_back_ = false;  // Forward() must not stop at the snapshots that it takes now
     if (shared_->target > here) ForwardBy(shared_->target - here);
@@ -163,8 +167,8 @@ class Stepper {
     _exit(0);
   }
 
-  // Reads the user's next command.  Returns false at the end of the input, and when text was lost,
-  // because nobody would read the answer.
+  // Reads the user's next command.  Returns false at the end of the input.  Also returns false when
+  // some text for standard output was lost, because nobody would read the answer.
   bool ReadLine(std::string* line) {
     if (!shared_->FlushText()) return false;
     return prompt_.Read(replayer_->count() == 0
@@ -177,10 +181,10 @@ class Stepper {
                                       const std::string& start) const;
   std::vector<std::string> QuantitiesFor(const std::string& start) const;
 
-  // Runs forward by `count` messages, and takes snapshots on the way.  Returns false if the replay
-  // ends earlier.  When the user later goes back to one of these snapshots, this function returns
-  // once more, in the new copy.  In the copy it returns false, because the rest of the `count`
-  // messages must not follow.
+  // Runs forward by `count` messages, and takes snapshots (processes that wait) on the way.
+  // Returns false if the replay ends earlier.  When the user later goes back to one of these
+  // snapshots, this function returns once more, in the new copy of the process.  In the copy it
+  // returns false, because the rest of the `count` messages must not follow.
   bool Forward(uint64_t count) {
     for (; count > 0; --count) {
       const uint64_t before = replayer_->count();
@@ -321,7 +325,7 @@ class Stepper {
     return true;
   }
 
-  // Handles the command `line`.  Returns false if the command ends the session ("quit").
+  // Handles the command `line` of openr replay --step.  Returns false if the command is "quit".
   bool Obey(const std::string& line) {
     went_back_ = false;
     std::istringstream words(line);
@@ -372,8 +376,8 @@ std::vector<std::string> Stepper::QuantitiesFor(const std::string& start) const 
   return names;
 }
 
-// Returns the words that may follow `words` in a command of the session.  From these words the Tab
-// key completes `start`, the word that the user is typing.
+// Returns the words that may follow `words` in a command of openr replay --step.  From these words
+// the Tab key completes `start`, the word that the user is typing.
 std::vector<std::string> Stepper::WordsAfter(const std::vector<std::string>& words,
                                              const std::string& start) const {
   if (words.empty()) return kStepVerbs;

@@ -252,7 +252,8 @@ TraceReader::TraceReader(const std::string& file) : file_(file), bytes_(file) {
 }
 
 void TraceReader::ReadHeader() {
-  // Most bytes of the format's version and of the length of the header's text.
+  // The largest number of bytes that the two fields after the file's magic bytes can take: the
+  // version of the format, and the length of the header's text.
   constexpr uint64_t kLengthsMax = 4 + ByteWriter::kVarintBytesMax;
   ByteReader lengths(bytes_.Read(kMagic.size(), kLengthsMax));
   const uint32_t version = lengths.U32();

@@ -61,8 +61,8 @@ struct TraceEntry {
   // The kinds of entries.  Each comment names the fields of TraceEntry that such an entry has.
   enum class Kind : uint8_t {
     kObject = 1,  // an object, before its first message; fields: id, robot, name
-    // An entry (handler) of the object `id`, before the first message to this handler; fields: id,
-    // selector, name.
+    // The name of an entry (handler) of the object `id`, before the first message to this handler;
+    // fields: id, selector, name.
     kEntry = 2,
     kOldMessage = 3,  // kind of an old version, see kOldestTraceVersion
     // Network events that Poll() returned while the message before this entry was handled; fields:
@@ -77,7 +77,8 @@ struct TraceEntry {
     // The end of the run.  The field `name` says how the run ended, as a word of EndName(), and
     // `payload` is the reason as text.  This entry is missing if the recorded process was killed.
     kEnded = 11,
-    // An input; fields: time_us, robot (-1: every robot), name, which is the text of the input.
+    // A recorded input; fields: time_us, robot (-1: every robot), name, which is the text of the
+    // input.
     kInput = 12,
     kMessage = 13,  // a delivered message; fields: record, payload
   };
@@ -109,8 +110,9 @@ class TraceCoder {
   // first called for them.
   uint32_t LinkOf(const TraceRecord& record);
 
-  // Writes an entry kMessage.  REQUIRES: `number_of_link` is LinkOf(record), and a message of each
-  // link with a smaller number has been written before.
+  // Writes an entry of the kind kMessage.  REQUIRES: `number_of_link` is LinkOf(record), the number
+  // of the path from one sender to one entry of one receiver, and a message of each path with a
+  // smaller number has been written before.
   void WriteMessage(const TraceRecord& record, std::string_view payload, uint32_t number_of_link,
                     ByteWriter* out);
 
@@ -119,8 +121,8 @@ class TraceCoder {
     int32_t sender = 0;
     int32_t target = 0;
     uint32_t selector = 0;
-    // The last payload with this size that the link's sender has sent (an element of last_); set
-    // only when writing.
+    // The last payload (content of a message) of this size from the same sender (an element of
+    // last_); set only when writing.
     LastPayload* last = nullptr;
   };
   struct LinkKey {
@@ -213,12 +215,14 @@ class TraceWriter {
   int error_ = 0;  // errno of the first write to the recording that failed
   ByteWriter block_;
   // For each object, by its id: how often it had been replaced (Object::predecessors) when its name
-  // was written to the recording.
+  // was written to the recording.  If it has been replaced again since then, its name is written
+  // again.
   std::map<int32_t, int> objects_;
   std::set<std::pair<int32_t, uint32_t>> entries_;
-  // For each link, by its number: how often the objects at its two ends had been replaced when
-  // their names were last written.  AddMessage() looks up names only when these numbers have
-  // changed: for the first message of the link, and after an object was replaced.
+  // For each link (the path from one sender to one entry of one receiver), by its number: how often
+  // the objects at its two ends had been replaced when their names were last written.  AddMessage()
+  // looks up names only when these numbers have changed: for the first message of the link, and
+  // after an object was replaced.
   std::vector<Lives> named_;
   std::string payload_copy_;
 };
