@@ -152,8 +152,8 @@ Outcome Work(const WorkerOptions& options, bool is_known) {
 
 // Copies the default Memory Stick of this host to a temporary folder, because objects may change
 // files on it.  Returns the folder; "" when the copy cannot be made.  The worker uses this folder
-// if the run is on another host and its stick has the same files.  `stick` gets the RunStick, whose
-// destructor removes the folder.
+// if the run is on another host and the run's stick has the same files.  `stick` gets the RunStick,
+// whose destructor removes the folder.
 std::string OwnStick(std::optional<RunStick>* stick) {
   try {
     return stick->emplace("", true).folder();
@@ -199,7 +199,7 @@ int Join(JoinFlags flags, bool is_known = false, std::string* sanitized_stick = 
                              : is_own          ? own_stick->crash_log()
                                                : CrashLogOn(stick);
     // Text that the report adds after the path of the crash record, such as " on HOST"; nullopt:
-    // the report need not name the path, because the record is on the run's stick.
+    // the report need not name the path, because the crash record is on the run's stick.
     std::optional<std::string> place;
     if (flags.parent == 0) {
       place = " on " + HostName();

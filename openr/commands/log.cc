@@ -43,7 +43,7 @@ struct LogFlags {
   std::string file, other;
   std::string motion;  // motion file that was played for the log; "": not named
   // Names of the groups of values (commanded, measured or simulated) on the two sides of a
-  // comparison; "": the content of the log decides.
+  // comparison; "": the values that the log of the motion has decide.
   std::string group, other_group;
   std::string output;  // file for the chart of the log; "": no chart
   bool json = false;
@@ -146,8 +146,8 @@ const std::optional<LogValues>* ValuesOf(const LogRecord& record, LogGroup group
 }
 
 // Prints the columns of one group of values (commanded, measured or simulated) for a key frame of a
-// motion log: the joints, and for measured and simulated values also the paws.  If the record of
-// this key frame does not have the group, prints empty fields.
+// motion log: the joints, and for measured and simulated values also the paws.  If the log does not
+// have the group for this key frame, prints empty fields.
 void PrintFields(const LogRecord& record, LogGroup group) {
   const std::optional<LogValues>* const values = ValuesOf(record, group);
   const size_t joints = record.commanded_cdeg.size();
@@ -199,7 +199,7 @@ void LogPlot(const LogFlags& flags) {
 
 // Returns the group of values (commanded, measured or simulated) for one side of a comparison.
 // This is the group that the flag names.  Without the flag, it is the values of the real robot if
-// the log has them, else the simulated values.
+// the log of the motion has them, else the simulated values.
 LogGroup GroupOf(const std::string& flag, const LogFile& log) {
   for (const LogGroup group : kGroups) {
     if (flag == NameOf(group)) return group;
@@ -207,9 +207,9 @@ LogGroup GroupOf(const std::string& flag, const LogFile& log) {
   return CountOf(log, LogGroup::kMeasured) > 0 ? LogGroup::kMeasured : LogGroup::kSimulated;
 }
 
-// Returns the second group of values for a comparison within one log.  This is the group that the
-// flag names.  Without the flag, it is the simulated values if the log has them, else the values of
-// the real robot.
+// Returns the second group of values for a comparison within one log of a motion.  This is the
+// group that the flag names.  Without the flag, it is the simulated values if the log has them,
+// else the values of the real robot.
 LogGroup OtherGroupOf(const std::string& flag, const LogFile& log) {
   if (!flag.empty()) return GroupOf(flag, log);
   return CountOf(log, LogGroup::kSimulated) > 0 ? LogGroup::kSimulated : LogGroup::kMeasured;

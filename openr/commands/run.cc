@@ -339,8 +339,8 @@ void CommandedRun::BeginDataLog() {
 bool CommandedRun::RunToTheEnd() {
   const EndingAnswer answer(flags_.json ? StandardOutput() : -1, flags_.report_file);
   // Users do not know the folder of the crash record of a run on the default stick.  So `place`
-  // gets a value, because the finding about a crash then names the record's file.  The value is "",
-  // because no text needs to follow the file's name.
+  // gets a value, because the finding about a crash then names the file of the crash record.  The
+  // value is "", because no text needs to follow the file's name.
   std::optional<std::string> place;
   if (stick_.is_default()) place = "";
   const CrashLog crash_log(

@@ -59,7 +59,7 @@ enum Column {
 };
 constexpr size_t kColumns = kState + 1;
 using Row = std::array<std::string, kColumns>;
-// Number of characters in each column of the table; 0: the column is left out.
+// Number of characters in each column of the table of openr top; 0: the column is left out.
 using Widths = std::array<size_t, kColumns>;
 
 Row RowOf(const RunStatus& run, const RunStatus::Object& object, bool has_robots) {
@@ -85,9 +85,10 @@ size_t LineWidth(const Widths& widths) {
   return sum;
 }
 
-// Returns the width of each column, so that a row of the table has at most `columns` characters.
-// First shortens the last column, the state.  Then leaves out columns in the order of kGoes, the
-// least important first, until the row is short enough.  Space that is then left goes to the state.
+// Returns the width of each column, so that a row of the table of openr top has at most `columns`
+// characters.  First shortens the last column, the state.  Then leaves out columns in the order of
+// kGoes, the least important first, until the row is short enough.  Space that is then left goes to
+// the state.
 Widths WidthsFor(const std::vector<Row>& rows, size_t columns) {
   constexpr size_t kStateMin = 12;
   constexpr Column kGoes[] = {kPriority, kPid, kHost, kP99, kMean, kDrops, kProcess};

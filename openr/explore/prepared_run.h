@@ -20,8 +20,8 @@ struct PreparedRun {
   Simulation* simulation = nullptr;
   std::vector<VirtualRobot*> robots;  // the robots; empty: the objects have no simulated body
   ExploredCost* cost = nullptr;       // the costs of handlers; null: handlers take no time
-  // Owns the system, the robots and the costs, which are destroyed together with the last copy of
-  // this pointer.
+  // Owns the system, the robots and the object with the handlers' costs, which are destroyed
+  // together with the last copy of this pointer.
   std::shared_ptr<void> owner;
   std::string problem;  // reason why the run cannot start; "": the run can start
 };
