@@ -11,7 +11,7 @@
 namespace openr_host {
 namespace {
 
-// Longest virtual time for which a line of the log is kept in memory before it is written.
+// Longest virtual time for which a line of the CSV file is kept in memory before it is written.
 constexpr int64_t kFlushUs = 1'000'000;
 
 }  // namespace

@@ -26,17 +26,18 @@ class DataLog {
  public:
   virtual ~DataLog() = default;
 
-  // Adds the values of the frame that has just ended to the log.  A second call in the same frame
-  // adds nothing.
+  // Adds the values of the frame that has just ended to the file of --log-data.  A second call in
+  // the same frame adds nothing.
   virtual void Sample() = 0;
 
-  // Completes the file of the log.  Returns "", or the error that happened while the file was
+  // Completes the file of --log-data.  Returns "", or the error that happened while the file was
   // written.  Further calls do nothing.
   virtual std::string Finish() = 0;
 };
 
-// Creates the file of the log.  Returns a log that writes the quantities of `simulation` to it.
-// Throws std::runtime_error when the file cannot be created or another run is writing to it.
+// Creates the file of --log-data.  Returns a DataLog that writes the quantities of `simulation` to
+// this file.  Throws std::runtime_error when the file cannot be created or another run is writing
+// to it.
 std::unique_ptr<DataLog> MakeDataLog(const DataLogOptions& options, Simulation* simulation);
 
 }  // namespace openr_host

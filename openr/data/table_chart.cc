@@ -20,7 +20,7 @@ constexpr size_t kNowhere = std::string::npos;
 constexpr size_t kPanelsMax = 60;
 
 // A group of quantities with one angle of each joint, such as the measured angle.  The quantities
-// that all groups have for one joint share a panel.
+// that all groups have for one joint share a panel of the chart.
 struct AngleGroup {
   const char* begin;  // prefix of the names of the quantities in the group
   Look look;
@@ -38,7 +38,8 @@ const AngleGroup* AngleGroupOf(const std::string& name) {
   return nullptr;
 }
 
-// Returns the title of the panel for the quantity `name`: the name without the prefix of its group.
+// Returns the title of the chart's panel for the quantity `name`: the name without the prefix of
+// its group.
 std::string PanelOf(const std::string& name) {
   const AngleGroup* const group = AngleGroupOf(name);
   if (group == nullptr) return name;
@@ -114,7 +115,7 @@ class ChartMaker {
   }
 
  private:
-  // A panel, and the quantities that are drawn in it.
+  // A panel of the chart, and the quantities that are drawn in this panel.
   struct Chosen {
     std::string title;
     std::vector<const Series*> series;
@@ -161,8 +162,8 @@ class ChartMaker {
                        DidYouMean(wanted, known));
   }
 
-  // Adds a quantity to the panel `title` if a panel of this title exists among the panels from
-  // number `first` on.  Else adds it to a new panel.
+  // Adds a quantity to the panel of the chart with the title `title`, if such a panel exists among
+  // the panels from number `first` on.  Else adds it to a new panel.
   void Add(const std::string& title, const Series* series, size_t first = 0) {
     const auto panel = std::find_if(panels_.begin() + static_cast<ptrdiff_t>(first), panels_.end(),
                                     [&](const Chosen& chosen) { return chosen.title == title; });

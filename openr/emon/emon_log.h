@@ -30,7 +30,7 @@ struct EmonLog {
     std::string meta_space;  // meta space of the object; "" if the record does not have it
   };
 
-  // Exception code of the processor.  If no line of the record has it, it is taken from the
+  // Exception code of the processor.  If no line of the crash record has it, it is taken from the
   // register Cause.
   std::optional<uint32_t> code;
   std::optional<uint32_t> cause;        // value of the register Cause
@@ -49,8 +49,8 @@ struct EmonLog {
   // of the branch, and bit 31 of `cause` is set.
   std::optional<uint32_t> Failed() const;
 
-  // Returns the object that crashed, which is the object with the context `context`; null if the
-  // record does not list it.
+  // Returns the object that crashed: its context in the list of the crash record is `context`.
+  // Returns null if the crash record does not list it.
   const Object* Crashed() const;
 };
 

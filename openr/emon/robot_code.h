@@ -37,7 +37,7 @@ class RobotCode {
   // Converts the robot's address `address` to the address in the file, which disassemblers print.
   uint32_t InFile(uint32_t address) const { return address - loaded_by_ - moved_by_; }
 
-  // The file with names of functions and lines; empty if none was found.
+  // The file with the names of this image's functions and lines; empty if none was found.
   const std::filesystem::path& names() const { return names_; }
 
  private:

@@ -281,7 +281,7 @@ void OnCrashSignal(int signal, siginfo_t* info, void* context) {
   const bool is_overflow = StackMemory::AnyGuardContains(info->si_addr);
   // Prints only an address that the object has accessed.  The address of the instruction (SIGFPE,
   // SIGILL) and an address in a stack guard differ from run to run, so they are left out; the call
-  // stack in the record shows the place of the crash.
+  // stack in the crash record shows the place of the crash.
   const bool is_access = (signal == SIGSEGV || signal == SIGBUS) && !is_overflow;
   if (is_access)
     text.Add(" at address 0x").AddNumber(reinterpret_cast<uint64_t>(info->si_addr), 16);
