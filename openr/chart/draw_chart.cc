@@ -136,8 +136,8 @@ class Painter {
             chart_.plot_width, chart_.plot_height};
   }
 
-  // Returns the range of a panel's vertical axis: the range of the panel's values, with some space
-  // above and below.
+  // Returns the range of the vertical axis of a panel of the chart: the range of the panel's
+  // values, with some space above and below.
   Span YSpanOf(const Panel& panel) const {
     Span span{1e300, -1e300};
     for (const Curve& curve : panel.curves) Widen(curve.y, &span);

@@ -9,15 +9,15 @@ struct QuantityUnit {
   const char* text;  // name of the unit, such as "m/s^2"; "": a plain number
   double factor;     // factor that converts a value of a log to this unit
   // Smallest span of an axis that shows values in this unit; it keeps small noise from filling a
-  // panel.
+  // panel of the chart.
   double span_min;
 };
 
 // Returns the unit of the quantity `name`, such as "pitch_deg" or "robots[1].sensor.distance".  The
-// unit depends on the name alone, and not on values.  Logs have sensors in OPEN-R's unit; their
-// kinds are looked up in the models of all robots.  The name of any other quantity ends with its
-// unit; angles of joints are left to the caller.  Throws std::runtime_error when a model cannot be
-// read.
+// unit depends on the name alone, and not on values.  Logs of --log-data have sensors in OPEN-R's
+// unit; their kinds are looked up in the models of all robots.  The name of any other quantity ends
+// with its unit; angles of joints are left to the caller.  Throws std::runtime_error when a model
+// cannot be read.
 QuantityUnit UnitOfQuantity(const std::string& name);
 
 }  // namespace openr_host

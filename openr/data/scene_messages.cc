@@ -22,7 +22,8 @@ Json PoseJson(const Eigen::Isometry3d& pose) {
           {"orientation", {{"x", q.x()}, {"y", q.y()}, {"z", q.z()}, {"w", q.w()}}}};
 }
 
-// Returns an entity of foxglove.SceneUpdate that has no shapes yet.
+// Returns an entity of foxglove.SceneUpdate that has no shapes yet.  `frame` is the name of its
+// coordinate frame.
 Json EmptyEntity(const std::string& frame, const std::string& id) {
   Json entity = {{"timestamp", {{"sec", 0}, {"nsec", 0}}},
                  {"frame_id", frame},
@@ -35,8 +36,8 @@ Json EmptyEntity(const std::string& frame, const std::string& id) {
   return entity;
 }
 
-// Adds `shape` to the JSON of an entity.  `pose` is the pose of the shape in the frame of the
-// entity.
+// Adds `shape` to the JSON of an entity (of foxglove.SceneUpdate).  `pose` is the pose of the shape
+// in the coordinate frame of the entity.
 void AddShape(const render::Shape& shape, const Eigen::Isometry3d& pose, Json* entity) {
   const auto part = [](float level) { return static_cast<double>(level); };
   Json json = {{"pose", PoseJson(pose)},
