@@ -223,9 +223,9 @@ ComparedSide SideOf(const TimedLog& timed, LogGroup group, const std::string& la
   return side;
 }
 
-// Compares two groups of values of one log.  A synchronised log has the values of two robots, and
-// these are compared.  In any other log the values of the robot are compared with the commanded
-// positions.
+// Compares two groups of values of one log of a motion.  A synchronised log has the values of two
+// robots, and these are compared.  In any other log the values of the robot are compared with the
+// commanded positions.
 Comparison CompareWithin(const LogFlags& flags) {
   const TimedLog timed = ReadTimedLog(flags.file, flags.motion);
   const bool both =
@@ -248,8 +248,8 @@ Comparison CompareWithin(const LogFlags& flags) {
 void WarnIfMotionsDiffer(const TimedLog& first, const TimedLog& second) {
   const std::vector<const JointConstants*> joints = LoggedJoints(*first.log.robot);
   const size_t count = std::min(first.log.records.size(), second.log.records.size());
-  // Leaves out the first record of each log, because the robot got the commanded positions of this
-  // record before the motion began.
+  // Leaves out the first record of each log of a motion, because the robot got the commanded
+  // positions of this record before the motion began.
   for (size_t i = 1; i < count; ++i) {
     const LogRecord& a = first.log.records[i];
     const LogRecord& b = second.log.records[i];

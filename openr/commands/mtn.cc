@@ -157,7 +157,8 @@ bool Dump(const std::string& name, MtnFlags*) {
 
 using ForFile = bool (*)(const std::string& name, MtnFlags* flags);
 
-// Prints the answers as JSON: for one file its answer, for several files a list of answers.
+// Prints the answers about motion files as JSON: for one file its answer, for several files a list
+// of answers.
 void PrintAnswers(const Json& answers) {
   const Json& document = answers.size() == 1 ? answers[0] : answers;
   fmt::print("{}\n", JsonText(document));

@@ -72,7 +72,8 @@ struct FromCsvFlags {
 
 // Sets the name, the creator and the design label of `motion`.  Each of them is taken from its
 // flag; without the flag, from the motion file of --like; without this file, it has a default.  The
-// defaults are the name of the table's file, and the creator and design label of our own motions.
+// defaults are the name of the CSV file from which the motion is made, and the creator and design
+// label of our own motions.
 void SetNames(const FromCsvFlags& flags, MotionFile* motion) {
   motion->name = std::filesystem::path(flags.file).stem().string();
   if (!flags.like.empty()) {

@@ -70,7 +70,7 @@ void RcPowerAction(remote::Connection* robot, const RcFlags& flags);
 
 // Plays a motion on two robots at the same time (rc_play_with.cc).
 void RcPlayWithAction(remote::Connection* robot, const RcFlags& flags);
-// Returns the log `bytes`, changed into the log of a simulated robot (rc_play_with.cc).
+// Returns the log of a motion `bytes`, changed into the log of a simulated robot (rc_play_with.cc).
 std::string SimulatedLog(const std::string& bytes);
 
 // Fetches a picture from the robot's camera (rc_camera.cc).

@@ -23,8 +23,8 @@ struct ShowOptions {
   double rate = 1;             // virtual seconds per second; 0: as fast as possible
 };
 
-// Adds the flags of ShowOptions, except for the name.  These flags can be given only together with
-// the flag `panel`.
+// Adds a flag for each member of ShowOptions except `name`.  These flags can be given only together
+// with the flag `panel`.
 void AddShowFlags(CLI::App* command, CLI::Option* panel, ShowOptions* options);
 
 // The type of a function that assembles a run whose objects print to `console`, and returns the

@@ -152,8 +152,9 @@ struct CheckCommand {
 // Returns a size in KB of 1024 bytes, rounded up.
 uint64_t InKilobytes(uint64_t bytes) { return (bytes + 1023) / 1024; }
 
-// Returns the number and size of the stick's files as text.  Compares them with no limit, because
-// no source says how much a Programming Memory Stick holds (docs/robot-build.md).
+// Returns the number and size of the stick's files as text.  Does not check whether the files fit
+// on a real stick, because no source says how much a Programming Memory Stick holds
+// (docs/robot-build.md).
 std::string SummaryOf(const StickSummary& stick) {
   return fmt::format("{}, {} KB, of which {} of objects {} {} KB; base image: {}\n",
                      Counted(static_cast<uint64_t>(stick.num_files), "file"),
