@@ -18,7 +18,8 @@ struct CodePlace {
   CodeLookup code;
 };
 
-// The explanation of a crash: its record, and what the image of the object says about the crash.
+// The explanation of a crash: its crash record, and what the image of the object says about the
+// crash.
 struct EmonStory {
   EmonLog log;
   std::string meaning;  // meaning of the exception code; "" if the record has no code
@@ -34,8 +35,8 @@ struct EmonStory {
   std::string problem;
 };
 
-// Explains the crash whose record is `log`.  `code` is the image of the object that crashed; null
-// if there is no image.
+// Explains the crash with the crash record `log`.  `code` is the image of the object that crashed;
+// null if there is no image.
 EmonStory TellStory(const EmonLog& log, RobotCode* code);
 
 std::string StoryText(const EmonStory& story);
