@@ -353,7 +353,8 @@ void Replayer::EndAtLoss() {
 void Replayer::CompareEnd(const TraceEntry& end) {
   at_end_ = true;
   if (system().now_us() < end.time_us) system().RunUntil(end.time_us);
-  // Does not compare hashes if a message differs, because the hashes then differ, too.
+  // Does not compare the hashes of messages and state if a message differs, because the hashes then
+  // differ, too.
   if (!difference_.empty() || !answer_differences_.empty()) return;
   if (system().trace_hash() != end.trace_hash) {
     difference_ = fmt::format("at the end: trace hash {:016x} now, {:016x} when recorded",

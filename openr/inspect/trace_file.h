@@ -26,10 +26,10 @@ class System;
 struct RunEnd;
 
 constexpr uint32_t kTraceVersion = 5;
-// The oldest version of the format that can be read.  Version 2 has no kEnded.  Versions 2 and 3
-// have kOldPause, kOldShutdown and kOldConsole in place of kInput.  Versions 2 to 4 have
-// kOldMessage in place of kMessage.  Entries of the old kinds are converted to the new kinds when
-// they are read.
+// The oldest version of the format of recordings that can be read.  Version 2 has no kEnded.
+// Versions 2 and 3 have kOldPause, kOldShutdown and kOldConsole in place of kInput.  Versions 2 to
+// 4 have kOldMessage in place of kMessage.  Entries of the old kinds are converted to the new kinds
+// when they are read.
 constexpr uint32_t kOldestTraceVersion = 2;
 
 // The options that, together with the recorded input, determine everything in a run.
@@ -97,8 +97,8 @@ struct TraceEntry {
   uint64_t state_hash = 0;
 };
 
-// Encodes and decodes entries.  Stores most numbers as the difference to the number in the entry
-// before, because small numbers take fewer bytes.
+// Encodes and decodes the entries of a recording.  Stores most numbers as the difference to the
+// number in the entry before, because small numbers take fewer bytes.
 class TraceCoder {
  public:
   explicit TraceCoder(bool payloads) : payloads_(payloads) {}
