@@ -23,8 +23,8 @@ struct ShowOptions {
   double rate = 1;             // virtual seconds per second; 0: as fast as possible
 };
 
-// Adds a flag for each member of ShowOptions except `name`.  These flags can be given only together
-// with the flag `panel`.
+// Adds the flags --panel-port and --rate, which set members of ShowOptions.  --panel-port can be
+// given only together with the flag `panel`.  The caller checks when --rate can be given.
 void AddShowFlags(CLI::App* command, CLI::Option* panel, ShowOptions* options);
 
 // The type of a function that assembles a run whose objects print to `console`, and returns the
