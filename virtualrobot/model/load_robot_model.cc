@@ -98,6 +98,8 @@ void ReadJoint(const JsonReader& row, RobotModel* model) {
     row.At("soft").Fail("must lie inside 'hard'");
   }
   if (joint.hard_rad.max - joint.hard_rad.min <= 0) row.At("hard").Fail("leaves no room to move");
+  if (joint.hard_rad.min < Radians(-360) || joint.hard_rad.max > Radians(360))
+    row.At("hard").Fail("must lie between -360 and 360 degrees");
   joint.speed_rad_s = Span(row.At("speed"), Radians(1));
   if (!(joint.speed_rad_s.min > 0)) row.At("speed").Fail("must be > 0");
   joint.gains = ReadGains(row.At("pid"));
@@ -247,6 +249,8 @@ void ReadCamera(const JsonReader& camera, RobotModel* model) {
   c.direction = Unit(camera.At("direction"));
   std::tie(c.width_px, c.height_px) = PixelsOf(camera.At("pixels"));
   c.frames_per_s = camera.At("fps").NumberAbove(0);
+  if (c.frames_per_s > 125)
+    camera.At("fps").Fail("is {}, must be at most 125 (one in 8 ms)", c.frames_per_s);
   const std::vector<double> fov = camera.At("fov").Numbers(2);
   c.fov_h_rad = Radians(fov[0]);
   c.fov_v_rad = Radians(fov[1]);

@@ -2,6 +2,8 @@
 #include "virtualrobot/model/robot_model.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <iterator>
 #include <stdexcept>
 
@@ -11,8 +13,8 @@
 namespace openr_host {
 namespace {
 
-// Notes how many rows each table of an accepted model has.  So the fuzzer keeps many accepted
-// models, and not mostly models that are refused for different reasons.
+// Notes how many rows each table of an accepted model has, and its mass in powers of two.  So the
+// fuzzer keeps many accepted models, and not mostly models that are refused for different reasons.
 void NoteSizes(const RobotModel& model) {
   constexpr size_t kRowsMax = 64;
   const size_t rows[] = {model.bodies.size(),   model.joints.size(),    model.sensors.size(),
@@ -20,6 +22,8 @@ void NoteSizes(const RobotModel& model) {
                          model.postures.size(), model.mtn_labels.size()};
   for (size_t i = 0; i < std::size(rows); ++i)
     ReachFuzzState(i * kRowsMax + std::min(rows[i], kRowsMax - 1));
+  const double grams = std::clamp(model.TotalMassKg() * 1000, 0.0, 1e9);
+  ReachFuzzState(std::size(rows) * kRowsMax + std::bit_width(static_cast<uint64_t>(grams)));
 }
 
 }  // namespace

@@ -191,7 +191,14 @@ TEST(RobotModelTest, RangeBeyond32BitsIsRefused) {
             "m.json: sensors.rows[3].range[1]: is 2147483648, must be -2147483648 to 2147483647");
 }
 
+TEST(RobotModelTest, StopsBeyondATurnAreRefused) {
+  EXPECT_EQ(ErrorWith("\"hard\": [-85, 46]", "\"hard\": [-85, 361]"),
+            "m.json: joints.rows[0].hard: must lie between -360 and 360 degrees");
+}
+
 TEST(RobotModelTest, CameraBeyondItsLimitsIsRefused) {
+  EXPECT_EQ(ErrorWith("\"fps\": 25", "\"fps\": 126"),
+            "m.json: camera.fps: is 126, must be at most 125 (one in 8 ms)");
   EXPECT_EQ(ErrorWith("\"pixels\": [352, 288]", "\"pixels\": [352, 2147483648]"),
             "m.json: camera.pixels[1]: is 2147483648, must be 1 to 4096");
   EXPECT_EQ(ErrorWith("\"pixels\": [352, 288]", "\"pixels\": [352]"),
