@@ -32,7 +32,8 @@ class GatewayChannel : public GatewayConnection::Owner {
   GatewayStream stream_;  // received bytes that are not decoded yet
 };
 
-// A channel that observes a subject of this computer and sends the subject's data to the peer.
+// A service of the gateway that observes a subject of this computer and sends the subject's data to
+// the peer, the gateway of another computer.
 class OutgoingChannel : public GatewayChannel {
  public:
   OutgoingChannel(TcpGateway* gateway, int index, const GatewayRecord& record)
@@ -56,8 +57,8 @@ class OutgoingChannel : public GatewayChannel {
   std::string held_;  // the encoded set that waits for the peer's ready; "" if no set waits
 };
 
-// A channel that receives data of the peer and, as a subject, sends the data to an observer of this
-// computer.
+// A service of the gateway that receives data of the peer, the gateway of another computer, and, as
+// a subject, sends the data to an observer of this computer.
 class IncomingChannel : public GatewayChannel {
  public:
   IncomingChannel(TcpGateway* gateway, int index, const GatewayRecord& record)

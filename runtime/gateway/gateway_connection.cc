@@ -166,8 +166,8 @@ void GatewayConnection::Refuse(const std::string& why) {
   Lose();
 }
 
-// Closes our end of the connection after an error.  On the robot's side another endpoint listens
-// already, and the host's side tries to connect again after kRetryUs.
+// Closes this end of the connection between two gateways after an error.  If this is the robot's
+// side, another endpoint listens already; the host's side tries to connect again after kRetryUs.
 void GatewayConnection::Lose() {
   ASSERT(is_up_, "service {}", index_);
   Close(endpoint_);

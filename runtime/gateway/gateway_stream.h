@@ -22,8 +22,8 @@ using GatewaySet = std::vector<std::string>;
 inline constexpr uint32_t kGatewayAssert = 3;
 inline constexpr uint32_t kGatewayDeassert = 4;  // the SDK's value; not measured
 
-// Our own limit for the size of a set, which bounds the memory that a peer can make us use.  Two of
-// the largest camera images of a robot fit into a set.
+// Our own limit for the size of a set (the data of one notification), which bounds the memory that
+// a peer can make us use.  Two of the largest camera images of a robot fit into a set.
 inline constexpr uint32_t kGatewaySetBytesMax = 1 << 20;
 
 std::string EncodeWord(uint32_t word);

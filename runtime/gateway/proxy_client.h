@@ -1,5 +1,5 @@
-// Sends OPEN-R calls of objects that run on a PC to the robot.  The stick of the PC names the robot
-// in the line !ROBOT_PROXY of its HOSTGW.CFG.
+// Sends OPEN-R calls (calls of OPENR:: functions) of objects that run on a PC to the robot.  The
+// stick of the PC names the robot in the line !ROBOT_PROXY of its HOSTGW.CFG.
 //
 // An object makes a call by a message to the gateway and waits for the reply; other objects run on.
 // The class ProxyClient sends a call to the robot only after the answer to the call before, because
@@ -40,8 +40,9 @@ class ProxyClient : public GatewayChannel {
   // sError, then the bytes of the robot's reply.
   void Take(const void* payload, size_t size);
   // Fails all requests if the oldest request has waited for the robot's answer for kPatienceUs,
-  // because the other requests wait for its answer.  The error is sTIMEOUT.  But if the connection
-  // to the robot is open, closes the connection, and the error is sFAIL.
+  // because the other requests are sent only after the answer to this request.  The error is
+  // sTIMEOUT.  But if the connection to the robot is open, closes the connection, and the error is
+  // sFAIL.
   void Expire();
 
   void Up() override;

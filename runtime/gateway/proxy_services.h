@@ -62,8 +62,8 @@ class ProxyServices : public RobotServices {
   // wait, also returns false and adds a finding.
   bool Ask(const char* object, uint32_t selector, const std::string& message, size_t reply_size,
            std::string* reply);
-  // Sends a control request to OVirtualRobot and returns its status.  Stores its result in
-  // `*result`, unless `result` is null.
+  // Sends a control request to OVirtualRobot and returns its status.  Stores the request's result
+  // in `*result`, unless `result` is null.
   OStatus Control(ControlRequest request, const std::string& param, std::string* result = nullptr);
   OStatus ControlGains(ControlRequest request, OPrimitiveID id, const word gains[6]);
   OStatus TakeGains(ControlRequest request, OPrimitiveID id, word gains[6]);

@@ -25,8 +25,8 @@ class ItemReader {
     at_ += 4;
     return word;
   }
-  // Reads one 32-bit word of the call or answer into each argument.  Returns false if the item has
-  // fewer words.
+  // Reads one 32-bit word of the item (a call or answer) into each argument.  Returns false if the
+  // item has fewer words.
   template <typename... Words>
   bool Take(Words*... words) {
     return (TakeOne(words) && ...);

@@ -1,4 +1,5 @@
-// Encodes and decodes OPEN-R calls between a program on a PC and the robot.
+// Encodes and decodes OPEN-R calls: calls of OPENR:: functions that a program on a PC sends to the
+// robot, and the robot's answers.
 //
 // A call or an answer is a row of 32-bit words, in the order of the reference (core.md, 5.4, "Proxy
 // wire header"): number of bytes that follow, number of items (always 1), size of the item,

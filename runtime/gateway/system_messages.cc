@@ -32,9 +32,9 @@ std::string Open(RobotServices* services, const std::string& message) {
   return EncodeWord(kOpenReplyType) + EncodeWord(static_cast<uint32_t>(status)) + EncodeWord(id);
 }
 
-// Executes a request to the entry kControlSelector of OVirtualRobot, with its parameter `param`, by
-// a function of `services`.  Returns its status and puts its other results into `*result`.  Sets
-// `*is_known` to false if `request` is unknown.
+// Executes a request to the entry kControlSelector of OVirtualRobot, with the parameter `param`, by
+// calling a function of `services`.  Returns the status of this function and puts its other results
+// into `*result`.  Sets `*is_known` to false if `request` is unknown.
 OStatus Control(RobotServices* services, ControlRequest request, const std::string& param,
                 std::string* result, bool* is_known) {
   const OPrimitiveID id = WordIn(param, 0);

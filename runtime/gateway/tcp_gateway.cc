@@ -37,8 +37,9 @@ TcpGateway::TcpGateway(const GatewayConfig& config) {
     std::memcpy(&index, payload, sizeof index);
     channels_.at(static_cast<size_t>(index))->connection().LookForAnswer();
   });
-  // Makes the message queue large enough for all channels.  A channel has only a few messages at a
-  // time (answers of the network, data, readies), so 8 for each channel are enough.
+  // Makes the gateway's message queue large enough for all its channels (services).  A channel has
+  // only a few messages at a time (answers of the network, data, readies), so 8 for each channel
+  // are enough.
   host().queue_max = std::max(host().queue_max, 8 * static_cast<int>(channels_.size()));
 }
 
@@ -76,8 +77,9 @@ void TcpGateway::AddProxies(const GatewayConfig& config) {
   expire_ = AddExtra("Expire", [this](void*) { proxy_client_->Expire(); });
 }
 
-// Connects to the robot for OPEN-R calls.  DoStart would be too late, because objects call the
-// robot in their DoInit.
+// Connects to the robot that HOSTGW.CFG names for OPEN-R calls (calls of OPENR:: functions by
+// objects of a PC).  DoStart would be too late, because objects call these functions in their
+// DoInit.
 OStatus TcpGateway::DoInit(const OSystemEvent&) {
   stack_ = antStackRef(IpStack::kName);
   if (proxy_client_ != nullptr && stack_.IsValid()) proxy_client_->connection().Open();
@@ -131,9 +133,9 @@ class GatewayLoader {
         has_robot_file_(Text(kRobotGatewayFile).has_value()),
         config_(Read(kRobotGatewayFile, GatewaySide::kRobot)) {
     GatewayConfig other = Read(kHostGatewayFile, GatewaySide::kHost);
-    // If both ROBOTGW.CFG and HOSTGW.CFG have a record for OPEN-R calls, uses the record of
-    // ROBOTGW.CFG: this run is then a robot, which answers calls itself.  The record of HOSTGW.CFG
-    // would send calls to another robot.
+    // If both ROBOTGW.CFG and HOSTGW.CFG have a line for OPEN-R calls (calls of OPENR:: functions
+    // that a program on a PC sends to a robot), uses the line of ROBOTGW.CFG: this run then plays
+    // the robot that answers such calls.  The line of HOSTGW.CFG would make it play the PC.
     if (!config_.proxy) config_.proxy = std::move(other.proxy);
     std::move(other.services.begin(), other.services.end(), std::back_inserter(config_.services));
     std::move(other.diagnostics.begin(), other.diagnostics.end(),
@@ -191,8 +193,9 @@ class GatewayLoader {
     return text ? ParseGatewayConfig(file, *text, Design(), side) : GatewayConfig();
   }
 
-  // Returns whether HOSTGW.CFG names a robot for OPEN-R calls.  If so, the stick belongs to a PC,
-  // and the gateway is needed even if neither OBJECT.CFG nor CONNECT.CFG names the gateway.
+  // Returns whether HOSTGW.CFG names a robot to which calls of OPENR:: functions are sent.  If so,
+  // the stick belongs to a PC, and the gateway is needed even if neither OBJECT.CFG nor CONNECT.CFG
+  // names the gateway.
   bool CallsARobot() const { return config_.proxy && !config_.proxy->host.empty(); }
 
   static bool NamesGateway(const ConnectConfig& wires) {

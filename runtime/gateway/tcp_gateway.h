@@ -4,8 +4,8 @@
 // On a robot the gateway is the image TCPGW.BIN, which OBJECT.CFG names; here it is part of the
 // runtime.  Its services come from ROBOTGW.CFG, each with a port to listen on, and from HOSTGW.CFG,
 // each with an address to connect to.  The bytes on the wire are those that were measured on the
-// original gateway.  The gateway also carries OPEN-R calls of a program on a PC if their form is
-// known (proxy_wire.h).
+// original gateway.  The gateway also carries OPEN-R calls, that is, calls of OPENR:: functions by
+// a program on a PC, if their form is known (proxy_wire.h).
 #pragma once
 
 #include <antStackRef.h>
@@ -46,21 +46,21 @@ class TcpGateway : public CodeObject {
     return call_;
   }
 
-  // ---- Functions for the channels of this gateway
+  // ---- Functions for the channels (services) of this gateway
 
   const antStackRef& stack() const { return stack_; }
   // Sends `message` to the network stack, the object IPStack.  The caller has stored the number of
   // a channel (service of the gateway) in the field `continuation`.  IPStack copies this field into
   // its answer, so the answer goes to that channel.
   void PostToStack(antEnvMsg* message, int size);
-  // Posts a message that calls GatewayConnection::Open() of `channel` after `delay_us`, so that the
-  // host's side tries again to connect.
+  // Posts a message that calls GatewayConnection::Open() of the service `channel` after `delay_us`,
+  // so that the host's side of the connection tries again to connect.
   void OpenLater(int channel, int64_t delay_us);
-  // Posts a message that calls GatewayConnection::LookForAnswer() of `channel` after `delay_us`, so
-  // that the user is warned if the peer does not answer.
+  // Posts a message that calls GatewayConnection::LookForAnswer() of the service `channel` after
+  // `delay_us`, so that the user is warned if the peer does not answer.
   void LookLater(int channel, int64_t delay_us);
-  // Posts a message that calls ProxyClient::Expire() after `delay_us`, so that a call of the robot
-  // without an answer fails.
+  // Posts a message that calls ProxyClient::Expire() after `delay_us`, so that a call to which the
+  // robot gives no answer fails.
   void ExpireLater(int64_t delay_us);
   void Warn(const std::string& text);
 
@@ -80,8 +80,8 @@ class TcpGateway : public CodeObject {
 };
 
 // Returns the gateway of `robot` for LoadStick().  The stick asks for the gateway if OBJECT.CFG
-// names TCPGW.BIN, CONNECT.CFG names a service of TCPGateway, or HOSTGW.CFG names a robot for
-// OPEN-R calls.  REQUIRES: the robot has its stick.
+// names TCPGW.BIN, CONNECT.CFG names a service of TCPGateway, or HOSTGW.CFG names a robot to which
+// calls of OPENR:: functions are sent.  REQUIRES: the robot has its stick.
 SystemImage GatewayImage(System* system, int robot);
 
 }  // namespace openr_host
