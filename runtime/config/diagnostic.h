@@ -13,8 +13,9 @@ enum class Severity {
   kNote,     // nothing is wrong; information only
 };
 
-// A position in a text file.  A parsed record keeps the position from which it was read.  So a
-// later message about the record ("no such service") can name the right line and show a caret.
+// A position in a text file.  The results of parsers, such as the name of a service, contain the
+// positions from which they were read.  So a later message about the service ("no such service")
+// can name the right line and show a caret.
 struct FilePosition {
   std::string file;  // the name of the file, as the caller gave it
   int line = 0;      // counted from 1; 0 means the file as a whole

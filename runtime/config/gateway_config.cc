@@ -51,8 +51,8 @@ class GatewayReader {
     config_->diagnostics.push_back(ErrorAt(place, std::move(why) + "; the service is not there"));
   }
 
-  // Reads the record for OPEN-R calls, with which programs on a PC call functions of the robot.  In
-  // the robot's file (ROBOTGW.CFG) the record has the port where calls arrive.  In the PC's file
+  // Reads the line for OPEN-R calls, with which programs on a PC call functions of the robot.  In
+  // the robot's file (ROBOTGW.CFG) the line has the port where calls arrive.  In the PC's file
   // (HOSTGW.CFG) it has the port and address to which calls are sent.
   void ReadProxy(const RecordLine& line) {
     const bool is_of_host = line.words[0].text == kProxyRecord;

@@ -43,8 +43,8 @@ struct GatewayRecord {
 
 struct GatewayConfig {
   std::vector<GatewayRecord> services;  // in the order of the file
-  // The record for OPEN-R calls, with which programs on a PC call functions of the robot.  The name
-  // of the record is TCPGateway.Proxy.AperiosMessage.P in the robot's file (ROBOTGW.CFG),
+  // The line for OPEN-R calls, with which programs on a PC call functions of the robot.  The first
+  // word of the line is TCPGateway.Proxy.AperiosMessage.P in the robot's file (ROBOTGW.CFG),
   // !ROBOT_PROXY in the PC's file (HOSTGW.CFG).
   std::optional<GatewayRecord> proxy;
   std::vector<Diagnostic> diagnostics;

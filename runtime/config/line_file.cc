@@ -35,14 +35,14 @@ std::string_view TakeLine(std::string_view* rest) {
   return line;
 }
 
-// Keeps the current section of a file, such as [ERS-210], and tells whether records of this section
+// Keeps the current section of a file, such as [ERS-210], and tells whether lines of this section
 // are valid for a robot design.
 class SectionFilter {
  public:
   SectionFilter(std::string_view design, std::vector<Diagnostic>* diagnostics)
       : design_(design), diagnostics_(diagnostics) {}
 
-  // Returns whether records of the current section are valid for the robot design that was given to
+  // Returns whether lines of the current section are valid for the robot design that was given to
   // the constructor.
   bool is_open() const { return is_open_; }
   const std::string& section() const { return section_; }

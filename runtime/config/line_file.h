@@ -1,10 +1,10 @@
 // Splits a text file of a Memory Stick into lines and words.  All these files have the same form.
 //
 // Lines end in LF or CR LF, which may be missing after the last line.  Blanks and tabs separate
-// words and may follow the last word.  A line that begins with '#' is a comment.  A comment after a
-// record is skipped with a warning, because no source says that the robot allows such a comment.
-// "[ERS-210]" alone on a line opens a section for that robot design; records before the first
-// section are valid for every robot.  (Programmer's Guide 4.2, and the configuration files of
+// words and may follow the last word.  A line that begins with '#' is a comment.  A comment after
+// the words of a line is skipped with a warning, because no source says that the robot allows such
+// a comment.  "[ERS-210]" alone on a line opens a section for that robot design; lines before the
+// first section are valid for every robot.  (Programmer's Guide 4.2, and the configuration files of
 // Sony's samples, 16 of which have CR LF.)
 #pragma once
 
@@ -17,7 +17,7 @@
 namespace openr_host {
 
 // The longest line that is read, in bytes; our own limit.  It is ample, because the longest useful
-// record is two service names of 127 characters.
+// line has two service names of 127 characters.
 inline constexpr int kLineBytesMax = 1024;
 
 // A value for the parameter `design` of parsers, in place of a robot design such as "ERS-210".  It

@@ -47,7 +47,8 @@ struct OcfResult {
 };
 
 // Parses the text of an .ocf file. '#' starts a comment anywhere in a line.  The ends of lines
-// count as blanks, so the record may span several lines.  The record has one of two forms:
+// count as blanks, so the description of an object may span several lines.  The description has one
+// of two forms:
 //   object NAME STACK HEAP PRIORITY CACHE TLB MODE
 //   object NAME MODULE METASPACE PIC PID HEAPLIB STACK HEAP SAMESPACE INSTALLSEL PRIORITY CACHE
 //          TLB MODE
