@@ -1,5 +1,5 @@
-// Arguments of the functions in ERA201D1.h that do not depend on radio, and messages to the driver
-// of a network card.
+// Arguments of two functions of ERA201D1.h, which return the MAC address and the error counters of
+// the network card.  Messages to the driver of the card.
 #ifndef OPENR_ETHERDRIVERMSG_H_INCLUDED
 #define OPENR_ETHERDRIVERMSG_H_INCLUDED
 

@@ -180,8 +180,8 @@ struct EtherStatistics {
 // without the closing NUL.
 #define ETHER_WLAN_ESSID_MAX 32
 #define ETHER_WLAN_STATIONNAME_MAX 32
-// Sizes in bytes of the two kinds of WEP key, inferred from the sizes of the messages to the
-// driver.
+// Sizes in bytes of the two kinds of WEP key, inferred from the sizes of the messages to the driver
+// of the wireless card.
 #define ETHER_WLAN_ENC_MAX 5
 #define ETHER_WLAN_ENC_128_MAX 13
 

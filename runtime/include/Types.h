@@ -41,7 +41,7 @@ typedef bool Boolean;
 // The type with the strictest alignment: 8 bytes on the robot, more on most hosts.
 typedef long double AlignedBlock;
 
-// The result of an Aperios function; the values are in sError.h.
+// The result of a function of Aperios, the robot's operating system; the values are in sError.h.
 typedef slongword sError;
 
 // The number of an entry of an object, 0..63; it selects the function that receives a message.

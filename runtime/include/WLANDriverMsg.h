@@ -1,5 +1,5 @@
-// Arguments of the functions in ERA201D1.h about radio, and messages to the driver of a wireless
-// card.
+// Arguments of two functions of ERA201D1.h, which return the settings and the statistics of the
+// wireless card.  Messages to the driver of the card.
 #ifndef OPENR_WLANDRIVERMSG_H_INCLUDED
 #define OPENR_WLANDRIVERMSG_H_INCLUDED
 

@@ -1,5 +1,5 @@
-// Errors of the network stack about a message as a whole.  The result of the operation is in the
-// `error` field of the message, with the numbers of its protocol.
+// Errors of the network stack about a message as a whole.  The result of the requested operation is
+// in the `error` field of the message, as an error number of the message's protocol.
 #ifndef OPENR_ANTERRORS_H_INCLUDED
 #define OPENR_ANTERRORS_H_INCLUDED
 

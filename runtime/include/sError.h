@@ -1,4 +1,5 @@
-// Results of Aperios functions (Send, Call, NewSharedMemoryRegion ...); 0 is success.
+// Results of the functions of Aperios, the robot's operating system (Send, Call,
+// NewSharedMemoryRegion ...); 0 is success.
 //
 // Two errors occurred often in practice: 13, because the receiver's queue of 32 messages is full,
 // and 28, because no answer came in time.
@@ -7,8 +8,8 @@
 
 #include <Types.h>
 
-// The first ten results of Aperios functions are macros, as on the robot, so that the preprocessor
-// can test them.
+// The first ten results of the functions of Aperios, the robot's operating system, are macros, as
+// on the robot, so that the preprocessor can test them.
 #define sSUCCESS 0
 #define sUNDEF 1
 #define sFAIL 2

@@ -1,4 +1,4 @@
-// An observer's record of a region that it received.
+// DataInfo: one region that an observer has received, with the subject that sent it.
 #ifndef OPENR_DATAMANAGER_H_INCLUDED
 #define OPENR_DATAMANAGER_H_INCLUDED
 

@@ -62,7 +62,8 @@ OStatus SetCdtVectorData(MemoryRegionID memID);
 // ---- joint gains
 //
 // In all functions but the two Get functions, `id` may be oprimitiveID_UNDEF, which means every
-// opened joint.  The order of the six numbers is: gains P, I, D, then shifts P, I, D.
+// opened joint.  The order of the six numbers is: gains P, I, D, then shifts P, I, D.  A gain g
+// with the shift s acts as g * 2^(s - 16).
 
 OStatus EnableJointGain(OPrimitiveID id);
 // Errors of EnableJointGain(): oINVALID_PRIMITIVE_ID, oALERT_JOINT_UNCONTROLLABLE
@@ -83,8 +84,10 @@ OStatus GetJointGain(OPrimitiveID id, word* pg, word* ig, word* dg, word* ps, wo
 OStatus RegisterDefaultJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is,
                                  word ds);
 // Errors of RegisterDefaultJointGain(): oINVALID_PRIMITIVE_ID
+
 OStatus SetDefaultJointGain(OPrimitiveID id);
 // Errors of SetDefaultJointGain(): those of SetJointGain()
+
 OStatus GetDefaultJointGain(OPrimitiveID id, word* pg, word* ig, word* dg, word* ps, word* is,
                             word* ds);
 // Errors of GetDefaultJointGain(): oFAIL; all six numbers are then 0
@@ -95,6 +98,7 @@ OStatus GetDefaultJointGain(OPrimitiveID id, word* pg, word* ig, word* dg, word*
 // exist at a time.  If the call fails, *key is ovrsynckeyUNDEF.
 OStatus NewSyncKey(OVRSyncKey* key);
 // Errors of NewSyncKey(): oNO_SYNC_KEY
+
 OStatus CancelSyncKey(OVRSyncKey key);
 // Errors of CancelSyncKey(): oINVALID_SYNC_KEY
 
@@ -119,6 +123,7 @@ OStatus GetPowerStatus(OPowerStatus* powerStatus);
 // (power_constants.h), until UnobservePowerStatus() is called with the same entry.
 OStatus ObservePowerStatus(const OPowerStatus& notifyStatus, const OServiceEntry& entry);
 // Errors of ObservePowerStatus(): oFAIL, oNOT_FOUND
+
 OStatus UnobservePowerStatus(const OServiceEntry& entry);
 // Errors of UnobservePowerStatus(): oFAIL, oNOT_FOUND, oINVALID_ARG
 
@@ -131,6 +136,7 @@ OStatus Fatal(OFatal fatal);
 // gzip file.
 OStatus FindDesignData(const char* keyword, ODesignDataID* id, byte** dataAddr, size_t* size);
 // Errors of FindDesignData(): oNOT_FOUND, oDESIGNDATA_SIZE_ZERO, oNO_MEMORY, oFAIL
+
 #if OPENR_WIDE_SIZE
 template <class Number>
 inline typename openr_host::IfUnsigned<Number, OStatus>::Type FindDesignData(const char* keyword,

@@ -12,7 +12,8 @@ class OSystemEvent {
 
   OReason Reason() const { return reason_; }
 
-  // Returns an OBootParam or an OShutdownParam of ParamSize() bytes; valid during the call only.
+  // Returns an OBootParam or an OShutdownParam of ParamSize() bytes, which is valid only until the
+  // function that received this event returns.
   const void* Param() const { return param_; }
   size_t ParamSize() const { return paramSize_; }
 

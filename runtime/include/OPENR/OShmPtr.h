@@ -62,8 +62,8 @@ class OShmPtrBase {
 template <class T>
 class OShmPtr : public OShmPtrBase {
  public:
-  // A reference to one element of the array; writing through it copies the region if there are
-  // other references to the region.
+  // A reference to one element of the array in shared memory.  Writing to the element first copies
+  // the region if there are other references to the region.
   class Proxy {
    public:
     Proxy(OShmPtr<T>* owner, int index) : owner_(owner), index_(index) {}

@@ -10,8 +10,8 @@
 // The largest number of data items in one notification.
 #define MAX_NUM_DATA 13
 
-// The largest number of regions that an OReadyMessageV10 can give back, an older form of the ready
-// message that the host does not send.
+// The largest number of regions that an OReadyMessageV10 can give back.  This message is an older
+// form of the ready, which the host does not send.
 const int objcommMAX_NUM_UNLOCK = 29;
 
 // The id of a subject is its object and Ready selector, that of an observer its object and Notify

@@ -31,15 +31,15 @@ class RCRegion {
     UNDEF
   };
 
-  // Makes an empty region with count 0; call AddReference() before use.
+  // Makes an empty region with 0 references; call AddReference() before use.
   RCRegion();
 
-  // Makes `size` bytes of memory, filled with zeros, with count 1.  Base() is 0 if there is no
+  // Makes `size` bytes of memory, filled with zeros, with 1 reference.  Base() is 0 if there is no
   // memory.
   explicit RCRegion(size_t size);
 
-  // Refers to existing memory without owning it, with count 1.  If baseAddr is 0, the address is
-  // looked up by id.
+  // Makes an RCRegion with 1 reference for existing memory, which it does not own.  If baseAddr is
+  // 0, the address is looked up by id.
   RCRegion(MemoryRegionID id, offset_t offset, void* baseAddr = 0, size_t size = 0);
 
   void AddReference();

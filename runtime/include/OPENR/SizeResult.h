@@ -13,7 +13,8 @@
 
 namespace openr_host {
 
-// Has the member Type only if Number is unsigned int.
+// Has the member Type, which is Result, only if Number is unsigned int.  A function template that
+// returns this Type therefore accepts only an unsigned int* for its result.
 template <class Number, class Result>
 struct IfUnsigned {};
 template <class Result>

@@ -10,7 +10,7 @@
 #include <OPENR/ObjcommEvent.h>
 #include <OPENR/ObjcommMessages.h>
 
-// Marks data of the stub that the host looks up by name.
+// Makes data of the stub visible outside of the image, because the host looks them up by name.
 #define OPENR_HOST_EXPORT __attribute__((visibility("default")))
 
 typedef void (*_Hook)(OReasonMessage*);
@@ -46,8 +46,8 @@ typedef void (*_Notify)(ONotifyMessage*);
 #define StubFuncDefine_Control_nofunc(i) \
   extern "C" void _Control(i)(OControlMessage * msg) { Self.subject[i]->ControlHandler(*msg); }
 
-// The subject handles the ready message first.  So it sends waiting notifications before the
-// program's function for this message is called.
+// Lets the subject handle the ready message first.  So the subject sends its waiting notifications
+// before the program's function for this message is called.
 #define StubFuncDefine_Ready(i, f)                         \
   extern "C" void _Ready(i)(OReadyMessage * msg) {         \
     Self.subject[i]->ReadyHandler(*msg);                   \

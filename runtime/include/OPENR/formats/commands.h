@@ -71,7 +71,8 @@ const OLED3Mode oled3_MODE_A = 0;
 const OLED3Mode oled3_MODE_B = 1;
 const OLED3Mode oled3_MODE_UNDEF = 0xffff;
 
-// ---- command structs, 8 bytes each; the system uses `reserved` while it plays the vector
+// ---- command structs, 8 bytes each; the system uses their field `reserved` while it plays the
+// vector
 
 // A command of the type odataJOINT_COMMAND2: the set point of a joint for one frame.
 struct OJointCommandValue2 {
