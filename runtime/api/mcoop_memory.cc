@@ -15,7 +15,7 @@ using namespace openr_host;
 
 namespace {
 
-// Page size of a robot with memory protection, which GetPageSize() returns.
+// The size that GetPageSize() returns: the page size of a robot with memory protection.
 constexpr size_t kPageBytes = 4096;
 
 // Changes the size of a region that the current object owns to `size`.  If `grows` is true

@@ -31,9 +31,9 @@ struct OpenrSecondStack {
   void* argument = nullptr;
   // Finds floating-point operations in the function `body` that would stop the robot, such as 0/0.
   std::optional<ArithmeticWatch> watch;
-  // The floating-point flags (NaN, overflow ...) that the function `body` has raised.  The switch
-  // back to the handler would lose them, so GoHome() stores them and GoThere() adds them to the
-  // handler's flags.
+  // The floating-point flags (NaN, overflow ...) that the function `body` has raised on this stack.
+  // The switch back to the handler's stack would lose them, so GoHome() stores them before the
+  // switch, and GoThere() adds them to the handler's flags after it.
   unsigned fp_flags = 0;
   bool has_left = false;  // true while the function `body` waits to be continued
 
@@ -48,13 +48,13 @@ struct OpenrSecondStack {
     if (watch) watch->Begin(openr_host::kFpCaught);
     stack.Call(body, argument);
     GoHome();
-    // Never reached, because nothing switches back to a function that has ended.
+    // Never reached, because nothing switches back to the stack of a function that has ended.
     __builtin_unreachable();
   }
 
-  // Switches from `stack` back to the handler.  The switch restores the handler's floating-point
-  // flags, and so loses the flags that the function `body` has raised.  These are stored in
-  // `fp_flags` first, because the object is checked for them when the handler ends.
+  // Switches from `stack` back to the stack of the handler.  The switch restores the handler's
+  // floating-point flags, and so loses the flags that the function `body` has raised.  These are
+  // stored in `fp_flags` first, because the object is checked for them when the handler ends.
   void GoHome() {
     fp_flags = openr_host::FpFlags();
     if (fp_flags != 0) openr_host::ClearFpFlags();

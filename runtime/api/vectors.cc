@@ -57,7 +57,7 @@ void WatchForLeak() {
 }
 
 // Makes a vector: shared memory of `bytes` bytes with a header for `count` elements, each described
-// by an info of `info_size` bytes.  If there is no memory, sets `*base` to null and returns
+// by an info block of `info_size` bytes.  If there is no memory, sets `*base` to null and returns
 // oNO_MEMORY.
 template <typename Vector>
 OStatus NewVector(ODataType type, size_t info_size, size_t bytes, size_t count, MemoryRegionID* id,

@@ -13,12 +13,13 @@
 
 namespace openr_host {
 
-// Returns whether the caller of a hook is code of an image (a program of the robot).  Returns false
-// for code of the runtime, even while this code works for an object.
+// Returns whether the caller of a hook (our version of a function of the C library) is code of an
+// image (a program of the robot).  Returns false for code of the runtime, even while this code
+// works for an object.
 inline bool InObject() { return t_current.image_code && t_current.object != nullptr; }
 
-// Returns the C library's function `name`, which the hook of the same name calls for callers that
-// are not objects.
+// Returns the C library's function `name`.  The hook (our version of this function) calls it for
+// callers that are not objects.
 template <typename Function>
 Function* NextSymbol(const char* name) {
   const LibraryScope scope;

@@ -59,8 +59,8 @@ void ReportFailedStream(FILE* file) {
   errno = error;
 }
 
-// Looks up the C library's write() when the library is loaded, because later a signal handler may
-// be the first caller, and a look-up is not allowed there.
+// Looks up the C library's write() when the runtime is loaded.  Later a signal handler may be the
+// first caller of write(), and a look-up is not allowed in a signal handler.
 [[gnu::constructor]] void FindWrite() { static_cast<void>(write(-1, nullptr, 0) == 0); }
 
 }  // namespace

@@ -43,9 +43,9 @@ void SetAntError(antEnvMsg* message, int32_t error);
 void ClearCounts(antEnvMsg* message);
 
 // Returns the XXH3 hash of `message` for the trace of a run: the hash of the transferred bytes at
-// `data` and of the fields that have a meaning.  Memory addresses, the continuation and padding are
-// left out, because they differ from run to run.  Never returns 0, which means "no hash" in a
-// Message.
+// `data` and of the fields that have a meaning.  Memory addresses, the field `continuation` (a
+// value of the sender) and padding are left out, because they differ from run to run.  Never
+// returns 0, which means "no hash" in a Message.
 uint64_t AntMessageHash(const antEnvMsg& message, const void* data = nullptr, size_t size = 0);
 
 // Returns whether the field `abort` of `message` is not 0.  The field is read as a byte: if a

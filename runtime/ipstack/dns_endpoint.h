@@ -19,7 +19,7 @@ class DnsEndpoint : public Endpoint {
  public:
   DnsEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
 
-  // The largest number of addresses, and of aliases, that the endpoint keeps of one answer; our
+  // The largest number of addresses, and of aliases, that a DNS endpoint keeps of one answer; our
   // choice.
   static constexpr size_t kAddressesMax = 16;
   // The time limit for an answer, in virtual time; our choice.  After this time the query fails

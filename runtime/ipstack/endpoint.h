@@ -45,8 +45,8 @@ class Endpoint : public EventSink {
   // network, before Take().
   virtual void BeginFrame() {}
 
-  // Releases all sockets without answering operations.  Called for instance when the object that
-  // owns the endpoint has ended.
+  // Releases all sockets without answering the pending operations (messages of the program).
+  // Called for instance when the object that owns the endpoint has ended.
   virtual void Drop() = 0;
 
   virtual void HashState(Hasher* hasher) const = 0;

@@ -39,13 +39,13 @@ class FailingNetwork : public Network {
 
  private:
   // Counts a command for the socket `handle`.  Returns true if this is command number `nth`, which
-  // must fail; the caller then does not pass the command on.
+  // the test wants to fail; the caller then does not pass the command on.
   bool Fails(NetHandle handle);
 
   const std::unique_ptr<Network> inner_;
   int left_;
   const NetError error_;
-  // The socket of the failed command until Poll() reports the failure; 0 if there is none.
+  // The socket of the command that was made to fail, until Poll() reports the failure; else 0.
   NetHandle failed_ = 0;
 };
 

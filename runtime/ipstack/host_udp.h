@@ -16,7 +16,8 @@ namespace openr_host {
 // translates them.
 class HostUdp {
  public:
-  // `ports` maps the robot's ports to ports of the host; see HostPorts.
+  // `ports` has the ports of the robot for which the user wants a certain port of the host; see the
+  // constructor of HostPorts.
   explicit HostUdp(std::map<uint16_t, uint16_t> ports)
       : ports_(NetProtocol::kUdp, std::move(ports)) {}
 

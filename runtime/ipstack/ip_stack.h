@@ -159,8 +159,8 @@ class IpStack : public CodeObject {
   bool poll_posted_ = false;
 };
 
-// Adds the object IPStack to `robot`.  Called before System::Boot(), and again in Robot::load_again
-// with the same `network`.  The System owns the returned stack.
+// Adds the object IPStack to `robot`.  Called before System::Boot(), and at each later boot of the
+// robot (in Robot::load_again) with the same `network`.  The System owns the returned stack.
 IpStack* AddIpStack(System* system, int robot, std::shared_ptr<Network> network,
                     IpStackOptions options = {});
 

@@ -20,7 +20,8 @@ namespace openr_host {
 
 class LoopbackNetwork;
 
-// The hub that connects all LoopbackNetworks of a test, and their table of names.
+// The hub that connects all LoopbackNetworks of a test.  Has the table in which they look up the
+// names of hosts.
 class LoopbackHub {
  public:
   // The hosts that LoopbackNetwork::Resolve() finds.  The key is the name of the host without a
@@ -47,8 +48,8 @@ class LoopbackNetwork : public Network {
   explicit LoopbackNetwork(std::shared_ptr<LoopbackHub> hub = std::make_shared<LoopbackHub>());
   ~LoopbackNetwork() override;
 
-  // Gives the host the address `ip`.  If several hosts have the same address, peers reach the host
-  // that was attached last.
+  // Gives this host of the hub the address `ip`.  If several hosts have the same address, peers
+  // reach the host that was attached last.
   void Attach(uint32_t ip) override;
   void At(NetHandle, uint32_t) override {}  // does nothing: a host at a hub has only one address
   void Listen(NetHandle listener, uint16_t port) override;

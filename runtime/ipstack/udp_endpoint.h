@@ -63,7 +63,8 @@ class UdpEndpoint : public Endpoint {
   int64_t sent_in_frame_ = 0;         // bytes sent in this frame; the pool limits their number
 
   std::optional<Operation> send_;
-  // Number of the message whose handler has sent the last Send, if it was no Call(); else 0.
+  // Number of the message in whose handler the program has sent the last Send; 0 if the program
+  // sent it with Call().
   uint64_t last_send_cause_ = 0;
   std::optional<Operation> receive_;
 };

@@ -144,7 +144,7 @@ OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
     answer.status = reply ? reply->status : oFAIL;
     if (!reply) {
       // Prints nothing about the failed connection, because the runtime itself reports the loss of
-      // the process.
+      // the process in which the subject was.
       if (connect) state_->MissSubject(msg.subName);
     } else if (reply->status != oSUCCESS) {
       state_->system->Print(fmt::format(

@@ -163,8 +163,8 @@ MemoryStick::Location FolderStick::Locate(std::string_view name) {
     const bool is_last = i + 1 == parts->size();
     if (entry.empty() && !is_last) return {"", false, ENOENT};
     if (entry.empty()) {
-      // If the stick does not have the file, checks the folder for it instead, because this folder
-      // may be a link that leads out of the stick.
+      // If the stick does not have the file, checks the folder in which the file would be made,
+      // because this folder may be a link that leads out of the stick.
       if (!IsBelow(path, root_)) return {"", false, EACCES};
       return {path + "/" + UpperCase(part), false, 0};
     }

@@ -85,7 +85,7 @@ class FolderStick : public MemoryStick {
   uint64_t ContentHash() override;
   const std::string& root() const { return root_; }
   // Makes `root` the folder of the host that has the files of this stick.  REQUIRES: `root` has the
-  // same files as the folder before.
+  // same files as the previous folder, of which it is a copy.
   void set_root(std::string root) { root_ = std::move(root); }
 
  private:
