@@ -83,8 +83,8 @@ struct TCPEndpointListenMsg : public TCPEndpointBaseMsg {
         fPort(foreignPort) {}
 };
 
-// Connects to a peer.  The answer comes when the connection is made; it has the local address and
-// port filled in.
+// Connects to a peer.  The answer comes when the connection is made.  The answer has the local
+// address and port filled in.
 struct TCPEndpointConnectMsg : public TCPEndpointBaseMsg {
   IPAddress lAddress;  // own address
   Port lPort;

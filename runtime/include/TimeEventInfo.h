@@ -1,4 +1,4 @@
-// The base of all times for SetTimeEvent(), which requests messages that come later.
+// The base class of all times for SetTimeEvent(), which requests messages that come later.
 #ifndef OPENR_TIMEEVENTINFO_H_INCLUDED
 #define OPENR_TIMEEVENTINFO_H_INCLUDED
 

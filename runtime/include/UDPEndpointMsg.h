@@ -98,8 +98,8 @@ struct UDPEndpointSendMsg : public UDPEndpointBaseMsg {
         size(bytes) {}
 };
 
-// Receives one datagram.  The answer contains its sender and its size; bytes that do not fit into
-// the buffer are lost.
+// Receives one datagram.  The answer contains the sender and the size of the datagram; bytes that
+// do not fit into the buffer are lost.
 struct UDPEndpointReceiveMsg : public UDPEndpointBaseMsg {
   IPAddress address;
   Port port;

@@ -1,4 +1,4 @@
-// The base of all messages to the network stack.
+// The base class of all messages to the network stack.
 //
 // A message is request and answer in one: the stack fills in the output fields and returns the
 // message, either from Call() or, after Send(), to an entry of the sender.
@@ -31,8 +31,8 @@ struct antEnvMsgContInfo {
   Selector GetSelector() const { return selector; }
 };
 
-// The base of all messages; 40 bytes on the robot, more with 64-bit pointers.  It has no virtual
-// functions.
+// The base class of all messages to the network stack; 40 bytes on the robot, more with 64-bit
+// pointers.  It has no virtual functions.
 class antEnvMsg {
  public:
   Selector dstSelector;    // a constant Entry_antEnv_...

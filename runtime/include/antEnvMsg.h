@@ -1,4 +1,5 @@
-// Includes the base of messages to the network stack, and the messages to the stack itself.
+// Includes the base class of all messages to the network stack, and the messages to the stack
+// itself.
 #ifndef OPENR_ANTENVMSG_H_INCLUDED
 #define OPENR_ANTENVMSG_H_INCLUDED
 

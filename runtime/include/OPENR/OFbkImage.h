@@ -16,7 +16,8 @@ const OFbkImageBand ofbkimageBAND_Y_LH = 4;
 const OFbkImageBand ofbkimageBAND_Y_HL = 5;
 const OFbkImageBand ofbkimageBAND_Y_HH = 6;
 
-// A view of one band of a camera image.  It copies nothing and is valid as long as the image data.
+// Gives access to one band of a camera image.  An OFbkImage copies nothing and is valid as long as
+// the image data.
 //
 // The bands of one image are interleaved row by row, in the order Y, Cr, Cb and, for
 // odataFBK_YCrCb_HPF, LH, HL, HH.  The order of LH, HL and HH is inferred; programs do not depend

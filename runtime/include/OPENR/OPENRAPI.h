@@ -80,7 +80,7 @@ OStatus SetJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word i
 OStatus GetJointGain(OPrimitiveID id, word* pg, word* ig, word* dg, word* ps, word* is, word* ds);
 // Errors of GetJointGain(): those of SetJointGain()
 
-// Stores a set of gains for the joint, which SetDefaultJointGain() applies.
+// Stores gains for the joint; SetDefaultJointGain() later applies these gains.
 OStatus RegisterDefaultJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is,
                                  word ds);
 // Errors of RegisterDefaultJointGain(): oINVALID_PRIMITIVE_ID

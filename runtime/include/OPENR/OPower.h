@@ -35,7 +35,7 @@ class OPowerStatus {
   void Set(longword rs, word bs, word rc, word tmp, sbyte td, byte vol);
 
   // Print on the console: Print() one line, PrintDetail() a line for each bit that is set and for
-  // each quantity.
+  // each measured value, such as the voltage.
   void Print() const;
   void PrintDetail() const;
 };

@@ -30,9 +30,9 @@ class OSubject {
   OStatus SetReadyEntry(const OServiceEntry& entry);
   const SubjectID& GetID() const;
 
-  // Set the size of the buffer for each observer, in entries (by default 14), and the number of
-  // SetData() calls that are sent as one unit (by default 1).  Called in DoInit;
-  // SetNotifyUnitSize() fails once a connection exists.
+  // Set the size of the buffer for each observer (by default 14; it holds the data of size - 1
+  // SetData() calls), and the number of SetData() calls that are sent as one unit (by default 1).
+  // Called in DoInit; SetNotifyUnitSize() fails once a connection exists.
   OStatus SetBufferSize(size_t size);
   size_t GetBufferSize() const;
   OStatus SetNotifyUnitSize(size_t size);
@@ -63,8 +63,8 @@ class OSubject {
   OStatus NotifyObserver(const OObserverInfo& info);
   OStatus NotifyObserver(const ObserverID& id);
 
-  // Return the number of free entries in the buffer for an observer; without an argument, the
-  // smallest such number of all observers.  Return 0 for an unknown id.
+  // Return the number of SetData() calls whose data still fit into the buffer for an observer;
+  // without an argument, the smallest such number of all observers.  Return 0 for an unknown id.
   size_t RemainBuffer() const;
   size_t RemainBuffer(const OObserverInfo& info) const;
   size_t RemainBuffer(const ObserverID& id) const;

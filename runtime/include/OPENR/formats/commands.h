@@ -134,7 +134,7 @@ struct OLEDCommandValue {
   word padding;
 };
 
-// Commands of the type odataCAMERA_COMMAND, and their requests.
+// The requests that a command of the type odataCAMERA_COMMAND can make of the camera.
 typedef word OCameraRequest;
 const OCameraRequest ocamreqAE_OFF = 0;
 const OCameraRequest ocamreqAE_ON = 1;
