@@ -2,8 +2,9 @@
 // read(0).
 //
 // Each object that calls one of these functions gets a standard input of its own.  A read waits for
-// a line and stops only the object that reads; all other objects continue.  There is no hook for
-// std::cin, because it calls getc(), ungetc() and fread(), which are hooked.
+// a line and stops only the object that reads; all other objects continue.  Nothing is defined for
+// std::cin, because it calls getc(), ungetc() and fread(), of which this process has its own
+// versions.
 #include <stdarg.h>
 #include <stdio.h>
 #include <unistd.h>

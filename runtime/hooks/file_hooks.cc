@@ -102,10 +102,10 @@ StickUse UseOf(const char* mode) {
                                              : StickUse::kRead;
 }
 
-// Returns whether the current object may open the file `path` of the stick, which is `host` on the
-// host.  `writes` is true if the file is opened for writing.  If the object may not open the file,
-// sets errno.  A file that is already open can be opened again only if all its users only read it
-// (Programmer's Guide, appendix A).
+// Returns whether the current object may open the file `path` of the stick.  `host` is the path of
+// this file on the host.  `writes` is true if the file is opened for writing.  If the object may
+// not open the file, sets errno.  A file that is already open can be opened again only if all its
+// users only read it (Programmer's Guide, appendix A).
 bool MayOpen(const std::string& host, bool writes, const char* path) {
   const ApiScope scope;
   const openr_host::Object* holder = nullptr;

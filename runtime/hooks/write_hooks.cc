@@ -3,7 +3,7 @@
 //
 // An object gets from them what the C library returns.  If the host's disk has not taken all bytes,
 // for instance because it is full, the run has a finding, because programs often ignore such an
-// error.  There is no hook for fprintf(), fputs() and the like: an error of theirs is found by the
+// error.  An error of fprintf(), fputs() and the like is not reported at once: it is found by the
 // next fwrite(), fflush() or rewind(), or at the end of the stream: by fclose() in file_hooks.cc,
 // or by FlushStreams() if the object does not close the stream.
 #include <stdio.h>
