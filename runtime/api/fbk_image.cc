@@ -24,8 +24,9 @@ BandPlace PlaceOf(ODataType type, OFbkImageBand band) {
       return band <= ofbkimageBAND_Cb ? BandPlace{static_cast<int>(band), 3} : kNone;
     case odataFBK_YCrCb_HPF:
       if (band <= ofbkimageBAND_Cb) return {static_cast<int>(band), 6};
-      // The bands LH, HL and HH of an image follow its band Cb.  In OFbkImageBand the constant of
-      // CDT is between Cb and LH, so the index in the image is one less than the constant.
+      // The bands LH, HL and HH of a camera image follow its band Cb.  In OFbkImageBand the
+      // constant of CDT is between Cb and LH, so the index in the image is one less than the
+      // constant.
       if (band >= ofbkimageBAND_Y_LH && band <= ofbkimageBAND_Y_HH) {
         return {static_cast<int>(band) - 1, 6};
       }
@@ -54,8 +55,8 @@ OFbkImage::OFbkImage(OFbkImageInfo* info, byte* data, OFbkImageBand band)
   height_ = static_cast<int>(info->height);
   skip_ = width_ * (place.bands - 1);
   pointer_ = data + place.index * width_;
-  // The tag is in the first band of the image (Y, or the only band), which begins at `data`.  So
-  // every OFbkImage of one image finds the same tag, whichever `band` it shows.
+  // The tag is in the first band of the camera image (Y, or the only band), which begins at `data`.
+  // So every OFbkImage of one image finds the same tag, whichever `band` it shows.
   if (width_ >= kTagSize && height_ > 0) tag_ = data + (width_ + skip_) * (height_ - 1);
 }
 

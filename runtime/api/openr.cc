@@ -264,8 +264,8 @@ OStatus GetVolumeSwitch(OVolumeSwitch* volume) {
   return Services().GetVolumeSwitch(volume);
 }
 
-// The functions about MWInfo return oNOT_SUPPORTED, because they belong to level 1 of OPEN-R, for
-// which there is no document (core.md 6.1).
+// The functions about MWInfo, an information service of OPEN-R, return oNOT_SUPPORTED, because the
+// service belongs to level 1 of OPEN-R, for which there is no document (core.md 6.1).
 OStatus RequireMWInfo(MWIID) { return oNOT_SUPPORTED; }
 OStatus CancelMWInfo(MWIID) { return oNOT_SUPPORTED; }
 OStatus IsMWInfoRequired(MWIID, bool* required) {

@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 
 constexpr char kMemoryFolder[] = "/dev/shm";
 
-// Returns the prefix of the names of our temporary folders, which contains the number of the PID
-// namespace.  Containers may share the folder of temporary files but count their processes
+// Returns the prefix of the names of our temporary folders.  The prefix contains the number of the
+// PID namespace.  Containers may share the folder of temporary files but count their processes
 // separately.  So a process id alone does not show whether the folder belongs to a living process
 // of another container, which must keep its folder.
 std::string Prefix() {

@@ -150,7 +150,7 @@ std::optional<ServiceName> ParseQuotedName(Piece* rest, Reporter* reporter) {
                                         text.size(), kServiceNameBytesMax));
   }
   // Allows only characters of C++ names in the service, because the generated def.h has a constant
-  // such as sbjMove with its name.
+  // that is named after the service, such as sbjMove.
   const bool makes_names = std::all_of(name->service.begin(), name->service.end(), IsNameCharacter);
   if (!makes_names) {
     const char* const prefix = name->is_subject() ? "sbj" : "obs";

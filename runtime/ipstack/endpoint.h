@@ -18,7 +18,7 @@ class EventSink {
   virtual ~EventSink() = default;
 
   // Stores `event` of a socket.  Does not answer any operation of the program; AnswerReady() does
-  // that after all events of the poll have been stored.
+  // that after all events of one Poll() of the network have been stored.
   virtual void Take(const NetworkEvent& event) = 0;
 };
 
@@ -41,7 +41,7 @@ class Endpoint : public EventSink {
   // network stack polls the network every frame.
   virtual bool WaitsForNetwork() const = 0;
 
-  // Prepares the endpoint for the events of a frame.  Called at the beginning of each poll of the
+  // Resets what the endpoint counts within one frame.  Called at the beginning of each poll of the
   // network, before Take().
   virtual void BeginFrame() {}
 

@@ -166,7 +166,7 @@ void LoopbackNetwork::Drop(NetHandle handle, bool reset) {
   if (const auto found = connections_.find(handle); found != connections_.end()) {
     Connection& connection = found->second;
     if (reset) connection.link->reset = true;
-    // Passes the bytes that are not sent yet to the peer, because the kernel of a real host also
+    // Passes to the peer the bytes that are not sent yet, because the kernel of a real host also
     // sends them after a program has closed the connection.
     connection.peer().bytes += connection.out;
     connection.peer().ended = true;

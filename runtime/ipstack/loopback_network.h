@@ -114,7 +114,8 @@ class LoopbackNetwork : public Network {
   void MatchAccepts(Listener* listener);
   void Push(NetHandle handle, Connection* connection);
   // Adds the new events of `connection` to the events that Poll() will return.  Returns false if
-  // both sides have ended `connection` or one side has reset it, so that it can be deleted.
+  // both sides have ended `connection` or one side has reset it; the caller then deletes the
+  // connection.
   bool PollConnection(NetHandle handle, Connection* connection);
 
   const std::shared_ptr<LoopbackHub> hub_;

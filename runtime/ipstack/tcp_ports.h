@@ -28,8 +28,8 @@ class TcpPorts {
   // Returns false if too many ports are open.
   bool Accept(uint16_t port, uint32_t ip, NetHandle socket, EventSink* endpoint);
 
-  // Removes `endpoint` from the waiting endpoints of `port`, whether or not the endpoint has got a
-  // connection.
+  // Removes `endpoint` from the endpoints that wait for a connection to `port`, whether or not the
+  // endpoint has got a connection.
   void Forget(uint16_t port, const EventSink* endpoint);
 
   bool IsOpen(uint16_t port) const { return ports_.contains(port); }

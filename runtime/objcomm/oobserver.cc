@@ -181,8 +181,8 @@ void CheckUnchanged(ObserverState* state, const ONotifyMessage& notify) {
 [[gnu::always_inline]] inline OStatus HandleNotification(ObserverState* state,
                                                          const ONotifyMessage& msg,
                                                          ONotifyEvent* event) {
-  // Refuses bytes that are no notification, because the code below would take some of them for
-  // addresses.
+  // Refuses a message whose bytes are no notification, because the code below would take some of
+  // these bytes for addresses.
   if (!IsRunningMessage(*state->object, PayloadKind::kNotify)) return oUNKNOWN_COMMAND;
   if (state->system->options().guard_regions) CheckUnchanged(state, msg);
   // Starts the count of readies anew.  The count shows how often the observer asserts ready without

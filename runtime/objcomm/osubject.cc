@@ -187,8 +187,8 @@ namespace {
 // buffer.
 size_t Remain(const SubjectState& state, const ObserverLink& link) {
   const size_t used = link.fresh.size() + link.pending.size();
-  // The subject's buffer holds one entry less than its size, because the robot's buffer is a ring
-  // buffer in which one entry always stays empty.
+  // The subject's buffer holds the data of one SetData() less than its size, because the robot's
+  // buffer is a ring buffer in which one place always stays empty.
   const size_t room = std::max<size_t>(state.buffer_size, 1) - 1;
   return used >= room ? 0 : room - used;
 }
@@ -282,7 +282,8 @@ namespace {
 
 // Does the work of OSubject::ReadyHandler() for the subject of `state`.
 [[gnu::always_inline]] inline OStatus HandleReady(SubjectState* state, const OReadyMessage& msg) {
-  // Refuses bytes that are no ready, because the code below would take some of them for addresses.
+  // Refuses a message whose bytes are no ready, because the code below would take some of these
+  // bytes for addresses.
   if (!IsRunningMessage(*state->object, PayloadKind::kReady)) return oUNKNOWN_COMMAND;
   // A ready also lists the regions of earlier notifications that the observer no longer uses.
   // Removes the subject's reference to each of these regions, so that the subject can write into
