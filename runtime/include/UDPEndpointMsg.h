@@ -159,7 +159,7 @@ struct UDPEndpointReadyForWriteMsg : public UDPEndpointBaseMsg {
       : UDPEndpointBaseMsg(module, UDPEndpoint_Operation_ReadyForWrite), ready(FALSE) {}
 };
 
-// Returns the addresses of the endpoint and of its peer.
+// Asks for the addresses of the endpoint and of its peer.
 struct UDPEndpointAddressMsg : public UDPEndpointBaseMsg {
   IPAddress lAddress;  // own address
   Port lPort;

@@ -25,7 +25,7 @@ const int32 antEnv_InitParam_String = -2;
 #define ANTENV_KEY_LENGTH_MAX 32
 #define ANTENV_VALUE_LENGTH_MAX 32
 
-// Makes an endpoint of the network stack, which serves one connection.
+// Asks the network stack to make an endpoint, for instance for one TCP connection.
 struct antEnvCreateEndpointMsg : public antOperationMsg<antError> {
   int32 protocol;  // a constant EndpointType_...
   int32 poolSize;  // size in bytes of the memory for packets; must be more than the largest send

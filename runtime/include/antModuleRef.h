@@ -22,7 +22,8 @@ class antModuleRef {
   }
   bool operator!=(const antModuleRef& other) const { return !(*this == other); }
 
-  // Prints a line such as "module 3" on the console.  Only `index` is printed, not the pointer.
+  // Prints a line such as "module 3" on the console.  The number is `index`; the pointer `module`
+  // is not printed.
   void Print() const;
 };
 

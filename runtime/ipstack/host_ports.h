@@ -47,7 +47,8 @@ class HostPorts {
  private:
   const NetProtocol protocol_;
   const std::map<uint16_t, uint16_t> wished_;
-  // The key is a port of the robot, the value its port on the host.
+  // The ports that Bind() has bound.  The key is a port of the robot, the value its port on the
+  // host.
   std::map<uint16_t, uint16_t> chosen_;
 };
 

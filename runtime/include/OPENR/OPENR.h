@@ -56,7 +56,8 @@ struct OServiceEntry {
   }
 };
 
-// Commands of the object manager, which makes the connections, to an observer (OConnectMessage).
+// The commands that the object manager sends to an observer in an OConnectMessage: connect to a
+// subject, or disconnect.
 typedef longword OConnectCmd;
 const OConnectCmd oconnectcmdCONNECT = 0;
 const OConnectCmd oconnectcmdDISCONNECT = 1;

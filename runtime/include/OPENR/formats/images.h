@@ -15,7 +15,7 @@ const OFbkImageLayer ofbkimageLAYER_L = 2;  // 44 x 36 pixels, YCrCb
 const OFbkImageLayer ofbkimageLAYER_C = 3;  // 88 x 72 pixels, colour detection
 const size_t ofbkimageNUM_LAYERS = 4;       // number of layers; the name is our choice
 
-// Describes one image of a vector; 32 bytes.
+// Describes one camera image of a vector; 32 bytes.
 struct OFbkImageInfo {
   ODataType type;  // the type odataFBK_YCrCb, odataFBK_YCrCb_HPF or odataFBK_CDT
   OPrimitiveID primitiveID;

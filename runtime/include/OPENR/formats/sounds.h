@@ -14,7 +14,7 @@ const OSoundFormat osoundformatPCM = 1;
 const OSoundFormat osoundformatUSB_MIDI = 2;
 const OSoundFormat osoundformatSMF = 3;
 
-// The kind of channels of a sound.  The names of the values 0 and 2 are inferred.
+// The channels of a sound: mono or stereo.  The names of the values 0 and 2 are inferred.
 typedef word OSoundChannel;
 const OSoundChannel osoundchannelUNDEF = 0;
 const OSoundChannel osoundchannelMONO = 1;
