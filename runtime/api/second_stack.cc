@@ -17,7 +17,7 @@ using openr_host::ApiScope;
 using openr_host::ArithmeticWatch;
 using openr_host::t_current;
 
-// A stack on which an object runs a function that may leave in the middle and be continued later.
+// A stack on which an object runs a function that may be left in the middle and continued later.
 // This function is the member `body`.  It can be the endless loop of a controller (kit/controller).
 // The functions that switch stacks make no ApiScope.  With an ApiScope the function `body` would
 // count as code of the runtime and would use the heap and files of the host.

@@ -1,10 +1,10 @@
 // Encodes and decodes the bytes between two gateways, as measured (measured.md, "TCPGateway wire
 // format").
 //
-// All words have 32 bits, little-endian.  A set of data goes from the subject's side to the
-// observer's side: the number of bytes that follow, the number of items, then the size and bytes of
-// each item.  A single word goes from the observer's side to the subject's side: it asserts ready
-// (kGatewayAssert) or takes the ready back (kGatewayDeassert).
+// All words have 32 bits, little-endian.  A set (the data of one notification) goes from the
+// subject's side to the observer's side: the number of bytes that follow, the number of items, then
+// the size and bytes of each item.  A single word goes from the observer's side to the subject's
+// side: it asserts ready (kGatewayAssert) or takes the ready back (kGatewayDeassert).
 #pragma once
 
 #include <cstddef>

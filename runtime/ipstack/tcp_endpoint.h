@@ -28,10 +28,10 @@ class TcpEndpoint : public Endpoint {
   // would take a frame (8 ms) each.
   static constexpr size_t kReadAheadBytes = 16384;
 
-  // The robot sends more than kRobotFastBytes and at most kRobotSplitBytes in two pieces, the
-  // second piece up to 200 ms after the first (network.md, 4.3).  A Send of more than
-  // kRobotSendBytes is slow (BBS 254, a message of Sony's developer board).  A Send in one of these
-  // two ranges of size causes a warning.
+  // The robot sends the data of a Send of more than kRobotFastBytes and at most kRobotSplitBytes in
+  // two pieces, the second piece up to 200 ms after the first (network.md, 4.3).  A Send of more
+  // than kRobotSendBytes is slow (BBS 254, a message of Sony's developer board).  A Send in one of
+  // these two ranges of size causes a warning.
   static constexpr int kRobotFastBytes = 1024;
   static constexpr int kRobotSplitBytes = 3072;
   static constexpr int kRobotSendBytes = 32 * 1024;
