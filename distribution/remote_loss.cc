@@ -28,8 +28,8 @@ void RemoteProcess::ReturnExported() {
     const auto& [observer, subject] = ends;
     const auto found = objects_.find(observer.first);
     if (found == objects_.end()) continue;
-    // Sends several ready messages (deasserts) if necessary, because a ready message has room for
-    // MAX_NUM_DATA regions only.
+    // Sends several deasserts if necessary, because one deassert gives back MAX_NUM_DATA regions at
+    // most.
     for (size_t i = 0; i < exported.size(); i += MAX_NUM_DATA) {
       const auto begin = exported.begin() + static_cast<ptrdiff_t>(i);
       const auto count = std::min<ptrdiff_t>(MAX_NUM_DATA, exported.end() - begin);

@@ -16,8 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-// Flags of compile-flags.txt that clang 14 refuses.  They change the code of an image, not the
-// meaning of a source.
+// Flags of compile-flags.txt that clang 14 refuses.  They are left out for editors, which use clang
+// to show errors: the flags change the code that is made of a source, not whether it is correct.
 constexpr std::array<std::string_view, 4> kFlagsOfGccAlone = {
     "-fno-gnu-unique", "-fno-aggressive-loop-optimizations", "-fno-lifetime-dse",
     "-ftrivial-auto-var-init=zero"};

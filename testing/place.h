@@ -31,7 +31,7 @@ void Fail(const Place& place, const std::string& text);
 bool FailedFatally();
 
 // Makes FailedFatally() return true from now on.  Called in a copy of the process (RunInCopy())
-// after a fatal failure.
+// when the test has failed fatally in this copy.
 void NoteFatalFailure();
 
 }  // namespace openr::testing

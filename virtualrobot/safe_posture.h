@@ -39,8 +39,9 @@ class SafePosture {
   // Ends all movements to a safe posture, because the robot is switched off.
   void SwitchOff() { gone_.clear(); }
 
-  // Sets the set points of frame `frame` for joints that a crashed object has commanded.  Called
-  // after the command vectors have set their set points.
+  // Holds the joints that a crashed object has commanded, or moves them towards the safe posture:
+  // sets their set points of frame `frame`.  Called after the command vectors have set theirs,
+  // because a joint that another object commands is left to that object.
   void Apply(int64_t frame, Devices* devices);
 
   void HashState(Hasher* hasher) const;

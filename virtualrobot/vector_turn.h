@@ -38,8 +38,8 @@ class VectorTurn {
 
   bool announced() const { return announced_; }
 
-  // Records that the first vector of the queue has started, so that the next vector becomes the
-  // first.
+  // Called when the first vector of the queue has started.  Forgets what was recorded about this
+  // vector, because the next vector is the first one now.
   void Next() { *this = {}; }
 
  private:

@@ -188,7 +188,8 @@ class Ros2Texts {
  public:
   // Largest number of texts that wait for Take().  If more texts arrive, the oldest are lost.
   static constexpr int kWaitingMax = 32;
-  // Largest number of characters of a text; the rest is cut off.
+  // Largest number of characters of a text from a ROS 2 topic; the rest is cut off, because the
+  // network must not fill the memory of the run.
   static constexpr size_t kTextMax = 65536;
 
   Ros2Texts(Bus* bus, const std::string& topic);

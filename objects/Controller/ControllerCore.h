@@ -31,8 +31,8 @@ public:
     const SensorValues& Sensors() const { return sensors_; }
     ControllerPort* Port() { return port_; }
 
-    // Runs the main function of the controller program, and its loop from then on.  Called when the
-    // robot stands.
+    // Runs the main() of the controller program.  If main() is an endless loop, it is suspended in
+    // robot_step() and continued with later sensor values.  Called when the robot stands.
     void Execute(int (*controllerMain)());
 
     // Ends the controller program, because the robot is shut down.

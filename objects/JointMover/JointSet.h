@@ -1,7 +1,7 @@
 //
-// JointSet: all joints of the robot, moved by the algorithm for manual commands (Trajectory.h).
-// The set stores the movement of each joint, and whether the gain of the joint is on.  A joint
-// without gain is limp: its motor does not hold it.
+// JointSet: all joints of the robot, moved by the algorithm for commands of single joints
+// (Trajectory.h).  The set stores the movement of each joint, and whether the gain of the joint is
+// on.  A joint without gain is limp: its motor does not hold it.
 //
 
 #ifndef JointSet_h_DEFINED

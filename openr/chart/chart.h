@@ -1,5 +1,5 @@
-// Chart: a picture with curves, described as plain data.  The panels of the picture stand in rows
-// and columns.
+// Chart: a picture of one or several diagrams with curves, described as plain data.  The diagrams
+// are called panels and stand in rows and columns.
 #pragma once
 
 #include <string>

@@ -112,9 +112,9 @@ class Rewind {
   // process.  REQUIRES: shows_past().
   nlohmann::ordered_json Forward(const nlohmann::json& request);
 
-  // Makes the view of a past moment a run of its own, which goes on at `rate`.  Returns {"run":
-  // NAME}, or {"error": TEXT}.  After success, the caller must end this run and call
-  // WaitForBranch().
+  // Makes the view of a past moment a new run (a branch), which goes on at `rate`.  Returns {"run":
+  // NAME}, or {"error": TEXT}.  After success, the caller must end the run that it belongs to,
+  // which the branch replaces, and call WaitForBranch().
   nlohmann::ordered_json Branch(double rate);
   bool has_branched() const { return branch_ > 0; }
   // Waits until the branch, the process that goes on in place of this run, ends, and returns its

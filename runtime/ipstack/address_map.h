@@ -24,9 +24,9 @@ class AddressMap {
   // itself if no pair of addresses (AddressPair) translates it.
   uint32_t ToHost(uint32_t address) const;
 
-  // Translates the address of `peer`, to which a program talks, and remembers the peer for
-  // FromHost().  Several addresses of programs may map to one address of the host; FromHost() tells
-  // them apart by the port.
+  // Returns the host's address for `peer`, the address to which a program talks, and remembers
+  // `peer` for FromHost().  If several addresses that programs use stand for one address of the
+  // host, FromHost() tells them apart by the port.
   NetAddress ToHost(NetAddress peer);
 
   // Returns the address under which programs know the peer `host`.  This is the address that a
