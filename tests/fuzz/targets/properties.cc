@@ -1,7 +1,11 @@
 // The fuzz target properties: property files.
+#include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <stdexcept>
 
 #include "openr/explore/property_file.h"
+#include "runtime/base/hasher.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/target_list.h"
 
@@ -16,6 +20,10 @@ bool fuzz::properties(std::string_view bytes) {
       Compares(std::string("finished"), rule.op, rule.value);
     } catch (const std::runtime_error&) {
     }
+    // The operator, and the time in powers of two, because all operators and times take the same
+    // branches.
+    const auto bits = std::bit_width(static_cast<uint64_t>(std::max<int64_t>(rule.within_us, 0)));
+    ReachFuzzState(HashBytes(rule.op.data(), rule.op.size()) + static_cast<uint64_t>(bits));
     is_deep |= rule.within_us > 30'000'000 && rule.op == "!=";
   }
   Render(diagnostics);
