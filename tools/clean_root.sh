@@ -1,9 +1,42 @@
-# Debians with nothing in them, to try things in: functions for scripts that source this file.  Such
-# a script sets $suite (the name of the Debian), $mirror (where its packages come from) and $keep
-# (true: the roots stay), and calls begin_roots before it makes a root.
+# Debians with nothing in them, to try things in: functions for scripts in this folder, which source
+# this file when they have gone to the root of the checkout.  Such a script calls read_flags, and
+# begin_roots before it makes a root.
+
+suite=$(. /etc/os-release && echo "${VERSION_CODENAME:-bookworm}")  # the name of the Debian
+mirror=http://deb.debian.org/debian                                 # where its packages come from
+keep=false                                                          # true: the roots stay
 
 say() { echo "$(basename "$0" .sh): $*" >&2; }
 give_up() { say "$*"; exit 1; }
+
+# read_flags FLAG=VARIABLE... -- ARGS...: sets the variables of the flags that are in ARGS.  A flag
+# whose variable is true or false makes it true; every other flag has a value.  --mirror and --keep
+# are flags of all scripts.  Another argument ends the script with the text at the script's top.
+read_flags() {
+  local -A variables=([--mirror]=mirror [--keep]=keep)
+  local variable
+  while [ "$1" != -- ]; do
+    variables[${1%%=*}]=${1#*=}
+    shift
+  done
+  shift
+  while [ $# -gt 0 ]; do
+    variable=${variables[$1]:-}
+    if [ -z "$variable" ]; then
+      sed -n '2,/^set /s/^# \{0,1\}//p' "tools/$(basename "$0")" >&2
+      exit 2
+    fi
+    case ${!variable} in
+      true | false) printf -v "$variable" true ;;
+      *)
+        [ $# -gt 1 ] || give_up "$1 needs a value"
+        printf -v "$variable" %s "$2"
+        shift
+        ;;
+    esac
+    shift
+  done
+}
 
 # need_root: ends the script, with the reason, if no root can be made here.
 need_root() {

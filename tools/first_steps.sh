@@ -14,20 +14,10 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-suite=bookworm
-mirror=http://deb.debian.org/debian
-keep=false
-while [ $# -gt 0 ]; do
-  case $1 in
-    --suite) suite=$2; shift ;;
-    --mirror) mirror=$2; shift ;;
-    --keep) keep=true ;;
-    *) sed -n '2,/^set /s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
-  esac
-  shift
-done
-
 . tools/clean_root.sh
+
+suite=bookworm
+read_flags --suite=suite -- "$@"
 
 need_root
 begin_roots
@@ -35,5 +25,5 @@ root=$roots/$suite
 make_root "$root"
 # By way of a bundle, because git does not clone a checkout of another user.
 git -c safe.directory="$PWD" bundle create -q "$root/openr-host.bundle" HEAD
-cp tests/packages/readme_in_root.sh "$root"
+cp tests/packages/check.sh tests/packages/readme_in_root.sh "$root"
 in_root "$root" /readme_in_root.sh

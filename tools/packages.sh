@@ -18,25 +18,12 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-build=build/release
-this_suite=$(. /etc/os-release && echo "${VERSION_CODENAME:-bookworm}")
-suite=$this_suite
-mirror=http://deb.debian.org/debian
-only_make=false
-keep=false
-while [ $# -gt 0 ]; do
-  case $1 in
-    --build) build=$2; shift ;;
-    --suite) suite=$2; shift ;;
-    --mirror) mirror=$2; shift ;;
-    --only-make) only_make=true ;;
-    --keep) keep=true ;;
-    *) sed -n '2,/^set /s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
-  esac
-  shift
-done
-
 . tools/clean_root.sh
+
+this_suite=$suite
+build=build/release
+only_make=false
+read_flags --build=build --only-make=only_make --suite=suite -- "$@"
 
 # as_owner COMMAND...: as the owner of the build folder, who could not remove files of root.
 as_owner() {

@@ -13,21 +13,10 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-packages=build/release/packages
-suite=$(. /etc/os-release && echo "${VERSION_CODENAME:-bookworm}")
-mirror=http://deb.debian.org/debian
-keep=false
-while [ $# -gt 0 ]; do
-  case $1 in
-    --packages) packages=$2; shift ;;
-    --mirror) mirror=$2; shift ;;
-    --keep) keep=true ;;
-    *) sed -n '2,/^set /s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
-  esac
-  shift
-done
-
 . tools/clean_root.sh
+
+packages=build/release/packages
+read_flags --packages=packages -- "$@"
 
 need_root
 command -v systemd-nspawn >/dev/null || give_up "systemd-nspawn is missing; apt-get install systemd-container"

@@ -6,8 +6,7 @@
 set -uo pipefail
 set -m  # each command in the background has a process group, as in a terminal, so Ctrl-C reaches it
 
-passed=0
-failed=0
+. "$(dirname "$0")/check.sh"
 log=$(mktemp)
 run_log=$(mktemp)
 trap 'rm -f "$log" "$run_log"' EXIT
@@ -18,18 +17,6 @@ commands() {
     /^## / { exit }
     /^    [^ ]/ { if (!inside) block++; inside = 1; if (block == wanted) print substr($0, 5); next }
     { inside = 0 }' README.md | sed 's/ *#.*//'
-}
-
-# result STATUS WHAT BEGIN LOG: counts a step that began at second BEGIN.
-result() {
-  if [ "$1" -eq 0 ]; then
-    passed=$((passed + 1))
-    echo "ok   $2, $((SECONDS - $3)) s"
-  else
-    failed=$((failed + 1))
-    echo "FAIL $2, $((SECONDS - $3)) s"
-    tail -n 40 "$4"
-  fi
 }
 
 # step COMMAND: one pass or failure by its exit status.
