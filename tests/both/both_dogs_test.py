@@ -216,7 +216,8 @@ def plays_on_both(dogs):
     before = limits_of(dogs.first)
     answer = dogs.page.rc("play", dogs.link.address, name="WALK.MTN", loops=4)
     need(answer.get("loops") == 4, f"the robot does not play: {answer}")
-    event = dogs.page.wait_for("pair", lambda e: e["motion"] == "WALK.MTN" and e["key_frames"] > 20,
+    # Few key frames are enough: a server that waits for a processor follows only some of them.
+    event = dogs.page.wait_for("pair", lambda e: e["motion"] == "WALK.MTN" and e["key_frames"] > 5,
                                "no key frames come")
     need(event["refusal"]["simulation"] == "", f"the simulation refuses: {event}")
     need(dogs.first.rc("sensors")[0]["state"] == "accepting-commands", "the simulation plays itself")
