@@ -75,7 +75,7 @@ class Receiver : public CodeObject {
   OObserver* in;
 };
 
-SystemOptions WithoutCreep() {
+SystemOptions WithoutCrowdingDelay() {
   SystemOptions options;
   options.free_deliveries = INT64_MAX;  // no limit, because virtual time stands still in this game
   return options;
@@ -95,7 +95,7 @@ void RunRing(int64_t count) {
 }
 
 struct PingPong::Game {
-  System system{WithoutCreep()};
+  System system{WithoutCrowdingDelay()};
 };
 
 PingPong::PingPong(int pairs, size_t bytes, bool traced) : game_(std::make_unique<Game>()) {

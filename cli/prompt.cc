@@ -13,7 +13,7 @@
 #include <stdexcept>
 
 #include "cli/standard_streams.h"
-#include "runtime/base/late_library.h"
+#include "runtime/base/lazy_library.h"
 
 namespace openr_host {
 namespace {
@@ -33,7 +33,7 @@ struct LibeditFunctions {
 
 std::optional<LibeditFunctions> LoadLibedit() {
   try {
-    const LateLibrary library("libedit.so.2", "libedit, by which lines are edited,", "libedit2");
+    const LazyLibrary library("libedit.so.2", "libedit, by which lines are edited,", "libedit2");
     LibeditFunctions functions;
 #define OPENR_LIBEDIT_FIND(name) library.Find(&functions.name, #name);
     OPENR_LIBEDIT_FUNCTIONS(OPENR_LIBEDIT_FIND)

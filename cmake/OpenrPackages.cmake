@@ -24,7 +24,7 @@ set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
 
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME ${OPENR_PACKAGE_runtime})
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
-# The program loads these libraries when it first needs them (runtime/base/late_library.h), which
+# The program loads these libraries when it first needs them (runtime/base/lazy_library.h), which
 # dpkg-shlibdeps does not see.
 set(late_packages)
 foreach(library ddsc edit sndfile)

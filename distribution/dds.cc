@@ -1,6 +1,6 @@
 #include "distribution/dds.h"
 
-#include "runtime/base/late_library.h"
+#include "runtime/base/lazy_library.h"
 
 namespace openr_host {
 namespace {
@@ -8,7 +8,7 @@ namespace {
 DdsFunctions Load() {
   // Makes the symbols of the library global (the argument `true`), because the security plugins of
   // Cyclone DDS may need them.
-  const LateLibrary library(OPENR_DDS_LIBRARY, "Cyclone DDS, by which processes exchange data,",
+  const LazyLibrary library(OPENR_DDS_LIBRARY, "Cyclone DDS, by which processes exchange data,",
                             "libddsc0debian", true);
   DdsFunctions functions;
 #define OPENR_DDS_FIND(name) library.Find(&functions.name, #name);

@@ -14,7 +14,7 @@
 #include "distribution/worker_calls.h"
 #include "runtime/base/wall_clock.h"
 #include "runtime/core/connection_state.h"
-#include "runtime/core/indivisible.h"
+#include "runtime/core/deferred_end.h"
 #include "runtime/ipstack/ant_message.h"
 #include "runtime/ipstack/ip_stack.h"
 
@@ -173,7 +173,7 @@ std::string Worker::SetUp(const openr_wire_Welcome& welcome) {
     // Puts off the signal by which the watchdog ends this process when a handler runs too long.
     // The signal must not end the process during a call of Cyclone DDS, because such a call may
     // hold locks that ReportCrash() needs.
-    const Indivisible indivisible;
+    const DeferredEnd deferred_end;
     WireArena arena;
     openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_CONSOLE);
     to_master.body._u.console_text = arena.Text(text);

@@ -60,7 +60,7 @@ class Worker : public MasterLink {
   bool is_refused() const { return is_refused_; }
 
   // Tells the master that the present handler ends this process, for instance by a crash.  Called
-  // by a signal handler in the middle of the object's code.  A signal that comes in an Indivisible
+  // by a signal handler in the middle of the object's code.  A signal that comes in a DeferredEnd
   // section is put off until the end of the section, because the section may hold locks of Cyclone
   // DDS.
   void ReportCrash(std::string_view text);

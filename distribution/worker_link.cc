@@ -13,7 +13,7 @@
 #include "distribution/worker.h"
 #include "distribution/worker_call_list.h"
 #include "runtime/base/assert.h"
-#include "runtime/core/indivisible.h"
+#include "runtime/core/deferred_end.h"
 
 namespace openr_host {
 namespace {
@@ -100,7 +100,7 @@ bool Worker::MayBeRefused(const Message& message) {
 }
 
 int32_t Worker::Post(OwnedMessage message, int64_t delay_us) {
-  const Indivisible indivisible;
+  const DeferredEnd deferred_end;
   if (is_shutting_down_) return sFAIL;
   const bool may_be_refused = MayBeRefused(*message);
   const openr_wire_PostedMessage posted = Encode(*message, delay_us);
@@ -145,7 +145,7 @@ bool Worker::CancelPendingPin(uint64_t region) {
 }
 
 void Worker::Tell(uint32_t function, const CallArguments& arguments) {
-  const Indivisible indivisible;
+  const DeferredEnd deferred_end;
   ASSERT(arguments.bytes.empty(), "a call without an answer has no bytes on the wire");
   if (is_shutting_down_) return;
   ASSERT(function != kUnpinRegion || !arguments.numbers.empty());
@@ -157,7 +157,7 @@ void Worker::Tell(uint32_t function, const CallArguments& arguments) {
 }
 
 CallResult Worker::Ask(uint32_t function, const CallArguments& arguments) {
-  const Indivisible indivisible;
+  const DeferredEnd deferred_end;
   if (is_shutting_down_) return {};
   openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_QUESTION);
   // Sends the effects that the handler has had so far (messages and notes) together with the

@@ -10,7 +10,7 @@
 #include "openr/ending/ending.h"
 #include "openr/ending/signal_text.h"
 #include "runtime/core/current.h"
-#include "runtime/core/indivisible.h"
+#include "runtime/core/deferred_end.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {
@@ -56,7 +56,7 @@ void OnTickSignal(int) {
       object == nullptr || object->handler.running == nullptr ? 0 : object->handler.running->number;
   g_seen = message != 0 && message == g_message ? g_seen + 1 : 0;
   g_message = message;
-  if (g_seen >= kTicks && !Indivisible::PutOff(&EndTheHandler)) EndTheHandler();
+  if (g_seen >= kTicks && !DeferredEnd::Defer(&EndTheHandler)) EndTheHandler();
 }
 
 }  // namespace

@@ -268,11 +268,11 @@ void Dispatcher::ReportException(const Object& object, const std::string& what) 
 }
 
 // Called when SystemOptions::free_deliveries messages or more were delivered at this instant of
-// virtual time.  Adds a finding that each further message takes 1 us, and sets System::creep_us(),
-// so that it does.
+// virtual time.  Adds a finding that each further message takes 1 us, and sets
+// System::crowding_delay_us(), so that it does.
 void Dispatcher::NoteManyDeliveries(const Object* object) {
   if (delivered_ > many_at_) {
-    system_->creep_us_ = 1;
+    system_->crowding_delay_us_ = 1;
     return;
   }
   system_->AddFindingAbout(object, Severity::kWarning,
@@ -307,11 +307,11 @@ void Dispatcher::Loop() {
 
 void Dispatcher::AdvanceTo(int64_t time_us) {
   // Does not reset the count of messages at one instant after a step of 1 us.  Such a step may come
-  // from System::creep_us_, which delays the messages of objects that answer each other without
-  // waiting.  After a reset these objects would count as normal ones again.
+  // from System::crowding_delay_us_, which delays the messages of objects that answer each other
+  // without waiting.  After a reset these objects would count as normal ones again.
   if (time_us > system_->now_us_ + 1) {
     many_at_ = delivered_ + free_deliveries_;
-    system_->creep_us_ = 0;
+    system_->crowding_delay_us_ = 0;
   }
   system_->queue_.Advance(time_us);
   system_->now_us_ = time_us;

@@ -255,7 +255,7 @@ class System {
   }
   // Returns the time to add to the due time of a message that is posted now: 1 us if more messages
   // were delivered at this instant than SystemOptions::free_deliveries, otherwise 0.
-  int64_t creep_us() const { return creep_us_; }
+  int64_t crowding_delay_us() const { return crowding_delay_us_; }
   // Reports `message` if an image posts it and it holds an address of this process.
   void CheckHostAddresses(const Message& message) {
     const Object* const sender = t_current.object;
@@ -385,7 +385,7 @@ class System {
   // Gives `message`, which is posted now, its number and its due time.
   void Number(Message* message, int64_t delay_us) {
     message->number = ++last_number_;
-    message->due_us = now_us_ + delay_us + creep_us_;
+    message->due_us = now_us_ + delay_us + crowding_delay_us_;
   }
   // Counts a message that `target` will receive.
   static void CountWaiting(Object* target) {
@@ -405,7 +405,7 @@ class System {
   bool are_posts_free_ = false;
   const std::unique_ptr<SystemCalls> calls_;
   int64_t now_us_ = 0;
-  int64_t creep_us_ = 0;
+  int64_t crowding_delay_us_ = 0;
   uint64_t last_number_ = 0;
   bool booted_ = false;
   bool powered_off_ = false;

@@ -78,7 +78,7 @@ void GatewayConnection::Open() {
     Listen();
   } else {
     Connect();
-    if (!had_answer_) gateway_->LookLater(index_, kHintUs);
+    if (!had_answer_) gateway_->CheckForAnswerLater(index_, kHintUs);
   }
 }
 

@@ -82,7 +82,7 @@ OStatus ProxyServices::TakeGains(ControlRequest request, OPrimitiveID id, word g
   return status;
 }
 
-OStatus ProxyServices::NotCarried(const char* function) {
+OStatus ProxyServices::RefuseCall(const char* function) {
   system_->AddFinding(Severity::kWarning,
                       fmt::format("OPENR::{}() is not carried to the robot: Sony's runtime for PCs "
                                   "has no such call (docs/network.md)",
@@ -118,7 +118,7 @@ OStatus ProxyServices::ClosePrimitive(OPrimitiveID id) {
 
 OStatus ProxyServices::ControlPrimitive(OPrimitiveID, OPrimitiveRequest, void*, size_t, void*,
                                         size_t) {
-  return NotCarried("ControlPrimitive");
+  return RefuseCall("ControlPrimitive");
 }
 
 OStatus ProxyServices::EnableJointGain(OPrimitiveID id) {
@@ -171,7 +171,7 @@ OStatus ProxyServices::DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKe
   return local_->DivideSyncKey(key, key1, key2);
 }
 
-OStatus ProxyServices::SetCdtVectorData(MemoryRegionID) { return NotCarried("SetCdtVectorData"); }
+OStatus ProxyServices::SetCdtVectorData(MemoryRegionID) { return RefuseCall("SetCdtVectorData"); }
 
 OStatus ProxyServices::SetMotorPower(OPower power) {
   std::string reply;

@@ -101,7 +101,9 @@ void TcpGateway::PostToStack(antEnvMsg* message, int size) {
 }
 
 void TcpGateway::OpenLater(int channel, int64_t delay_us) { PostLater(open_, channel, delay_us); }
-void TcpGateway::LookLater(int channel, int64_t delay_us) { PostLater(look_, channel, delay_us); }
+void TcpGateway::CheckForAnswerLater(int channel, int64_t delay_us) {
+  PostLater(look_, channel, delay_us);
+}
 
 void TcpGateway::PostLater(Selector entry, int channel, int64_t delay_us) {
   OwnedMessage message = system().NewMessage(host().id, entry);

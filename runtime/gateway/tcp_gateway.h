@@ -58,7 +58,7 @@ class TcpGateway : public CodeObject {
   void OpenLater(int channel, int64_t delay_us);
   // Posts a message that calls GatewayConnection::LookForAnswer() of the service `channel` after
   // `delay_us`, so that the user is warned if the peer does not answer.
-  void LookLater(int channel, int64_t delay_us);
+  void CheckForAnswerLater(int channel, int64_t delay_us);
   // Posts a message that calls ProxyClient::Expire() after `delay_us`, so that a call to which the
   // robot gives no answer fails.
   void ExpireLater(int64_t delay_us);

@@ -228,7 +228,7 @@ void UdpEndpoint::FinishSend() {
 // Drops the waiting datagrams in front of the first datagram of the connected peer, because after
 // Connect only the peer's datagrams are delivered.  Without a connected peer, drops no datagrams.
 // Returns whether a datagram is left.
-bool UdpEndpoint::DropStrangers() {
+bool UdpEndpoint::DropFromOtherSenders() {
   while (peer_.ip != 0 && !waiting_.empty() && waiting_.front().remote != peer_) {
     waiting_.pop_front();
   }
@@ -239,7 +239,7 @@ void UdpEndpoint::FinishReceive() {
   auto& message = receive_->As<UDPEndpointReceiveMsg>();
   const int room = message.size;
   if (error_ != UDP_SUCCESS) return Finish(&receive_, error_);
-  if (!DropStrangers()) {
+  if (!DropFromOtherSenders()) {
     if (!asked_) stack_->network().ReceiveFrom(socket_, kReadAhead);
     asked_ = true;
     return;

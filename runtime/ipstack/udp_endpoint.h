@@ -45,7 +45,7 @@ class UdpEndpoint : public Endpoint {
   void NoteSecondSend(const Operation& operation);
   void Refuse(Operation operation, UDPEndpointError error);
   void FinishSend();
-  bool DropStrangers();
+  bool DropFromOtherSenders();
   void FinishReceive();
   void Finish(std::optional<Operation>* operation, UDPEndpointError error,
               const void* data = nullptr, size_t size = 0);

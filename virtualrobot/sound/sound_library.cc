@@ -1,12 +1,12 @@
 #include "virtualrobot/sound/sound_library.h"
 
-#include "runtime/base/late_library.h"
+#include "runtime/base/lazy_library.h"
 
 namespace openr_host {
 namespace {
 
 SndfileFunctions LoadSndfile() {
-  const LateLibrary library(
+  const LazyLibrary library(
       "libsndfile.so.1", "libsndfile, by which sound files are read and written,", "libsndfile1");
   SndfileFunctions functions;
 #define OPENR_SNDFILE_FIND(name) library.Find(&functions.name, #name);

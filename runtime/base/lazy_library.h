@@ -1,4 +1,4 @@
-// LateLibrary: a shared library that is loaded when the program first needs it, and not with the
+// LazyLibrary: a shared library that is loaded when the program first needs it, and not with the
 // program.  Loading libraries takes a good part of a program's start, and most runs need only few
 // of them (docs/performance.md, "The start of a run").
 #pragma once
@@ -7,13 +7,13 @@
 
 namespace openr_host {
 
-class LateLibrary {
+class LazyLibrary {
  public:
   // Loads the library `file`, which stays loaded.  An error names `what`, such as "Cyclone DDS, by
   // which processes exchange data", and the Debian package `package`.  With `is_global`, libraries
   // that are loaded later find its symbols.  Throws std::runtime_error if the library cannot be
   // loaded.
-  LateLibrary(const char* file, const char* what, const char* package, bool is_global = false);
+  LazyLibrary(const char* file, const char* what, const char* package, bool is_global = false);
 
   // Sets `*function` to the function `name`.  Throws std::runtime_error if the library has no such
   // function.

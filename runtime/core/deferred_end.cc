@@ -1,4 +1,4 @@
-#include "runtime/core/indivisible.h"
+#include "runtime/core/deferred_end.h"
 
 #include <signal.h>
 
@@ -12,10 +12,10 @@ void (*volatile g_end)() = nullptr;
 
 }  // namespace
 
-Indivisible::Indivisible() { g_depth = g_depth + 1; }
+DeferredEnd::DeferredEnd() { g_depth = g_depth + 1; }
 
-Indivisible::~Indivisible() {
-  ASSERT(g_depth > 0, "more destructors of Indivisible than constructors");
+DeferredEnd::~DeferredEnd() {
+  ASSERT(g_depth > 0, "more destructors of DeferredEnd than constructors");
   g_depth = g_depth - 1;
   if (g_depth != 0 || g_end == nullptr) return;
   void (*const end)() = g_end;
@@ -23,7 +23,7 @@ Indivisible::~Indivisible() {
   end();
 }
 
-bool Indivisible::PutOff(void (*end)()) {
+bool DeferredEnd::Defer(void (*end)()) {
   if (g_depth == 0) return false;
   g_end = end;
   return true;

@@ -1,4 +1,4 @@
-#include "runtime/base/late_library.h"
+#include "runtime/base/lazy_library.h"
 
 #include <dlfcn.h>
 #include <fmt/format.h>
@@ -7,14 +7,14 @@
 
 namespace openr_host {
 
-LateLibrary::LateLibrary(const char* file, const char* what, const char* package, bool is_global)
+LazyLibrary::LazyLibrary(const char* file, const char* what, const char* package, bool is_global)
     : file_(file), handle_(dlopen(file, RTLD_NOW | (is_global ? RTLD_GLOBAL : RTLD_LOCAL))) {
   if (handle_ != nullptr) return;
   throw std::runtime_error(fmt::format("{} cannot be loaded: {}; install it (Debian package {})",
                                        what, dlerror(), package));
 }
 
-void* LateLibrary::Address(const char* name) const {
+void* LazyLibrary::Address(const char* name) const {
   void* const address = dlsym(handle_, name);
   if (address != nullptr) return address;
   throw std::runtime_error(fmt::format(

@@ -1,5 +1,5 @@
-// LateLibrary: a library that is loaded when it is first needed, and errors that say what to do.
-#include "runtime/base/late_library.h"
+// LazyLibrary: a library that is loaded when it is first needed, and errors that say what to do.
+#include "runtime/base/lazy_library.h"
 
 #include <gtest/gtest.h>
 
@@ -13,25 +13,25 @@ namespace {
 std::string ResultOf(const char* file, const char* function) {
   try {
     double (*found)(double) = nullptr;
-    LateLibrary(file, "libodd, by which numbers are odd,", "libodd1").Find(&found, function);
+    LazyLibrary(file, "libodd, by which numbers are odd,", "libodd1").Find(&found, function);
     return std::to_string(found(2));
   } catch (const std::runtime_error& e) {
     return e.what();
   }
 }
 
-TEST(LateLibraryTest, AFunctionCanBeCalled) {
+TEST(LazyLibraryTest, AFunctionCanBeCalled) {
   EXPECT_EQ(ResultOf("libm.so.6", "sqrt"), "1.414214");
 }
 
-TEST(LateLibraryTest, AMissingLibraryIsNamedWithItsPackage) {
+TEST(LazyLibraryTest, AMissingLibraryIsNamedWithItsPackage) {
   const std::string error = ResultOf("libodd.so.1", "sqrt");
   EXPECT_EQ(error.find("libodd, by which numbers are odd, cannot be loaded: libodd.so.1: "), 0u)
       << error;
   EXPECT_NE(error.find("; install it (Debian package libodd1)"), std::string::npos) << error;
 }
 
-TEST(LateLibraryTest, AMissingFunctionIsNamed) {
+TEST(LazyLibraryTest, AMissingFunctionIsNamed) {
   EXPECT_EQ(
       ResultOf("libm.so.6", "square_of_circle"),
       "libm.so.6 is another version than the one with which this program was built: it has no "

@@ -1,0 +1,27 @@
+// DeferredEnd: marks a section of code.  A signal handler must not end the process while this
+// thread is in such a section.
+//
+// The code in the section holds a lock that ending the process needs too.  If a signal handler
+// ended the process in the middle of the section, the handler would wait for this lock for ever.
+#pragma once
+
+namespace openr_host {
+
+// While a DeferredEnd exists, a signal handler that wants to end the process does not do so at
+// once.  The destructor of the outermost DeferredEnd then ends the process.  Used only in the
+// thread that runs handlers.
+class DeferredEnd {
+ public:
+  DeferredEnd();
+  ~DeferredEnd();  // does not return if the destructor ends the process
+  DeferredEnd(const DeferredEnd&) = delete;
+  DeferredEnd& operator=(const DeferredEnd&) = delete;
+
+  // Called in a signal handler that wants to end the process by calling `end`.  If the signal has
+  // interrupted a section of code that is marked by a DeferredEnd, returns true, and the
+  // destructor of this DeferredEnd will call `end`.  Otherwise returns false, and the signal
+  // handler may end the process itself.  Only for signals of the thread that runs handlers.
+  static bool Defer(void (*end)());
+};
+
+}  // namespace openr_host
