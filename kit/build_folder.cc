@@ -22,9 +22,9 @@
 #include "cli/install_paths.h"
 #include "kit/build_progress.h"
 #include "kit/compile_database.h"
+#include "kit/complete_stick.h"
 #include "kit/convention_build.h"
 #include "kit/foreign_code.h"
-#include "kit/harvest.h"
 #include "kit/kit_log.h"
 #include "kit/make_build.h"
 #include "kit/project.h"
@@ -296,9 +296,9 @@ bool FolderBuild::SomeImageIsMissing() const {
     has_list = true;
     // Completes the stick only to find out whether images are missing, and so removes the images
     // again that CompleteStick() has put on the stick.
-    const Harvest harvest = CompleteStick(stick, project_, log, sdk_root_, {});
-    for (const fs::path& file : harvest.placed) fs::remove(file);
-    if (!harvest.problems.empty()) return true;
+    const CompletedStick completed = CompleteStick(stick, project_, log, sdk_root_, {});
+    for (const fs::path& file : completed.placed) fs::remove(file);
+    if (!completed.problems.empty()) return true;
   }
   return !has_list && !is_made_;
 }
@@ -326,9 +326,10 @@ void FolderBuild::Deliver() {
   std::set<std::string> used;
   size_t good = 0;
   for (const StickFolder& stick : after.sticks) {
-    const Harvest harvest = CompleteStick(stick, after, log, sdk_root_, OriginalName(stick.root));
-    for (const fs::path& file : harvest.placed) placed += file.string() + "\n";
-    used.insert(harvest.used.begin(), harvest.used.end());
+    const CompletedStick completed =
+        CompleteStick(stick, after, log, sdk_root_, OriginalName(stick.root));
+    for (const fs::path& file : completed.placed) placed += file.string() + "\n";
+    used.insert(completed.used.begin(), completed.used.end());
     const fs::path name = stick.root.lexically_relative(after.root);
     fs::path target = OriginalName(stick.root);
     if (!options_.output.empty()) {
@@ -338,18 +339,18 @@ void FolderBuild::Deliver() {
     const auto failed =
         DeliverStick(stick, target, *copy_, work_ / "robot" / name, !options_.output.empty());
     problems_.insert(problems_.end(), failed.begin(), failed.end());
-    const bool has_own = std::any_of(harvest.images.begin(), harvest.images.end(),
-                                     [](const HarvestedImage& i) { return !i.object.empty(); });
+    const bool has_own = std::any_of(completed.images.begin(), completed.images.end(),
+                                     [](const PlacedImage& i) { return !i.object.empty(); });
     if (after.sticks.size() > 1 && !has_own) {
       notes_.push_back(fmt::format("{}: nothing built here is on this stick", target.string()));
       continue;
     }
     good += has_own;
     sticks_.push_back(target.lexically_normal());
-    for (const HarvestedImage& image : harvest.images)
+    for (const PlacedImage& image : completed.images)
       fmt::print("{:12} {:24} {}\n", image.name, image.object, image.from);
-    notes_.insert(notes_.end(), harvest.notes.begin(), harvest.notes.end());
-    missing_.insert(missing_.end(), harvest.problems.begin(), harvest.problems.end());
+    notes_.insert(notes_.end(), completed.notes.begin(), completed.notes.end());
+    missing_.insert(missing_.end(), completed.problems.begin(), completed.problems.end());
   }
   for (const KitLog::Image& image : log.images) {
     if (!used.contains(image.file))

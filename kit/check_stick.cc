@@ -270,7 +270,7 @@ void StickCheck::CheckWlan() {
   if (!file.empty()) {
     const WlanResult settings = ParseWlanConfig(file, ReadText(file).value_or(""));
     remarks_->AddAll(settings.diagnostics);
-    remarks_->AddAll(CheckWlanSense(file, settings));
+    remarks_->AddAll(CheckWlanSettings(file, settings));
   }
   std::vector<fs::path> files = FilesBelow(FindEntry(stick_.root, "OPEN-R"));
   const fs::path at_root = FindEntry(stick_.root, kWlanFile);

@@ -176,12 +176,13 @@ class ConventionBuild {
     // other shared sources, hides a failure of this attempt, because the second attempt links these
     // sources, too, and may succeed.
     const bool has_more = included.size() < shared_.size();
-    if (Make(has_more ? MakeOptions::Says::kIfGood : MakeOptions::Says::kAlways) || !has_more)
+    if (Make(has_more ? MakeOptions::PrintOutput::kIfGood : MakeOptions::PrintOutput::kAlways) ||
+        !has_more)
       return "";
     if (LinksOnly()) {
       LinkWithAll(included);
     } else {
-      Make(MakeOptions::Says::kAlways);
+      Make(MakeOptions::PrintOutput::kAlways);
     }
     return "";
   }
@@ -189,9 +190,9 @@ class ConventionBuild {
   KitLog log() const { return ReadKitLog(options_.log); }
 
  private:
-  bool Make(MakeOptions::Says says) {
+  bool Make(MakeOptions::PrintOutput print_output) {
     CleanKitLog(options_.log);
-    options_.says = says;
+    options_.print_output = print_output;
     return RunMakeIn(build_, {}, options_).is_good;
   }
 
@@ -214,12 +215,12 @@ class ConventionBuild {
     for (const fs::path& source : rest) {
       WriteMakefile(included, {source});
       MakeOptions quiet = options_;
-      quiet.says = MakeOptions::Says::kNever;
+      quiet.print_output = MakeOptions::PrintOutput::kNever;
       const std::string object = build_.string() + "/" + source.string() + ".o";
       if (RunMakeIn(build_, {object}, quiet).is_good) compiling.push_back(source);
     }
     WriteMakefile(included, compiling);
-    Make(MakeOptions::Says::kAlways);
+    Make(MakeOptions::PrintOutput::kAlways);
   }
 
   // Returns the flags for the compiler.  Header folders from the object's Makefile come first,

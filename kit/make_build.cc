@@ -273,9 +273,9 @@ std::optional<uint64_t> CountPlannedCompiles(const MakePlan& plan, const MakeOpt
 
 MakeOutcome RunMakeIn(const fs::path& folder, const std::vector<std::string>& arguments,
                       const MakeOptions& options) {
-  if (options.says != MakeOptions::Says::kAlways) {
+  if (options.print_output != MakeOptions::PrintOutput::kAlways) {
     const ProcessResult result = Make(folder, arguments, options.jobs, false, options);
-    if (result.good() && options.says == MakeOptions::Says::kIfGood)
+    if (result.good() && options.print_output == MakeOptions::PrintOutput::kIfGood)
       std::fputs(result.output.c_str(), stderr);
     return {result.good(), result.output};
   }
@@ -315,7 +315,7 @@ MakeOutcome RunMakeTargets(const fs::path& folder, const MakePlan& plan,
   // failures.  This target often repeats the steps of the first target, so their messages were
   // already shown.
   if (!outcome.is_good || failures > 0) {
-    install.says = MakeOptions::Says::kIfGood;
+    install.print_output = MakeOptions::PrintOutput::kIfGood;
     install.jobs = 1;
   }
   const MakeOutcome installed = RunMakeIn(folder, arguments, install);

@@ -23,8 +23,8 @@ struct MakeOptions {
   // A function that is called again and again while make runs; null: none.  Its argument is the
   // path of the log in which this make records its compilations.
   std::function<void(const std::string& log)> while_waiting;
-  // Says when the output of make is printed: always, only if make succeeds, or never.
-  enum class Says { kAlways, kIfGood, kNever } says = Says::kAlways;
+  // Tells when the output of make is printed: always, only if make succeeds, or never.
+  enum class PrintOutput { kAlways, kIfGood, kNever } print_output = PrintOutput::kAlways;
 };
 
 // The folders and variables with which make is called for a project.  PlanMake() makes the plan and

@@ -54,7 +54,7 @@ Words FlagsOfMakefiles(const fs::path& folder, const KitLog& log,
   Words arguments{std::string("--eval=") + kShowVariables, "openr-kit-flags"};
   for (const auto& [name, value] : variables) arguments.push_back(name + "=" + value);
   MakeOptions quiet = options;
-  quiet.says = MakeOptions::Says::kNever;
+  quiet.print_output = MakeOptions::PrintOutput::kNever;
   std::istringstream lines(RunMakeIn(folder, arguments, quiet).output);
   for (std::string line; std::getline(lines, line);)
     AddFlags(CarriedFlags(SplitShellWords(line), folder), &flags);

@@ -16,13 +16,13 @@ namespace {
 using Edits = std::vector<Edit>;
 
 // An error message of the compiler, with the text of the file that the message is about.
-struct Spot {
+struct ErrorPlace {
   const Complaint& complaint;
   const std::string& text;
   const std::string code;  // text without comments and strings
   const size_t at;         // position in the text that the message names
 
-  bool Says(const char* words) const { return complaint.message.find(words) != kNone; }
+  bool MessageHas(const char* words) const { return complaint.message.find(words) != kNone; }
 
   // Returns the text in the n-th pair of single quotes of the message, counted from 1.
   std::string Quoted(int n = 1) const {
@@ -46,14 +46,14 @@ std::string BlankedOut(const std::string& text, size_t begin, size_t end) {
 }
 
 // Adds "typename" before a type that depends on a template parameter: std::vector<T>::iterator it;
-Edits Typename(const Spot& place) {
-  if (!place.Says("need 'typename' before")) return {};
+Edits Typename(const ErrorPlace& place) {
+  if (!place.MessageHas("need 'typename' before")) return {};
   return {{place.at, place.at, "typename ", "'typename' put before " + place.Quoted(2)}};
 }
 
 // Removes the second of two equal parameter names in a declaration: void Turn(int left, int left);
-Edits RepeatedParameter(const Spot& place) {
-  if (!place.Says("redefinition of '")) return {};
+Edits RepeatedParameter(const ErrorPlace& place) {
+  if (!place.MessageHas("redefinition of '")) return {};
   const std::string_view word = WordAt(place.code, place.at);
   int depth = 0;
   size_t open = place.at;
@@ -75,8 +75,8 @@ Edits RepeatedParameter(const Spot& place) {
 
 // Removes the user's definition of a type that the SDK defines too: typedef unsigned long uint32;
 // The SDK's type has 32 bits, as on the robot, and `long` has 64 bits on the host.
-Edits OwnTypedef(const Spot& place) {
-  if (!place.Says("conflicting declaration 'typedef")) return {};
+Edits OwnTypedef(const ErrorPlace& place) {
+  if (!place.MessageHas("conflicting declaration 'typedef")) return {};
   const size_t begin = place.code.rfind("typedef", place.at);
   const size_t end = place.code.find(';', place.at);
   if (begin == kNone || end == kNone) return {};
@@ -88,8 +88,8 @@ Edits OwnTypedef(const Spot& place) {
 
 // Adds an empty statement after a label at the end of a block, where today's g++ requires a
 // statement: switch (x) { case 1: return; default: }
-Edits LabelAtEnd(const Spot& place) {
-  if (!place.Says("expected primary-expression before '}'")) return {};
+Edits LabelAtEnd(const ErrorPlace& place) {
+  if (!place.MessageHas("expected primary-expression before '}'")) return {};
   const size_t before = PreviousOf(place.code, place.at);
   if (before == kNone || place.code[before] != ':') return {};
   return {{before + 1, before + 1, ";", "';' put behind a label at the end of a block"}};
@@ -99,12 +99,13 @@ Edits LabelAtEnd(const Spot& place) {
 // __FUNCTION__ was a string literal, which the compiler joins with the string.  Today only __FILE__
 // is a literal.  The printed text then names the file and not the function, which is good enough,
 // because only people read the text.
-Edits FunctionName(const Spot& place) {
+Edits FunctionName(const ErrorPlace& place) {
   size_t begin = NextOf(place.code, place.at);  // the message names the place before __FUNCTION__
-  if (place.Says("before string constant")) {
+  if (place.MessageHas("before string constant")) {
     begin = PreviousOf(place.code, place.at);
     while (begin != kNone && begin > 0 && IsWordCharacter(place.code[begin - 1])) --begin;
-  } else if (!place.Says("before '__FUNCTION__'") && !place.Says("before '__PRETTY_FUNCTION__'")) {
+  } else if (!place.MessageHas("before '__FUNCTION__'") &&
+             !place.MessageHas("before '__PRETTY_FUNCTION__'")) {
     return {};
   }
   if (begin == kNone) return {};
@@ -116,8 +117,8 @@ Edits FunctionName(const Spot& place) {
 
 // Replaces the old operators for minimum and maximum, such as a <? b and a >?= b, by operators that
 // compat/openr_prelude.h defines.
-Edits MinimumOperator(const Spot& place) {
-  if (!place.Says("expected primary-expression before '?'") || place.at == 0) return {};
+Edits MinimumOperator(const ErrorPlace& place) {
+  if (!place.MessageHas("expected primary-expression before '?'") || place.at == 0) return {};
   const char sign = place.code[place.at - 1];
   if (place.code[place.at] != '?' || (sign != '<' && sign != '>')) return {};
   const bool assigns = place.code.substr(place.at + 1, 1) == "=";
@@ -128,8 +129,8 @@ Edits MinimumOperator(const Spot& place) {
 }
 
 // Replaces 0 by (void*)0 in a comparison of a pointer with 0: if (file < 0)
-Edits PointerAndZero(const Spot& place) {
-  if (!place.Says("ordered comparison of pointer with integer zero")) return {};
+Edits PointerAndZero(const ErrorPlace& place) {
+  if (!place.MessageHas("ordered comparison of pointer with integer zero")) return {};
   const size_t after =
       NextOf(place.code, place.at + (place.code.substr(place.at + 1, 1) == "=" ? 2 : 1));
   const size_t before = PreviousOf(place.code, place.at);
@@ -143,8 +144,8 @@ Edits PointerAndZero(const Spot& place) {
 }
 
 // Adds "template<>" before the definition of a specialised template: int Table<3>::size = 3;
-Edits Specialisation(const Spot& place) {
-  if (!place.Says("requires 'template<>' syntax")) return {};
+Edits Specialisation(const ErrorPlace& place) {
+  if (!place.MessageHas("requires 'template<>' syntax")) return {};
   size_t begin = place.at;
   while (begin > 0 && std::string_view(";{}").find(place.code[begin - 1]) == std::string_view::npos)
     --begin;
@@ -157,8 +158,8 @@ Edits Specialisation(const Spot& place) {
 }
 
 // Removes "static" or "extern" before a specialised template, where today's g++ allows neither.
-Edits StaticSpecialisation(const Spot& place) {
-  if (!place.Says("explicit template specialization cannot have a storage class")) return {};
+Edits StaticSpecialisation(const ErrorPlace& place) {
+  if (!place.MessageHas("explicit template specialization cannot have a storage class")) return {};
   const std::string_view word = WordAt(place.code, place.at);
   if (word != "static" && word != "extern") return {};
   return {{place.at, place.at + word.size(), std::string(word.size(), ' '),
@@ -167,16 +168,16 @@ Edits StaticSpecialisation(const Spot& place) {
 
 // Removes the leading `::` of a name that was declared before: int ::f() {}  Today's g++ does not
 // accept `::` in the declaration of such a name.
-Edits KnownGlobalName(const Spot& place) {
-  if (!place.Says("explicit qualification in declaration")) return {};
+Edits KnownGlobalName(const ErrorPlace& place) {
+  if (!place.MessageHas("explicit qualification in declaration")) return {};
   if (place.code.compare(place.at, 2, "::") != 0) return {};
   return {{place.at, place.at + 2, "  ", "'::' left out before a name at global scope"}};
 }
 
 // Removes the leading `::` of a name that was not declared before: int ::f();  Today's g++ accepts
 // `::` only before a name that it knows.
-Edits GlobalName(const Spot& place) {
-  if (!place.Says("should have been declared inside '::'")) return {};
+Edits GlobalName(const ErrorPlace& place) {
+  if (!place.MessageHas("should have been declared inside '::'")) return {};
   size_t at = place.at;  // the message names the closing bracket or the name
   if (place.code[at] == ')') {
     int depth = 0;
@@ -234,8 +235,8 @@ std::string TypeIn(const std::string& declaration, const std::string& name) {
 // Moves the declaration of a variable out of its loop: for (int i = 0; ...) {} use(i);  With the
 // old compiler, the variable lived until the end of the block, and a later loop with the same
 // declaration used the same variable.  So the type is removed from later loops.
-Edits LoopVariable(const Spot& place) {
-  if (!place.Says("was not declared in this scope")) return {};
+Edits LoopVariable(const ErrorPlace& place) {
+  if (!place.MessageHas("was not declared in this scope")) return {};
   const std::string name = place.Quoted();
   const std::optional<Loop> loop =
       name.empty() ? std::nullopt : FindLoop(place.code, place.at, name);
@@ -290,8 +291,8 @@ bool IsInInheritingTemplate(const std::string& code, size_t at) {
 
 // Adds "this->" before a name that a template inherits from a base class that depends on the
 // template's parameter.  Today's g++ does not look for names in such a base.
-Edits InheritedName(const Spot& place) {
-  if (!place.Says("was not declared in this scope")) return {};
+Edits InheritedName(const ErrorPlace& place) {
+  if (!place.MessageHas("was not declared in this scope")) return {};
   if (WordAt(place.code, place.at) != place.Quoted()) return {};
   const size_t before = PreviousOf(place.code, place.at);
   if (before == kNone || std::string_view(".>:").find(place.code[before]) != std::string_view::npos)
@@ -303,7 +304,7 @@ Edits InheritedName(const Spot& place) {
 
 // Corrects the name of a header whose slashes or upper and lower case letters are wrong here,
 // because the name was written for another file system: #include "Sub\HEADER.H"
-Edits HeaderName(const Spot& place, const std::vector<std::string>& headers) {
+Edits HeaderName(const ErrorPlace& place, const std::vector<std::string>& headers) {
   const size_t end = place.complaint.message.find(": No such file or directory");
   if (end == kNone) return {};
   const std::string name = place.complaint.message.substr(0, end);
@@ -326,10 +327,10 @@ Edits HeaderName(const Spot& place, const std::vector<std::string>& headers) {
 std::vector<Edit> RepairOf(const Complaint& complaint, const std::string& text,
                            const std::vector<std::string>& headers) {
   if (IsAboutAssembly(complaint)) return AssemblyRepairOf(complaint, text);
-  const Spot place{complaint, text, WithoutComments(text),
-                   OffsetOf(text, complaint.line, complaint.column)};
+  const ErrorPlace place{complaint, text, WithoutComments(text),
+                         OffsetOf(text, complaint.line, complaint.column)};
   if (place.at == kNone) return {};
-  static Edits (*const kRules[])(const Spot&) = {
+  static Edits (*const kRules[])(const ErrorPlace&) = {
       &Typename,        &RepeatedParameter, &OwnTypedef,     &LabelAtEnd,           &FunctionName,
       &MinimumOperator, &PointerAndZero,    &Specialisation, &StaticSpecialisation, &GlobalName,
       &KnownGlobalName, &LoopVariable,      &InheritedName};

@@ -53,9 +53,9 @@ bool Sets(const WlanResult& settings, const char* key) {
 }
 
 // Collects warnings about settings that do not fit together although each of them is valid.
-class Sense {
+class SettingsCheck {
  public:
-  explicit Sense(std::string file) { place_.file = std::move(file); }
+  explicit SettingsCheck(std::string file) { place_.file = std::move(file); }
   void Warn(std::string text) { warnings_.push_back(WarningAt(place_, std::move(text))); }
   std::vector<Diagnostic> Take() { return std::move(warnings_); }
 
@@ -64,10 +64,10 @@ class Sense {
   std::vector<Diagnostic> warnings_;
 };
 
-void CheckAddresses(const WlanConfig& config, Sense* sense) {
+void CheckAddresses(const WlanConfig& config, SettingsCheck* check) {
   const uint32_t ip = AddressOf(config.ether_ip), mask = AddressOf(config.ether_netmask);
   if (std::popcount(mask) != std::countl_one(mask)) {
-    sense->Warn(fmt::format("ETHER_NETMASK {} is no mask of a network, which is like 255.255.255.0",
+    check->Warn(fmt::format("ETHER_NETMASK {} is no mask of a network, which is like 255.255.255.0",
                             config.ether_netmask));
     return;
   }
@@ -75,13 +75,13 @@ void CheckAddresses(const WlanConfig& config, Sense* sense) {
   // broadcast address, so the robot may have any address in it.
   const bool has_hosts = mask < 0xfffffffe;
   if (has_hosts && ((ip & ~mask) == 0 || (ip | mask) == 0xffffffff)) {
-    sense->Warn(
+    check->Warn(
         fmt::format("ETHER_IP {} is the address of the network {} itself or of all in it; "
                     "give the robot another one",
                     config.ether_ip, config.ether_netmask));
   }
   if (((ip ^ AddressOf(config.ip_gateway)) & mask) != 0) {
-    sense->Warn(
+    check->Warn(
         fmt::format("IP_GATEWAY {} is not in the robot's network ({}, {}); write the "
                     "robot's own address if there is no gateway",
                     config.ip_gateway, config.ether_ip, config.ether_netmask));
@@ -173,7 +173,7 @@ std::string WlanText(const WlanConfig& config) {
   return text;
 }
 
-std::vector<Diagnostic> CheckWlanSense(const std::string& file, const WlanResult& settings) {
+std::vector<Diagnostic> CheckWlanSettings(const std::string& file, const WlanResult& settings) {
   // A line with an error sets nothing.  Warnings would be about the initial values of such
   // settings, which are not in the file, so the errors have to be corrected first.
   const bool has_errors = std::any_of(
@@ -181,22 +181,22 @@ std::vector<Diagnostic> CheckWlanSense(const std::string& file, const WlanResult
       [](const Diagnostic& diagnostic) { return diagnostic.severity == Severity::kError; });
   if (has_errors) return {};
   const WlanConfig& config = settings.config;
-  Sense sense(file);
+  SettingsCheck check(file);
   if (config.use_dhcp) {
     if (Sets(settings, "ETHER_IP"))
-      sense.Warn("ETHER_IP has no effect with USE_DHCP=1: the network gives the address");
+      check.Warn("ETHER_IP has no effect with USE_DHCP=1: the network gives the address");
   } else {
-    CheckAddresses(config, &sense);
+    CheckAddresses(config, &check);
     if (!config.dns_default_domain.empty() && config.dns_server_1.empty())
-      sense.Warn("DNS_DEFDNAME has no effect without DNS_SERVER_1");
+      check.Warn("DNS_DEFDNAME has no effect without DNS_SERVER_1");
   }
   if (!config.wep_enable && Sets(settings, "WEPKEY"))
-    sense.Warn("WEPKEY has no effect with WEPENABLE=0");
+    check.Warn("WEPKEY has no effect with WEPENABLE=0");
   if (config.wep_enable && Sets(settings, "WEPENABLE") && !Sets(settings, "WEPKEY"))
-    sense.Warn("WEPENABLE is 1 and there is no WEPKEY; the robot takes that of Sony's file, AIBO2");
+    check.Warn("WEPENABLE is 1 and there is no WEPKEY; the robot takes that of Sony's file, AIBO2");
   if (config.ap_mode == 1 && Sets(settings, "CHANNEL"))
-    sense.Warn("CHANNEL has no effect with APMODE=1: it is for ad hoc networks");
-  return sense.Take();
+    check.Warn("CHANNEL has no effect with APMODE=1: it is for ad hoc networks");
+  return check.Take();
 }
 
 }  // namespace openr_host

@@ -49,6 +49,6 @@ std::string WlanText(const WlanConfig& config);
 // Returns warnings about settings that are valid but do not fit together, such as a gateway that is
 // not in the robot's network.  Returns no warnings if the file has errors.  The warnings name
 // `file`.
-std::vector<Diagnostic> CheckWlanSense(const std::string& file, const WlanResult& settings);
+std::vector<Diagnostic> CheckWlanSettings(const std::string& file, const WlanResult& settings);
 
 }  // namespace openr_host

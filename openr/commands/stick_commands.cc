@@ -108,7 +108,7 @@ void TellDefaultKey(const WlanFlags& flags) {
 
 // Prints warnings on standard error about wireless settings in the file that make no sense.
 void TellSense(const std::string& file, const std::string& text) {
-  fmt::print(stderr, "{}", Render(CheckWlanSense(file, ParseWlanConfig(file, text))));
+  fmt::print(stderr, "{}", Render(CheckWlanSettings(file, ParseWlanConfig(file, text))));
 }
 
 [[noreturn]] void ThrowNoStick(const std::string& folder) {

@@ -14,7 +14,8 @@ using ::testing::Not;
 
 std::vector<std::string> WarningsAbout(const std::string& text) {
   std::vector<std::string> messages;
-  for (const Diagnostic& d : CheckWlanSense("WLANCONF.TXT", ParseWlanConfig("WLANCONF.TXT", text)))
+  for (const Diagnostic& d :
+       CheckWlanSettings("WLANCONF.TXT", ParseWlanConfig("WLANCONF.TXT", text)))
     messages.push_back(d.message);
   return messages;
 }

@@ -1,4 +1,4 @@
-#include "kit/harvest.h"
+#include "kit/complete_stick.h"
 
 #include <fmt/format.h>
 
@@ -94,15 +94,15 @@ class StickCompletion {
         built_(ReadBuiltImages(log, project)),
         has_failures_(built_.size() < project.objects.size()) {}
 
-  Harvest Run() {
+  CompletedStick Run() {
     FindInstalled();
     if (stick_.objects.empty()) {
       ListEverything();
     } else {
       MatchTheRest();
     }
-    for (const size_t index : used_) harvest_.used.insert(built_[index].log.file);
-    return std::move(harvest_);
+    for (const size_t index : used_) completed_.used.insert(built_[index].log.file);
+    return std::move(completed_);
   }
 
  private:
@@ -121,7 +121,7 @@ class StickCompletion {
     for (const ObjectRecord& record : stick_.objects) {
       const std::string name = FileNameOf(record);
       if (EqualsIgnoringCase(name, kGatewayImage)) {
-        harvest_.images.push_back({name, "", "the runtime's own"});
+        completed_.images.push_back({name, "", "the runtime's own"});
         continue;
       }
       const fs::path place = PlaceOf(record);
@@ -134,7 +134,8 @@ class StickCompletion {
       }
       const size_t index = IndexOf(image.bytes);
       if (index != kNone) used_.insert(index);
-      harvest_.images.push_back({name, index == kNone ? "" : built_[index].log.object, "Makefile"});
+      completed_.images.push_back(
+          {name, index == kNone ? "" : built_[index].log.object, "Makefile"});
     }
   }
 
@@ -189,7 +190,7 @@ class StickCompletion {
   void Take(size_t index, const std::string& name, const char* how) {
     used_.insert(index);
     Copy(built_[index].log.file, name);
-    harvest_.images.push_back({name, built_[index].log.object, how});
+    completed_.images.push_back({name, built_[index].log.object, how});
   }
 
   void Copy(const fs::path& file, const std::string& name) {
@@ -198,15 +199,15 @@ class StickCompletion {
     const fs::path there = FindEntry(objects_, name);
     const fs::path place = there.empty() ? objects_ / name : there;
     const std::string problem = CopyToFile(file, place);
-    harvest_.placed.push_back(place);
-    if (!problem.empty()) harvest_.problems.push_back(problem);
+    completed_.placed.push_back(place);
+    if (!problem.empty()) completed_.problems.push_back(problem);
   }
 
   void TakeFromKit(const std::string& name) {
     const fs::path own = FindEntry(fs::path(sdk_root_) / "images", name);
     if (!own.empty()) {
       Copy(own, name);
-      harvest_.images.push_back({name, "", "the kit's own"});
+      completed_.images.push_back({name, "", "the kit's own"});
       return;
     }
     const auto record = *std::find_if(stick_.objects.begin(), stick_.objects.end(),
@@ -217,7 +218,7 @@ class StickCompletion {
       why = "the file there is for the robot (MIPS), and its sources are not here";
     if (LowerCase(record.path).find("/system/") != std::string::npos)
       why = "it belongs to the robot's own system and has no counterpart here; take the line out";
-    harvest_.problems.push_back(
+    completed_.problems.push_back(
         fmt::format("OBJECT.CFG:{}: {} was not built: {}", record.place.line, record.path, why));
   }
 
@@ -243,10 +244,10 @@ class StickCompletion {
     WriteText(folder / "OBJECT.CFG", foreign + own);
     const bool has_connections = !FindEntry(folder, "CONNECT.CFG").empty();
     if (!has_connections) WriteText(folder / "CONNECT.CFG", "");
-    harvest_.notes.push_back(
+    completed_.notes.push_back(
         fmt::format("there is no OBJECT.CFG; one that lists every object was written{}",
                     has_connections ? "" : ", and a CONNECT.CFG without connections"));
-    harvest_.notes.insert(harvest_.notes.end(), unlisted_.begin(), unlisted_.end());
+    completed_.notes.insert(completed_.notes.end(), unlisted_.begin(), unlisted_.end());
   }
 
   // Adds to `listed_` (the images that the new OBJECT.CFG names) the images of this build that
@@ -257,7 +258,7 @@ class StickCompletion {
       if (index == kNone || !IsShortName(file.filename().string())) continue;
       if (!used_.insert(index).second) continue;
       listed_.emplace_back(file.filename(), index);
-      harvest_.images.push_back({file.filename(), built_[index].log.object, "Makefile"});
+      completed_.images.push_back({file.filename(), built_[index].log.object, "Makefile"});
     }
   }
 
@@ -283,14 +284,14 @@ class StickCompletion {
     const fs::path kits = FindEntry(fs::path(sdk_root_) / "images", name);
     if (!kits.empty() && !(is_of_make && image.problem.empty())) {
       Copy(kits, name);
-      harvest_.images.push_back({name, "", "the kit's own"});
+      completed_.images.push_back({name, "", "the kit's own"});
     } else if (name == kGatewayImage) {
-      harvest_.images.push_back({name, "", "the runtime's own"});
+      completed_.images.push_back({name, "", "the runtime's own"});
     } else if (std::string why = WhyUnlisted(name, image, is_of_make); !why.empty()) {
       unlisted_.push_back(fmt::format("OBJS/{} is not in this OBJECT.CFG: {}", name, why));
       return;
     } else {
-      harvest_.images.push_back({name, "", "Makefile"});
+      completed_.images.push_back({name, "", "Makefile"});
     }
     listed_.emplace_back(name, kNone);
   }
@@ -328,7 +329,7 @@ class StickCompletion {
   // index in built_, or kNone if this build has not linked the image.
   std::vector<std::pair<std::string, size_t>> listed_;
   std::vector<std::string> unlisted_;  // notes about images that ListEverything() does not list
-  Harvest harvest_;
+  CompletedStick completed_;
 };
 
 bool HasSameBytes(const fs::path& a, const fs::path& b) {
@@ -359,8 +360,8 @@ void MakeDataFolder(const StickFolder& stick, const fs::path& target) {
 
 }  // namespace
 
-Harvest CompleteStick(const StickFolder& stick, const Project& project, const KitLog& log,
-                      const std::string& sdk_root, const fs::path& users_stick) {
+CompletedStick CompleteStick(const StickFolder& stick, const Project& project, const KitLog& log,
+                             const std::string& sdk_root, const fs::path& users_stick) {
   return StickCompletion(stick, project, log, sdk_root, users_stick).Run();
 }
 

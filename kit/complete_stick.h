@@ -12,7 +12,7 @@
 
 namespace openr_host {
 
-struct HarvestedImage {
+struct PlacedImage {
   std::string name;    // file name of the image, such as HELLO.BIN
   std::string object;  // name of the image's object; "" if this build has not made the image
   // How the image for a name in OBJECT.CFG was found: "Makefile", "by its name", "the kit's own"
@@ -20,8 +20,8 @@ struct HarvestedImage {
   std::string from;
 };
 
-struct Harvest {
-  std::vector<HarvestedImage> images;
+struct CompletedStick {
+  std::vector<PlacedImage> images;
   std::vector<std::string> problems;  // error messages, each of one line
   std::vector<std::string> notes;
   // Files that CompleteStick() has put on the stick, without the files that rules of Makefiles have
@@ -39,8 +39,8 @@ struct Harvest {
 // than to other sticks in the tree of folders.  Takes images that were built elsewhere only for the
 // names that are then still without an image.  An image that a Makefile puts on one stick has the
 // same file name on all other sticks.
-Harvest CompleteStick(const StickFolder& stick, const Project& project, const KitLog& log,
-                      const std::string& sdk_root, const std::filesystem::path& users_stick);
+CompletedStick CompleteStick(const StickFolder& stick, const Project& project, const KitLog& log,
+                             const std::string& sdk_root, const std::filesystem::path& users_stick);
 
 // Deletes `images`, which are out of date.  Deletes the file that the linker wrote, and every file
 // with the same content on the sticks of `project`.
