@@ -47,7 +47,7 @@ DistributedRun::DistributedRun(const PlacementFlags& placement, const Ros2Flags&
     own_bus_ = MakeBus(placement);
     bus_ = own_bus_.get();
   }
-  if (workers_ != nullptr) CrashLog::BeginAfresh(stick.crash_log());
+  if (workers_ != nullptr) CrashLog::RemoveOldRecords(stick.crash_log());
   RefuseIdleFlags(placement, workers_ != nullptr, bus_ != nullptr);
 }
 

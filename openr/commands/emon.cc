@@ -55,10 +55,10 @@ void TellRun(const EmonFlags& flags, const std::string& text, const std::optiona
                              ": was written by a run on a computer, and names functions and lines "
                              "itself; leave out --image");
   }
-  EmonStory story = TellStory(log.value_or(EmonLog()), nullptr);
-  story.problem.clear();
+  CrashExplanation explanation = ExplainCrash(log.value_or(EmonLog()), nullptr);
+  explanation.problem.clear();
   if (flags.is_json) {
-    nlohmann::ordered_json json = StoryJson(story);
+    nlohmann::ordered_json json = ExplanationJson(explanation);
     json["record"] = text;
     PrintAnswer(JsonText(json) + "\n");
     return;
@@ -68,7 +68,7 @@ void TellRun(const EmonFlags& flags, const std::string& text, const std::optiona
     on_robot = fmt::format("ON THE ROBOT {}\n",
                            log->code.value_or(0) == 0
                                ? "no exception at this place; it may go wrong later"
-                               : fmt::format("exception {}: {}", *log->code, story.meaning));
+                               : fmt::format("exception {}: {}", *log->code, explanation.meaning));
   }
   PrintAnswer(text + on_robot);
 }
@@ -87,8 +87,9 @@ int Tell(const EmonFlags& flags) {
                              "code");
   std::optional<RobotCode> code;
   if (!flags.image.empty()) code.emplace(flags.image);
-  const EmonStory story = TellStory(*log, code ? &*code : nullptr);
-  PrintAnswer(flags.is_json ? JsonText(StoryJson(story)) + "\n" : StoryText(story));
+  const CrashExplanation explanation = ExplainCrash(*log, code ? &*code : nullptr);
+  PrintAnswer(flags.is_json ? JsonText(ExplanationJson(explanation)) + "\n"
+                            : ExplanationText(explanation));
   return kExitGood;
 }
 

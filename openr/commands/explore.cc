@@ -161,12 +161,12 @@ void DescribeHow(CLI::App* command, ExploreFlags* flags) {
   command->add_flag("--json", flags->json, "Print the result, and nothing else, as JSON");
 }
 
-Vary VaryOf(const std::vector<std::string>& names) {
+ScheduleChoices ScheduleChoicesOf(const std::vector<std::string>& names) {
   if (names.empty()) return {};
   const auto has = [&names](const char* name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  Vary vary;
+  ScheduleChoices vary;
   vary.starts = has("starts");
   vary.ties = has("ties");
   vary.delays = has("delays");
@@ -425,7 +425,7 @@ int Explore(ExploreFlags flags) {
   SetStick(flags.stick, console, &flags.plan);
   ExplorePlan& plan = flags.plan;
   plan.first_seed = flags.stick.simulation.seed;
-  plan.run.vary = VaryOf(flags.vary);
+  plan.run.vary = ScheduleChoicesOf(flags.vary);
   plan.run.vary.faults = flags.faults;
   plan.stop_at_first = !flags.keep_going;
   plan.reduce = !flags.no_reduction;

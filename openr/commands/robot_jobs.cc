@@ -171,7 +171,7 @@ RobotJobs::RobotJobs(const RunFlags& flags)
       simulation_(Options()),
       reports_(static_cast<size_t>(flags.simulation.robots)) {
   ASSERT(flags.jobs > 0);
-  CrashLog::BeginAfresh(stick_.crash_log());
+  CrashLog::RemoveOldRecords(stick_.crash_log());
 }
 
 SimulationOptions RobotJobs::Options() {

@@ -109,7 +109,7 @@ class Top {
   StatusReader reader_;
   const bool on_screen_;
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  RunsHeard runs_;
+  RunStatusList runs_;
 };
 
 int RunTop(const TopFlags& flags) {

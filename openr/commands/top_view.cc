@@ -13,7 +13,7 @@ namespace openr_host {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Run = RunsHeard::Run;
+using Run = RunStatusList::Run;
 
 // A run is shown as silent if its last status came longer ago than this.  Each run sends its status
 // once a second.
@@ -175,7 +175,7 @@ Json ObjectJson(const RunStatus& run, const RunStatus::Object& object) {
 
 }  // namespace
 
-void RunsHeard::Take(const std::vector<RunStatus>& news, double now_s) {
+void RunStatusList::Take(const std::vector<RunStatus>& news, double now_s) {
   for (const RunStatus& status : news) {
     const Key key = {status.run, status.host, status.pid};
     if (!status.objects.empty()) {
@@ -188,13 +188,13 @@ void RunsHeard::Take(const std::vector<RunStatus>& news, double now_s) {
   }
 }
 
-void RunsHeard::Forget(double now_s) {
+void RunStatusList::Forget(double now_s) {
   std::erase_if(runs_, [now_s](const auto& entry) {
     return entry.second.status.has_ended && now_s - entry.second.heard_s > kEnded_s;
   });
 }
 
-std::vector<Run> RunsHeard::All() const {
+std::vector<Run> RunStatusList::All() const {
   std::vector<Run> all;
   for (const auto& [key, run] : runs_) all.push_back(run);
   return all;

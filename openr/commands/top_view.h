@@ -13,7 +13,7 @@ namespace openr_host {
 
 // The runs that have sent their status, each with its last status and the arrival time of that
 // status.
-class RunsHeard {
+class RunStatusList {
  public:
   struct Run {
     RunStatus status;
@@ -37,10 +37,10 @@ class RunsHeard {
 // Returns the table of openr top as text, with a row for each run.  If the table is wider than
 // `columns` characters, leaves out its least important columns and wraps lines that are not part of
 // the columns. 0 means no limit.
-std::string TopText(const std::vector<RunsHeard::Run>& runs, double now_s, size_t columns = 0);
+std::string TopText(const std::vector<RunStatusList::Run>& runs, double now_s, size_t columns = 0);
 
 // Returns the JSON {"runs": [...]}, with one object for each run.
-nlohmann::ordered_json TopJson(const std::vector<RunsHeard::Run>& runs, double now_s);
+nlohmann::ordered_json TopJson(const std::vector<RunStatusList::Run>& runs, double now_s);
 
 // Returns `text` as a page for a terminal whose cursor is at the top left.  The page has at most
 // `rows` lines of `columns` characters; if lines are left out, the last line says how many.  Each

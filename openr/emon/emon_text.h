@@ -20,7 +20,7 @@ struct CodePlace {
 
 // The explanation of a crash: its crash record, and what the image of the object says about the
 // crash.
-struct EmonStory {
+struct CrashExplanation {
   EmonLog log;
   std::string meaning;  // meaning of the exception code; "" if the record has no code
   // The instruction that failed; nullopt if it is not known or not in the image.
@@ -37,9 +37,9 @@ struct EmonStory {
 
 // Explains the crash with the crash record `log`.  `code` is the image of the object that crashed;
 // null if there is no image.
-EmonStory TellStory(const EmonLog& log, RobotCode* code);
+CrashExplanation ExplainCrash(const EmonLog& log, RobotCode* code);
 
-std::string StoryText(const EmonStory& story);
-nlohmann::ordered_json StoryJson(const EmonStory& story);
+std::string ExplanationText(const CrashExplanation& explanation);
+nlohmann::ordered_json ExplanationJson(const CrashExplanation& explanation);
 
 }  // namespace openr_host

@@ -384,7 +384,7 @@ CrashLog::~CrashLog() {
   g_place = nullptr;
 }
 
-void CrashLog::BeginAfresh(const std::string& file) {
+void CrashLog::RemoveOldRecords(const std::string& file) {
   // Ignores errors when it removes the file of an old crash record.  A file that does not exist
   // need not be removed.  If the file cannot be removed, writing the new crash record to it will
   // most likely fail too, and RecordFile::Tell() reports that.

@@ -34,7 +34,7 @@ class CrashLog {
 
   // Removes `file`, which may have the crash records of an earlier run.  Called at the beginning of
   // a run in which several processes add their crash records to this file.
-  static void BeginAfresh(const std::string& file);
+  static void RemoveOldRecords(const std::string& file);
 };
 
 }  // namespace openr_host

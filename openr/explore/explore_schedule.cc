@@ -127,7 +127,7 @@ std::vector<Deviation> ExploreSchedule::Faults(int robots, int64_t for_us) {
   return faults;
 }
 
-RandomSchedule::RandomSchedule(const System& system, uint64_t seed, const Vary& vary)
+RandomSchedule::RandomSchedule(const System& system, uint64_t seed, const ScheduleChoices& vary)
     : ExploreSchedule(system),
       order_(seed, "explore/order"),
       delay_(seed, "explore/delay"),

@@ -30,7 +30,7 @@ struct DeviationLog {
 
 // The kinds of choices that a schedule may make.  For a kind that is false, the schedule makes the
 // same choices as a run without exploration.
-struct Vary {
+struct ScheduleChoices {
   bool starts = true;  // true: the schedule chooses the order in which objects get DoStart
   // True: the schedule chooses the order of objects that have messages due at the same time.
   bool ties = true;
@@ -123,7 +123,7 @@ class ExploreSchedule : public Schedule {
 // exploration.
 class RandomSchedule : public ExploreSchedule {
  public:
-  RandomSchedule(const System& system, uint64_t seed, const Vary& vary);
+  RandomSchedule(const System& system, uint64_t seed, const ScheduleChoices& vary);
 
  protected:
   size_t PickOf(const Deviation& spot, const std::vector<ObjectId>& candidates) override;

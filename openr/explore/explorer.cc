@@ -25,9 +25,9 @@ bool IsBroken(const Json& answer) { return !answer.at("broken").is_null(); }
 // Passes the answers of runs on in the order of the numbers of the runs.  Keeps an answer that
 // comes early until all answers before it have come.  So the result does not depend on the speed of
 // each process.
-class InOrder {
+class AnswerSorter {
  public:
-  explicit InOrder(std::function<void(const Json&)> take) : take_(std::move(take)) {}
+  explicit AnswerSorter(std::function<void(const Json&)> take) : take_(std::move(take)) {}
 
   void Put(size_t number, Json answer) {
     early_[number] = std::move(answer);
@@ -114,14 +114,14 @@ Json MakeFailure(const ExplorePlan& plan, ExplorerProcesses* pool, const Json& a
 Json ExploreSeeds(const ExplorePlan& plan) {
   ExplorerProcesses pool(plan.prepare_run, plan.run, plan.limits, plan.jobs);
   Sum sum(plan);
-  InOrder in_order([&](const Json& answer) { sum.Add(answer); });
+  AnswerSorter sorter([&](const Json& answer) { sum.Add(answer); });
   uint64_t next_seed = plan.first_seed;
   pool.Run(
       [&]() -> std::optional<Json> {
         if (next_seed - plan.first_seed == plan.runs || !sum.wants_more()) return {};
         return Json{{"seed", next_seed++}};
       },
-      [&](size_t number, Json answer) { in_order.Put(number, std::move(answer)); });
+      [&](size_t number, Json answer) { sorter.Put(number, std::move(answer)); });
   return sum.Tell(&pool);
 }
 
@@ -138,7 +138,7 @@ Json VerifySeeds(const ExplorePlan& plan) {
     }
   };
   Marked different, dependent, not_compared;
-  InOrder in_order([&](const Json& answer) {
+  AnswerSorter sorter([&](const Json& answer) {
     if (sum.wants_more()) {
       different.Add(answer, "differs");
       dependent.Add(answer, "depends_on_addresses");
@@ -152,7 +152,7 @@ Json VerifySeeds(const ExplorePlan& plan) {
         if (next_seed - plan.first_seed == plan.runs || !sum.wants_more()) return {};
         return Json{{"seed", next_seed++}, {"twice", true}};
       },
-      [&](size_t number, Json answer) { in_order.Put(number, std::move(answer)); });
+      [&](size_t number, Json answer) { sorter.Put(number, std::move(answer)); });
   Json result = sum.Tell(&pool);
   result["differences"] = different.count;
   result["different_seeds"] = std::move(different.seeds);

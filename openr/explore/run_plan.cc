@@ -23,7 +23,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::unique_ptr<ExploreSchedule> ScheduleOf(const Json& plan, const System& system,
-                                            const Vary& vary) {
+                                            const ScheduleChoices& vary) {
   if (plan.contains("exact")) return std::make_unique<ExactSchedule>(system, plan["exact"]);
   if (!plan.contains("script")) {
     return std::make_unique<RandomSchedule>(system, plan.at("seed").get<uint64_t>(), vary);

@@ -14,7 +14,7 @@ namespace openr_host {
 // Options that are the same for all runs of an exploration.
 struct RunOptions {
   int64_t for_us = 20'000'000;  // length of a run in virtual time
-  Vary vary;
+  ScheduleChoices vary;
   PropertyChoice properties;
 };
 

@@ -78,7 +78,7 @@ SimulationOptions Replayer::OptionsOf(const TraceHeader& header, const ReplayOpt
 // Makes a copy of the Memory Stick with its content at the beginning of the recorded run: copies
 // the folder `now`, then undoes the recorded `changes` in the copy, the last one first.  Returns
 // the folder of the copy.
-std::string Replayer::StickOfThen(const std::string& now, const std::vector<TraceEntry>& changes) {
+std::string Replayer::RestoreStick(const std::string& now, const std::vector<TraceEntry>& changes) {
   namespace fs = std::filesystem;
   const fs::path stick = fs::path(folder_.path()) / "stick";
   fs::create_directory(stick);
@@ -87,12 +87,12 @@ std::string Replayer::StickOfThen(const std::string& now, const std::vector<Trac
     const fs::path path = (stick / change->name).lexically_normal();
     if (!path.string().starts_with(stick.string() + "/"))
       throw std::runtime_error(fmt::format("{}: '{}' is not on the stick", file_, change->name));
-    if (change->what == TraceEntry::OnStick::kFolder) {
+    if (change->what == TraceEntry::PathKind::kFolder) {
       fs::create_directories(path);
       continue;
     }
     fs::remove_all(path);
-    if (change->what != TraceEntry::OnStick::kFile) continue;
+    if (change->what != TraceEntry::PathKind::kFile) continue;
     const std::string problem = WriteFile(path, change->payload);
     if (!problem.empty()) throw std::runtime_error(problem);
   }
@@ -141,7 +141,7 @@ Replayer::Replayer(const ReplayOptions& replay) : file_(replay.file), reader_(re
       throw std::runtime_error(
           fmt::format("{}: the stick {} is no longer there; give it with --stick", file_, stick));
     }
-    options.stick = StickOfThen(stick, changes);
+    options.stick = RestoreStick(stick, changes);
   }
   options.network_filter = [this](int robot, std::unique_ptr<Network>) {
     return std::make_unique<ReplayedNetwork>([this, robot] { return SayNetwork(robot); });

@@ -101,7 +101,7 @@ class Replayer : public KnownRun {
 
  private:
   static SimulationOptions OptionsOf(const TraceHeader& header, const ReplayOptions& options);
-  std::string StickOfThen(const std::string& now, const std::vector<TraceEntry>& changes);
+  std::string RestoreStick(const std::string& now, const std::vector<TraceEntry>& changes);
   std::vector<NetworkEvent> SayNetwork(int robot);
   void SkipNames();
   void Compare(const TraceRecord& record, const Message& message);

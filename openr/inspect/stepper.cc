@@ -68,7 +68,7 @@ class Stepper {
     try {
       Show();
       for (std::string line; ReadLine(&line);) {
-        if (!Obey(line)) break;
+        if (!HandleCommand(line)) break;
       }
     } catch (const ReaderGone&) {
       shared_->NoteLostText(EPIPE);
@@ -326,7 +326,7 @@ class Stepper {
   }
 
   // Handles the command `line` of openr replay --step.  Returns false if the command is "quit".
-  bool Obey(const std::string& line) {
+  bool HandleCommand(const std::string& line) {
     went_back_ = false;
     std::istringstream words(line);
     std::string verb, rest;

@@ -251,7 +251,7 @@ TraceEntry TraceCoder::Read(ByteReader* in) {
       entry.payload = in->Text();
       return entry;
     case TraceEntry::Kind::kStick:
-      entry.what = ReadEnum(in, TraceEntry::OnStick::kFolder);
+      entry.what = ReadEnum(in, TraceEntry::PathKind::kFolder);
       entry.name = in->Text();
       entry.payload = in->Text();
       return entry;

@@ -161,16 +161,16 @@ void TraceWriter::AddNames(const System& system, const TraceRecord& record) {
 
 void TraceWriter::AddMessage(const System& system, const TraceRecord& record,
                              const Message& message) {
-  const auto life = [&system](int32_t id) {
+  const auto count_of = [&system](int32_t id) {
     const Object* const object = system.object(id);
     return object == nullptr ? -1 : object->predecessors;
   };
   const uint32_t link = coder_.LinkOf(record);
   if (link >= named_.size()) named_.resize(link + 1);
-  const Lives lives{life(record.sender), life(record.target)};
-  if (named_[link] != lives) {
+  const ReplacementCounts counts{count_of(record.sender), count_of(record.target)};
+  if (named_[link] != counts) {
     AddNames(system, record);
-    named_[link] = lives;
+    named_[link] = counts;
   }
   coder_.WriteMessage(record, payloads_ ? ContentView(message, &payload_copy_) : std::string_view(),
                       link, &block_);
@@ -209,9 +209,9 @@ void TraceWriter::AddStick(const std::string& name, const std::string& path) {
   entry.name = name;
   std::error_code error;
   if (fs::is_directory(path, error)) {
-    entry.what = TraceEntry::OnStick::kFolder;
+    entry.what = TraceEntry::PathKind::kFolder;
   } else if (fs::exists(path, error)) {
-    entry.what = TraceEntry::OnStick::kFile;
+    entry.what = TraceEntry::PathKind::kFile;
     entry.payload = ReadFile(path).value_or("");
   }
   Add(entry);
@@ -271,7 +271,7 @@ void TraceReader::ReadHeader() {
 
 // Returns the part of an error text that says where in the run the problem is.  This part names the
 // last message read: "after message 500 (t=1.248000 s, Controller -> JointMover "...")".
-std::string TraceReader::AfterWhat() const {
+std::string TraceReader::PlaceText() const {
   if (last_.number == 0) return "before the first message";
   return fmt::format("after message {} (t={:.6f} s, {} -> {} \"{}\")", last_.number,
                      static_cast<double>(last_.time_us) / 1e6, ObjectName(last_.sender),
@@ -280,7 +280,7 @@ std::string TraceReader::AfterWhat() const {
 
 void TraceReader::Damaged(const std::string& what) {
   problems_.push_back(fmt::format("{}: block {}, byte {} of the file, {}: {}", file_,
-                                  block_count_ - 1, at_ - block_size_ + block_->at(), AfterWhat(),
+                                  block_count_ - 1, at_ - block_size_ + block_->at(), PlaceText(),
                                   what));
 }
 

@@ -82,7 +82,7 @@ struct TraceEntry {
     kInput = 12,
     kMessage = 13,  // a delivered message; fields: record, payload
   };
-  enum class OnStick : uint8_t { kNothing = 0, kFile = 1, kFolder = 2 };
+  enum class PathKind : uint8_t { kNothing = 0, kFile = 1, kFolder = 2 };
   Kind kind = Kind::kEnd;
   int32_t id = 0;
   int32_t robot = 0;
@@ -90,7 +90,7 @@ struct TraceEntry {
   std::string name;
   TraceRecord record{};
   std::string payload;
-  OnStick what = OnStick::kNothing;
+  PathKind what = PathKind::kNothing;
   std::vector<NetworkEvent> events;
   int64_t time_us = 0;
   uint64_t trace_hash = 0;
@@ -197,10 +197,10 @@ class TraceWriter {
   // (Object::predecessors) when the file last had the names of both; -1: there is no such object.
   // If a number has changed since then, an object was replaced, and its names may have to be
   // written again.
-  struct Lives {
+  struct ReplacementCounts {
     int sender = -2;
     int target = -2;
-    bool operator==(const Lives&) const = default;
+    bool operator==(const ReplacementCounts&) const = default;
   };
 
   void AddNames(const System& system, const TraceRecord& record);
@@ -223,7 +223,7 @@ class TraceWriter {
   // the objects at its two ends had been replaced when their names were last written.  AddMessage()
   // looks up names only when these numbers have changed: for the first message of the link, and
   // after an object was replaced.
-  std::vector<Lives> named_;
+  std::vector<ReplacementCounts> named_;
   std::string payload_copy_;
 };
 
@@ -268,7 +268,7 @@ class TraceReader {
   void ReadHeader();
   bool NextBlock();
   void Damaged(const std::string& what);
-  std::string AfterWhat() const;
+  std::string PlaceText() const;
   void Learn(const TraceEntry& entry);
 
   const std::string file_;

@@ -118,10 +118,10 @@ void Page::Take(std::string_view part, bool is_text, bool is_last) {
   const size_t size_max = BeginsUpload(received_) ? kUploadMax : kMessageMax;
   if (received_.size() > size_max)
     return End(kCloseTooLong, fmt::format("a message of more than {} bytes", size_max));
-  if (is_last) Obey(std::exchange(received_, {}));
+  if (is_last) HandleRequest(std::exchange(received_, {}));
 }
 
-void Page::Obey(const std::string& text) {
+void Page::HandleRequest(const std::string& text) {
   auto request = TryParseJson<nlohmann::json>(text);
   if (!request.is_object()) return Refuse({}, "the request is no JSON object");
   try {

@@ -65,7 +65,7 @@ class Page : public WebPage {
   std::string Next() override;
 
  private:
-  void Obey(const std::string& text);
+  void HandleRequest(const std::string& text);
   void PassOn(const std::string& text, const nlohmann::json& request);
   void CallRobot(nlohmann::json request, size_t size);
   void CallPair(const nlohmann::json& request);

@@ -63,11 +63,11 @@ void JointClient::Send(NetHandle handle, const void* data, size_t size) {
     framer_.Take(bytes, static_cast<int>(count));
     bytes += count;
     size -= count;
-    HearAnswers();
+    ReadAnswers();
   }
 }
 
-void JointClient::HearAnswers() {
+void JointClient::ReadAnswers() {
   for (;;) {
     const RcFramer::Result result = framer_.Next();
     if (result == RcFramer::NEEDS_MORE) return;

@@ -56,7 +56,7 @@ class JointClient : public PassingNetwork {
   bool TakePlace(std::vector<NetworkEvent>* events);
   void WriteRequests();
   void Request(int command, int joint, double value);
-  void HearAnswers();
+  void ReadAnswers();
   void EndConnection();
 
   const Refused refused_;

@@ -20,13 +20,13 @@ constexpr std::string_view kRobots = "robots[";
 
 // The name of a value, split into the number of the robot and the rest: "robots[1].joints" is
 // "joints" of robot 1.
-struct OfRobot {
+struct RobotValueName {
   size_t robot = 0;
   std::string rest;
 };
 
-OfRobot SplitRobot(const std::string& name, const RunView& view) {
-  OfRobot result{0, name};
+RobotValueName SplitRobot(const std::string& name, const RunView& view) {
+  RobotValueName result{0, name};
   if (name.starts_with(kRobots)) {
     const char* const begin = name.data() + kRobots.size();
     const char* const end = name.data() + name.size();
@@ -123,7 +123,7 @@ constexpr JointKind kJointKinds[] = {{"joint", "joints", &AngleOf},
                                      {"speed", "speeds", &SpeedOf},
                                      {"drive", "drives", &DriveOf}};
 
-std::vector<ReadValue> FindGroup(const OfRobot& wanted, const RobotModel& model) {
+std::vector<ReadValue> FindGroup(const RobotValueName& wanted, const RobotModel& model) {
   std::vector<ReadValue> values;
   const auto add = [&](const std::string& kind, const std::string& name, Quantity read) {
     values.push_back({fmt::format("robots[{}].{}.{}", wanted.robot, kind, name), std::move(read)});
@@ -144,7 +144,7 @@ std::vector<ReadValue> FindGroup(const OfRobot& wanted, const RobotModel& model)
 
 // Returns the quantity `wanted` if its name is known in this source file only; null if
 // FindQuantity() has to find the quantity.
-Quantity FindOwn(const OfRobot& wanted, const RobotModel& model) {
+Quantity FindOwn(const RobotValueName& wanted, const RobotModel& model) {
   const size_t dot = wanted.rest.find('.');
   if (dot == std::string::npos) return MotionOf(wanted.robot, wanted.rest);
   const std::string kind = wanted.rest.substr(0, dot), name = wanted.rest.substr(dot + 1);
@@ -167,7 +167,7 @@ std::vector<ReadValue> FindValues(const std::string& name, const RunView& view) 
   const bool is_of_run =
       name == "messages" || name.starts_with("findings.") || name.starts_with("objects.");
   if (is_of_run) return {{name, FindQuantity(name, view)}};
-  const OfRobot wanted = SplitRobot(name, view);
+  const RobotValueName wanted = SplitRobot(name, view);
   const RobotModel& model = view.prepared->robots[wanted.robot]->model();
   std::vector<ReadValue> group = FindGroup(wanted, model);
   if (!group.empty()) return group;

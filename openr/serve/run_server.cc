@@ -161,7 +161,7 @@ void RunServer::TellEnding(Ending* ending) {
 // Sends a second message after the message that TellEnding() sends.  The second message has what
 // the commands findings, console and report would answer now, because the program that drives the
 // run cannot ask a process that ends.  Called in a signal handler.
-void RunServer::TellLastWords(const Ending& ending) {
+void RunServer::SendFinalState(const Ending& ending) {
   if (run_ == nullptr) return;
   try {
     NoteTheEnding(ending, &run_->simulation());

@@ -59,7 +59,7 @@ class RunServer {
   void BeginGuards(int64_t handler_limit_us);
   void WatchCrashes();
   void TellEnding(Ending* ending);
-  void TellLastWords(const Ending& ending);
+  void SendFinalState(const Ending& ending);
   int64_t LimitOf(const Request& request);
   Answer BecomeCopy(int socket, const std::string& record,
                     const std::function<void(const std::string& problem)>& tell);
@@ -94,7 +94,7 @@ class RunServer {
   // is registered before the EndingActions of `run_`, because such functions are called in reverse
   // order: so the recording of the run is already complete if this function crashes while it makes
   // the report.
-  const EndingAction last_words_{[this](Ending* ending) { TellLastWords(*ending); }};
+  const EndingAction final_state_action_{[this](Ending* ending) { SendFinalState(*ending); }};
   std::unique_ptr<ServedRun> run_;
   // These members end the process when an object crashes or its handler does not return:
   // ending_answer_, crash_log_, watchdog_ and ending_action_.

@@ -41,7 +41,7 @@ std::string WhyNoPort(int rc_port) {
       error == EADDRINUSE ? "; without --rc-port the next free one after 54000 is taken" : "");
 }
 
-std::unique_ptr<Network> MakeLonelyNetwork() { return std::make_unique<LoopbackNetwork>(); }
+std::unique_ptr<Network> MakeIsolatedNetwork() { return std::make_unique<LoopbackNetwork>(); }
 
 uint16_t HostPortOfRemoteControl(const IpStack& network) {
   return network.HostPort(NetProtocol::kTcp, RC_PORT);

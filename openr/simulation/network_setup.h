@@ -25,7 +25,7 @@ std::unique_ptr<Network> MakeHostNetwork(int rc_port, std::vector<AddressPair> a
 std::string WhyNoPort(int rc_port);
 
 // Returns a network without sockets, so that other programs cannot reach the robot.
-std::unique_ptr<Network> MakeLonelyNetwork();
+std::unique_ptr<Network> MakeIsolatedNetwork();
 
 // Returns the port of this computer on which the robot's remote control listens; 0 while no object
 // listens.

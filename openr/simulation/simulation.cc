@@ -162,7 +162,7 @@ void Simulation::AddRobot(const SimulationOptions& options, int index) {
   parts.make_network = [&options, index, addresses = parts.ip_stack.addresses](int robot) {
     auto network = options.host_network
                        ? MakeHostNetwork(index == 0 ? options.rc_port : -1, addresses)
-                       : MakeLonelyNetwork();
+                       : MakeIsolatedNetwork();
     return options.network_filter ? options.network_filter(robot, std::move(network))
                                   : std::move(network);
   };

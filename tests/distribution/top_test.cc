@@ -179,8 +179,8 @@ TEST(TopTest, WatchingChangesNothing) {
   ExpectSame(one, watched(RunName("placed"), Isolated({"JointMover", "Controller"})));
 }
 
-RunsHeard::Run MadeUp() {
-  RunsHeard::Run run;
+RunStatusList::Run MadeUp() {
+  RunStatusList::Run run;
   run.status.run = "dog";
   run.status.host = "den";
   run.status.pid = 7;
@@ -211,7 +211,7 @@ TEST(TopViewTest, WithoutARunTheFlagsAreNamedWithWhichItWouldBeHeard) {
 
 // 80 columns show only whole columns.
 TEST(TopViewTest, ANarrowScreenHasTheColumnsThatMatterMost) {
-  RunsHeard::Run run = MadeUp();
+  RunStatusList::Run run = MadeUp();
   run.status.objects[0].state = "plays WALK.MTN for the third time";
   EXPECT_EQ(TopText({run}, 1, 80),
             "dog on den (pid 7): t=1.500 s, 1.00 x real time, 250 messages/s, 3 waiting\n"
@@ -231,14 +231,14 @@ TEST(TopViewTest, ANarrowScreenHasTheColumnsThatMatterMost) {
 }
 
 TEST(TopViewTest, AnObjectThatIsLostHasNoOtherState) {
-  RunsHeard::Run run = MadeUp();
+  RunStatusList::Run run = MadeUp();
   run.status.processes[0].lost = "process 'legs' (pid 9) was killed by signal 9";
   EXPECT_THAT(TopText({run}, 1), HasSubstr("  2  lost\n  Brain"));
   EXPECT_THAT(TopText({run}, 1), Not(HasSubstr("standing")));
 }
 
 TEST(TopViewTest, ObjectsWithoutRoomAreCounted) {
-  RunsHeard::Run run = MadeUp();
+  RunStatusList::Run run = MadeUp();
   EXPECT_THAT(TopText({run}, 1), Not(HasSubstr("more objects")));
   run.status.objects_left_out = 904;
   EXPECT_THAT(TopText({run}, 1), HasSubstr("\n  ... 904 more objects: a run tells of 2\n"));
@@ -252,7 +252,7 @@ TEST(TopViewTest, ARunWithoutNewStatusIsShownAsSilent) {
 }
 
 TEST(TopViewTest, ARunThatIsGoneIsShownAsEndedAndThenRemoved) {
-  RunsHeard runs;
+  RunStatusList runs;
   runs.Take({MadeUp().status}, 1);
   RunStatus gone;
   gone.run = "dog";

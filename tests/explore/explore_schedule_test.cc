@@ -33,7 +33,7 @@ class Talker : public Actor {
 };
 
 struct Talk {
-  explicit Talk(uint64_t seed, const Vary& vary = {}) {
+  explicit Talk(uint64_t seed, const ScheduleChoices& vary = {}) {
     Build();
     Run(std::make_unique<RandomSchedule>(system, seed, vary));
   }
@@ -105,7 +105,7 @@ TEST(ExploreScheduleTest, AScriptRepeatsARandomRun) {
 }
 
 TEST(ExploreScheduleTest, WhatIsSwitchedOffStaysCanonical) {
-  Vary vary{.starts = false, .ties = false, .delays = false};
+  ScheduleChoices vary{.starts = false, .ties = false, .delays = false};
   std::set<Deviation::Kind> kinds;
   const auto look = [&] {
     kinds.clear();

@@ -32,7 +32,7 @@ class GraphRun {
     RobotEquipment parts;
     parts.stick = std::move(stick);
     parts.body = MakeIdealBody(model_, World());
-    parts.make_network = [](int) { return MakeLonelyNetwork(); };
+    parts.make_network = [](int) { return MakeIsolatedNetwork(); };
     AssembleRobot(&system_, model_, std::move(parts));
   }
 

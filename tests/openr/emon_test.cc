@@ -102,12 +102,12 @@ TEST(EmonLogTest, OtherTextIsNoLog) {
 }
 
 // An image with four instructions, a call (jalr) the first of them.  It was linked at 0x400000.
-class EmonStoryTest : public testing::Test {
+class CrashExplanationTest : public testing::Test {
  protected:
   static constexpr uint32_t kCall = 0x400054;  // address of the call in the file
   static constexpr uint32_t kMoved = 0x22200000;
 
-  EmonStoryTest() : code_("X.BIN", Bytes()) {
+  CrashExplanationTest() : code_("X.BIN", Bytes()) {
     log_.epc = kMoved + kCall + 8;
     log_.registers[kRobotGp] = kMoved + 0x408000;
   }
@@ -115,42 +115,42 @@ class EmonStoryTest : public testing::Test {
   static std::string Bytes() {
     return ReadFileOrThrow(std::string(OPENR_TEST_DATA) + "/../../fuzz/corpus/robot_code/linked");
   }
-  EmonStory Tell() { return TellStory(log_, &code_); }
+  CrashExplanation Tell() { return ExplainCrash(log_, &code_); }
 
   RobotCode code_;
   EmonLog log_;
 };
 
-TEST_F(EmonStoryTest, TheRegisterGpSaysWhereTheImageWas) {
-  const EmonStory story = Tell();
-  ASSERT_TRUE(story.place);
-  EXPECT_EQ(story.place->in_file, kCall + 8);
-  EXPECT_THAT(story.problem, HasSubstr("has no names of functions"));
+TEST_F(CrashExplanationTest, TheRegisterGpSaysWhereTheImageWas) {
+  const CrashExplanation explanation = Tell();
+  ASSERT_TRUE(explanation.place);
+  EXPECT_EQ(explanation.place->in_file, kCall + 8);
+  EXPECT_THAT(explanation.problem, HasSubstr("has no names of functions"));
   log_.registers[kRobotGp].reset();
   EXPECT_THAT(Tell().problem, HasSubstr("no register gp"));
 }
 
-TEST_F(EmonStoryTest, OnlyAddressesAfterACallAreCalls) {
+TEST_F(CrashExplanationTest, OnlyAddressesAfterACallAreCalls) {
   log_.registers[kRobotSp] = 0x1000;
   log_.registers[kRobotRa] = kMoved + kCall + 12;  // after no call
   log_.stack[0xffc] = kMoved + kCall + 8;          // below the stack pointer
   log_.stack[0x1000] = kMoved + kCall;
   log_.stack[0x1004] = kMoved + kCall + 8;
   log_.stack[0x1008] = 0xffffffff;
-  const EmonStory story = Tell();
-  ASSERT_EQ(story.calls.size(), 1u);
-  EXPECT_EQ(story.calls[0].in_file, kCall);
-  EXPECT_FALSE(story.has_more_calls);
+  const CrashExplanation explanation = Tell();
+  ASSERT_EQ(explanation.calls.size(), 1u);
+  EXPECT_EQ(explanation.calls[0].in_file, kCall);
+  EXPECT_FALSE(explanation.has_more_calls);
 }
 
-TEST_F(EmonStoryTest, ManyCallsAreCutAndTheTextSaysSo) {
+TEST_F(CrashExplanationTest, ManyCallsAreCutAndTheTextSaysSo) {
   for (uint32_t at = 0; at < 31; ++at) log_.stack[4 * at] = kMoved + kCall + 8;
-  const EmonStory story = Tell();
-  EXPECT_EQ(story.calls.size(), 30u);
-  EXPECT_THAT(StoryText(story), HasSubstr("\n  and more\n"));
+  const CrashExplanation explanation = Tell();
+  EXPECT_EQ(explanation.calls.size(), 30u);
+  EXPECT_THAT(ExplanationText(explanation), HasSubstr("\n  and more\n"));
 }
 
-TEST_F(EmonStoryTest, ACrashElsewhereHasNoCalls) {
+TEST_F(CrashExplanationTest, ACrashElsewhereHasNoCalls) {
   log_.stack[0] = kMoved + kCall + 8;
   log_.epc = 0x10;
   EXPECT_THAT(Tell().problem, HasSubstr("is not in this image"));
@@ -161,7 +161,7 @@ TEST_F(EmonStoryTest, ACrashElsewhereHasNoCalls) {
   EXPECT_THAT(Tell().problem, HasSubstr("has no epc"));
 }
 
-TEST_F(EmonStoryTest, AnImageWithoutGpIsRefused) {
+TEST_F(CrashExplanationTest, AnImageWithoutGpIsRefused) {
   std::string bytes = Bytes();
   const size_t gp = bytes.find(std::string("\x00\x80\x40\x00", 4));
   ASSERT_NE(gp, std::string::npos);
