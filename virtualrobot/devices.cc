@@ -84,7 +84,7 @@ void Devices::SetFaceMode(OLED3Mode mode) {
   }
 }
 
-bool Devices::Acts(int joint, bool motor_power) const {
+bool Devices::MovesJoint(int joint, bool motor_power) const {
   const JointDevice& device = joints[static_cast<size_t>(joint)];
   return motor_power && device.gain_enabled && device.gains[0] != 0;
 }

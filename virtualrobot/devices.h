@@ -74,7 +74,7 @@ class Devices {
 
   // Returns whether the servo of `joint` moves the joint: the motors have power, the gain is
   // enabled, and the P gain is not 0.
-  bool Acts(int joint, bool motor_power) const;
+  bool MovesJoint(int joint, bool motor_power) const;
 
   // Returns whether all joints have one register for the shifts (powers of 2 that scale their
   // gains), so that a change for one joint changes all joints, as on an ERS-7 (field-notes.md

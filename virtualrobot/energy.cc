@@ -67,22 +67,24 @@ void Energy::NoteFrame(const Body& body, const Devices& devices, bool charging, 
   const double usual = mean_ma_ / kUsualMa;
   double battery_k = std::max(0.0, kBatteryUsual_k * (usual * usual - 1));
   if (charging) battery_k += kChargingBattery_k;
-  const auto warm = [](Warmth* warmth, double end_k, double time_s) {
-    if (warmth->kept_c) return;
-    warmth->above_rest_k += (end_k - warmth->above_rest_k) * (kFrame_s / time_s);
+  const auto warm = [](Temperature* temperature, double end_k, double time_s) {
+    if (temperature->kept_c) return;
+    temperature->above_rest_k += (end_k - temperature->above_rest_k) * (kFrame_s / time_s);
   };
-  warm(&warmth_[static_cast<size_t>(WarmThing::kBody)], kBodyPerW_k * motor_heat_w_, kBodyTime_s);
-  warm(&warmth_[static_cast<size_t>(WarmThing::kBattery)], battery_k, kBatteryTime_s);
+  warm(&temperatures_[static_cast<size_t>(HeatedPart::kBody)], kBodyPerW_k * motor_heat_w_,
+       kBodyTime_s);
+  warm(&temperatures_[static_cast<size_t>(HeatedPart::kBattery)], battery_k, kBatteryTime_s);
 }
 
-int Energy::Celsius(WarmThing thing) const {
-  return kRestC + static_cast<int>(std::lround(warmth_[static_cast<size_t>(thing)].above_rest_k));
+int Energy::Celsius(HeatedPart part) const {
+  return kRestC +
+         static_cast<int>(std::lround(temperatures_[static_cast<size_t>(part)].above_rest_k));
 }
 
-void Energy::Keep(WarmThing thing, std::optional<int> celsius) {
-  Warmth& warmth = warmth_[static_cast<size_t>(thing)];
-  warmth.kept_c = celsius;
-  if (celsius) warmth.above_rest_k = *celsius - kRestC;
+void Energy::Keep(HeatedPart part, std::optional<int> celsius) {
+  Temperature& temperature = temperatures_[static_cast<size_t>(part)];
+  temperature.kept_c = celsius;
+  if (celsius) temperature.above_rest_k = *celsius - kRestC;
 }
 
 // Adds only values that differ from the values at boot.  So a robot without physics, which always
@@ -90,12 +92,12 @@ void Energy::Keep(WarmThing thing, std::optional<int> celsius) {
 // such a robot.
 void Energy::HashState(Hasher* hasher) const {
   if (mean_ma_ != kUsualMa) hasher->Add(mean_ma_);
-  for (const WarmThing thing : {WarmThing::kBody, WarmThing::kBattery}) {
-    const Warmth& warmth = warmth_[static_cast<size_t>(thing)];
-    if (warmth.above_rest_k == 0 && !warmth.kept_c) continue;
-    hasher->Add(thing);
-    hasher->Add(warmth.above_rest_k);
-    hasher->Add(warmth.kept_c.has_value());
+  for (const HeatedPart part : {HeatedPart::kBody, HeatedPart::kBattery}) {
+    const Temperature& temperature = temperatures_[static_cast<size_t>(part)];
+    if (temperature.above_rest_k == 0 && !temperature.kept_c) continue;
+    hasher->Add(part);
+    hasher->Add(temperature.above_rest_k);
+    hasher->Add(temperature.kept_c.has_value());
   }
   if (extra_ma_ != 0) hasher->Add(extra_ma_);
 }

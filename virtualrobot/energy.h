@@ -20,8 +20,8 @@ namespace openr_host {
 
 class Hasher;
 
-// The things whose temperature is simulated.
-enum class WarmThing { kBody, kBattery };
+// The parts of the robot whose temperature is simulated.
+enum class HeatedPart { kBody, kBattery };
 
 class Energy {
  public:
@@ -42,11 +42,11 @@ class Energy {
   // Returns the power that the motors turned into heat in the newest frame, in W.
   double motor_heat_w() const { return motor_heat_w_; }
   // Returns a temperature as its sensor reads it: whole degrees Celsius.
-  int Celsius(WarmThing thing) const;
+  int Celsius(HeatedPart part) const;
 
-  // Keeps `thing` at the temperature `celsius`.  If `celsius` is nullopt, lets the thing warm up
+  // Keeps `part` at the temperature `celsius`.  If `celsius` is nullopt, lets the part warm up
   // and cool down again, from its present temperature.
-  void Keep(WarmThing thing, std::optional<int> celsius);
+  void Keep(HeatedPart part, std::optional<int> celsius);
   // Sets an additional current that the battery gives, beside the current of the robot itself.  The
   // fault "draw" (faults.h) uses this function.
   void SetExtraMa(int ma) { extra_ma_ = ma; }
@@ -58,7 +58,7 @@ class Energy {
     double stall_ma = 0;       // current at full drive and speed 0
     double no_load_rad_s = 0;  // speed at full drive without load
   };
-  struct Warmth {
+  struct Temperature {
     double above_rest_k = 0;
     std::optional<int> kept_c;
   };
@@ -68,7 +68,7 @@ class Energy {
   std::vector<Motor> motors_;  // one element for each joint
   double current_ma_ = kUsualMa, mean_ma_ = kUsualMa, motor_heat_w_ = 0;
   int extra_ma_ = 0;
-  std::array<Warmth, 2> warmth_;  // the index is a WarmThing
+  std::array<Temperature, 2> temperatures_;  // the index is a HeatedPart
 };
 
 }  // namespace openr_host

@@ -265,10 +265,10 @@ void Faults::Begin(const Place& place, const Fault& fault) {
       break;
     }
     case Part::kBody:
-      robot_.energy.Keep(WarmThing::kBody, fault.amount);
+      robot_.energy.Keep(HeatedPart::kBody, fault.amount);
       break;
     case Part::kBattery:
-      robot_.energy.Keep(WarmThing::kBattery, fault.amount);
+      robot_.energy.Keep(HeatedPart::kBattery, fault.amount);
       break;
     case Part::kSupply:
       robot_.energy.SetExtraMa(fault.amount);
@@ -301,10 +301,10 @@ void Faults::End(const Place& place) {
       break;
     }
     case Part::kBody:
-      robot_.energy.Keep(WarmThing::kBody, {});
+      robot_.energy.Keep(HeatedPart::kBody, {});
       break;
     case Part::kBattery:
-      robot_.energy.Keep(WarmThing::kBattery, {});
+      robot_.energy.Keep(HeatedPart::kBattery, {});
       break;
     case Part::kSupply:
       robot_.energy.SetExtraMa(0);

@@ -112,7 +112,7 @@ void JointTargets::Begin(const std::vector<Goal>& goals, int64_t frames) {
     const double measured_urad = robot_.body->state().joints[j].angle_rad * 1e6;
     const int32_t from_urad = device.commanded ? static_cast<int32_t>(device.target_urad)
                                                : static_cast<int32_t>(std::lround(measured_urad));
-    ways_[goal.joint] = {from_urad, goal.urad, frames, is_frame_done ? 1 : 0};
+    movements_[goal.joint] = {from_urad, goal.urad, frames, is_frame_done ? 1 : 0};
     if (!is_frame_done) continue;
     const int64_t step_urad = (int64_t{goal.urad} - from_urad) / frames;
     robot_.devices.SetTarget(goal.joint, static_cast<slongword>(from_urad + step_urad));
@@ -121,23 +121,23 @@ void JointTargets::Begin(const std::vector<Goal>& goals, int64_t frames) {
 
 void JointTargets::DoFrame() {
   frame_begin_us_ = robot_.system.now_us();
-  if (ways_.empty()) return;
+  if (movements_.empty()) return;
   robot_.devices.set_commander(kNoObject);
-  for (auto& [joint, way] : ways_) {
-    way.done = std::min(way.done + 1, way.frames);
-    const int64_t whole_urad = int64_t{way.goal_urad} - way.from_urad;
-    const int64_t urad = way.from_urad + whole_urad * way.done / way.frames;
+  for (auto& [joint, movement] : movements_) {
+    movement.done = std::min(movement.done + 1, movement.frames);
+    const int64_t whole_urad = int64_t{movement.goal_urad} - movement.from_urad;
+    const int64_t urad = movement.from_urad + whole_urad * movement.done / movement.frames;
     robot_.devices.SetTarget(joint, static_cast<slongword>(urad));
   }
 }
 
 void JointTargets::HashState(Hasher* hasher) const {
-  for (const auto& [joint, way] : ways_) {
+  for (const auto& [joint, movement] : movements_) {
     hasher->Add(joint);
-    hasher->Add(way.from_urad);
-    hasher->Add(way.goal_urad);
-    hasher->Add(way.frames);
-    hasher->Add(way.done);
+    hasher->Add(movement.from_urad);
+    hasher->Add(movement.goal_urad);
+    hasher->Add(movement.frames);
+    hasher->Add(movement.done);
   }
 }
 

@@ -26,21 +26,21 @@ class JointTargets {
   // Adds the input `target` to the System of this robot, so that people and scripts can use it.
   void AddVerbs();
 
-  // Moves the set points of all joints that an input has taken over (ways_), for the frame of 8 ms
-  // that begins.  Called after the set points of the objects' command vectors have been set, so
-  // that the set points of inputs replace them.
+  // Moves the set points of all joints that an input has taken over (movements_), for the frame of
+  // 8 ms that begins.  Called after the set points of the objects' command vectors have been set,
+  // so that the set points of inputs replace them.
   void DoFrame();
 
   // Gives a joint back to the objects of the robot: their set points move the joint again.
-  void Release(int joint) { ways_.erase(joint); }
+  void Release(int joint) { movements_.erase(joint); }
   // Gives all joints back to the objects of the robot, because the robot is switched off.
-  void SwitchOff() { ways_.clear(); }
+  void SwitchOff() { movements_.clear(); }
 
   void HashState(Hasher* hasher) const;
 
  private:
   // The movement of a set point from its old value to its goal, in equal steps, one step per frame.
-  struct Way {
+  struct Movement {
     int32_t from_urad = 0;
     int32_t goal_urad = 0;
     int64_t frames = 1;  // number of frames in which the set point moves to its goal
@@ -58,7 +58,7 @@ class JointTargets {
 
   RobotParts& robot_;
   int64_t frame_begin_us_ = -1;  // virtual time of the last call of DoFrame(); -1 before the first
-  std::map<int, Way> ways_;      // the key is the index of the joint
+  std::map<int, Movement> movements_;  // the key is the index of the joint
   // The indices of joints that were looked up already; the key is the name of the joint in an
   // input.
   std::map<std::string, int, std::less<>> known_;

@@ -50,14 +50,14 @@ JointWatch::JointWatch(const RobotModel& model, const Devices& devices)
 
 void JointWatch::SwitchOff() {
   joints_.assign(joints_.size(), {});
-  told_shifts_ = false;
+  has_reported_shifts_ = false;
   limp_frames_ = 0;
 }
 
 void JointWatch::ServosChanged(const BodyState& body, bool motor_power,
                                std::vector<std::string>* problems) {
   for (size_t j = 0; j < joints_.size(); ++j) {
-    const bool acts = devices_.Acts(static_cast<int>(j), motor_power);
+    const bool acts = devices_.MovesJoint(static_cast<int>(j), motor_power);
     const bool begins = acts && !joints_[j].acted;
     joints_[j].acted = acts;
     const bool has_sunk = HasSunk(joints_[j], devices_.joints[j].target_urad * kRadPerUrad);
@@ -136,15 +136,15 @@ void JointWatch::CheckForRadians(size_t joint, const CommandElement& element,
 }
 
 void JointWatch::CheckShifts(std::vector<std::string>* problems) {
-  if (!devices_.HasOneShift() || told_shifts_) return;
+  if (!devices_.HasOneShift() || has_reported_shifts_) return;
   const auto has_gain = [this](size_t j) { return devices_.HasGain(static_cast<int>(j)); };
   size_t first = 0;
   while (first < joints_.size() && !has_gain(first)) ++first;
-  for (size_t j = first; j < joints_.size() && !told_shifts_; ++j) {
+  for (size_t j = first; j < joints_.size() && !has_reported_shifts_; ++j) {
     const ShiftWords& one = devices_.joints[first].asked_shifts;
     const ShiftWords& other = devices_.joints[j].asked_shifts;
     if (!has_gain(j) || one == other) continue;
-    told_shifts_ = true;
+    has_reported_shifts_ = true;
     problems->push_back(
         fmt::format("SetJointGain: shifts {} for {} and {} for {}; this robot has one SHIFT for "
                     "all joints, and "
@@ -167,7 +167,7 @@ void JointWatch::VectorStarts(const std::vector<CommandElement>& elements, const
     const auto j = static_cast<size_t>(element.primitive->index);
     const double measured = body.joints[j].angle_rad;
     CheckForRadians(j, element, problems);
-    if (devices_.Acts(element.primitive->index, motor_power)) {
+    if (devices_.MovesJoint(element.primitive->index, motor_power)) {
       CheckForJump(j, element, measured, problems);
       continue;
     }

@@ -99,8 +99,8 @@ class JointWatch {
   const RobotModel& model_;
   const Devices& devices_;
   std::vector<Joint> joints_;
-  bool told_shifts_ = false;  // whether CheckShifts() has reported the mistake
-  int limp_frames_ = 0;       // number of frames of the present half second that have passed
+  bool has_reported_shifts_ = false;  // whether CheckShifts() has reported the mistake
+  int limp_frames_ = 0;  // number of frames of the present half second that have passed
 };
 
 }  // namespace openr_host

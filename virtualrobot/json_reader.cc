@@ -51,7 +51,7 @@ std::string JsonReader::Text() const {
   return value_.get<std::string>();
 }
 
-bool JsonReader::Truth() const {
+bool JsonReader::Bool() const {
   if (!value_.is_boolean()) Fail("must be true or false, is {}", value_.dump());
   return value_.get<bool>();
 }

@@ -45,7 +45,7 @@ class JsonReader {
   void AllowOnly(std::initializer_list<const char*> keys) const;
 
   std::string Text() const;
-  bool Truth() const;     // reads a value that is true or false
+  bool Bool() const;      // reads a value that is true or false
   double Number() const;  // reads a number; fails if it is not finite
   double NumberAbove(double floor) const;
   double NumberWithin(double min, double max) const;

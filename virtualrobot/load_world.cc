@@ -90,7 +90,7 @@ void ReadMass(const JsonReader& row, WorldThing* thing) {
 // Reads whether a thing is solid.  Reads the mass of a solid thing that can move.  Checks that a
 // thing that is not solid is paint on the floor.
 void ReadMatter(const JsonReader& row, WorldThing* thing) {
-  if (row.Has("solid")) thing->is_solid = row.At("solid").Truth();
+  if (row.Has("solid")) thing->is_solid = row.At("solid").Bool();
   if (thing->is_solid) {
     if (row.Has("mass_kg")) ReadMass(row, thing);
     return;

@@ -27,7 +27,7 @@ Protection::Protection(const RobotModel& model) : model_(model) { SwitchOff(); }
 
 void Protection::SwitchOff() {
   over_current_ = false;
-  heat_ = Heat::kNone;
+  exceeded_limit_ = ExceededLimit::kNone;
   jammed_frames_.assign(model_.protection.jam_frames > 0 ? model_.joints.size() : 0, 0);
 }
 
@@ -65,11 +65,11 @@ std::vector<Protection::Reason> Protection::NoteFrame(const BodyState& body, con
          "the battery gave too much current"});
   }
   const int hot_c = charging ? limits.hot_charging_c : limits.hot_c;
-  const int battery_c = energy.Celsius(WarmThing::kBattery);
-  const Heat heat = hot_c == 0 || battery_c < hot_c ? Heat::kNone
-                    : charging                      ? Heat::kCharging
-                                                    : Heat::kDischarging;
-  if (std::exchange(heat_, heat) != heat && heat != Heat::kNone) {
+  const int battery_c = energy.Celsius(HeatedPart::kBattery);
+  const ExceededLimit heat = hot_c == 0 || battery_c < hot_c ? ExceededLimit::kNone
+                             : charging                      ? ExceededLimit::kCharging
+                                                             : ExceededLimit::kDischarging;
+  if (std::exchange(exceeded_limit_, heat) != heat && heat != ExceededLimit::kNone) {
     reasons.push_back(
         {fmt::format("BATTERY_OVER_TEMP_{}: the battery has {} degrees Celsius, its limit is {}; "
                      "the robot shuts down",
@@ -81,7 +81,7 @@ std::vector<Protection::Reason> Protection::NoteFrame(const BodyState& body, con
 
 void Protection::HashState(Hasher* hasher) const {
   if (over_current_) hasher->Add(over_current_);
-  if (heat_ != Heat::kNone) hasher->Add(heat_);
+  if (exceeded_limit_ != ExceededLimit::kNone) hasher->Add(exceeded_limit_);
   for (size_t j = 0; j < jammed_frames_.size(); ++j) {
     if (jammed_frames_[j] == 0) continue;
     hasher->Add(static_cast<uint64_t>(j));

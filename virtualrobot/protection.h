@@ -39,7 +39,7 @@ class Protection {
   // Returns whether the battery now gives more current than its limit.
   bool over_current() const { return over_current_; }
   // Returns whether the battery is now hotter than its limit.
-  bool over_temperature() const { return heat_ != Heat::kNone; }
+  bool over_temperature() const { return exceeded_limit_ != ExceededLimit::kNone; }
 
   // Forgets what earlier frames have shown (limits exceeded, joints jammed), because the robot is
   // switched off.
@@ -53,11 +53,11 @@ class Protection {
   const RobotModel& model_;
   // The temperature limit that the battery exceeds now.  The battery has two limits: one applies
   // while the battery charges (kCharging), the other at all other times (kDischarging).
-  enum class Heat { kNone, kDischarging, kCharging };
+  enum class ExceededLimit { kNone, kDischarging, kCharging };
 
   bool is_patient_ = false;
   bool over_current_ = false;
-  Heat heat_ = Heat::kNone;
+  ExceededLimit exceeded_limit_ = ExceededLimit::kNone;
   // For each joint, the number of successive frames in which the joint was jammed.  Empty for a
   // model without detection of jams.
   std::vector<int> jammed_frames_;

@@ -75,10 +75,10 @@ void RobotParts::SwitchOff() {
 
 std::vector<Protection::Reason> RobotParts::NoteFrame(bool is_on) {
   energy.NoteFrame(*body, devices, power.charging(), is_on);
-  sensors.set_body_c(energy.Celsius(WarmThing::kBody));
+  sensors.set_body_c(energy.Celsius(HeatedPart::kBody));
   std::vector<Protection::Reason> reasons;
   if (is_on) reasons = protection.NoteFrame(body->state(), energy, power.charging());
-  power.SetLoad({energy.current_ma(), energy.Celsius(WarmThing::kBattery),
+  power.SetLoad({energy.current_ma(), energy.Celsius(HeatedPart::kBattery),
                  protection.over_current(), protection.over_temperature()});
   return reasons;
 }

@@ -8,11 +8,11 @@
 namespace openr_host {
 
 void SafePosture::Apply(int64_t frame, Devices* devices) {
-  for (Gone& gone : gone_) {
-    const int64_t moved = frame - gone.since - kHoldFrames;
+  for (LostCommander& lost : lost_commanders_) {
+    const int64_t moved = frame - lost.since - kHoldFrames;
     if (moved < 0) continue;
-    if (gone.from_urad.empty()) {
-      for (const JointDevice& joint : devices->joints) gone.from_urad.push_back(joint.target_urad);
+    if (lost.from_urad.empty()) {
+      for (const JointDevice& joint : devices->joints) lost.from_urad.push_back(joint.target_urad);
     }
     // Moves each set point along a straight line from its value at the start to the sleeping
     // posture.
@@ -20,19 +20,19 @@ void SafePosture::Apply(int64_t frame, Devices* devices) {
     const int64_t step = std::min(moved, kMoveFrames);
     for (size_t j = 0; j < devices->joints.size(); ++j) {
       JointDevice& joint = devices->joints[j];
-      if (joint.commander != gone.commander) continue;
+      if (joint.commander != lost.commander) continue;
       const auto rest_urad = static_cast<slongword>(std::floor(rest_rad[j] * 1e6 + 0.5));
-      const int64_t way = int64_t{rest_urad} - gone.from_urad[j];
-      joint.target_urad = static_cast<slongword>(gone.from_urad[j] + way * step / kMoveFrames);
+      const int64_t way = int64_t{rest_urad} - lost.from_urad[j];
+      joint.target_urad = static_cast<slongword>(lost.from_urad[j] + way * step / kMoveFrames);
     }
   }
 }
 
 void SafePosture::HashState(Hasher* hasher) const {
-  for (const Gone& gone : gone_) {
-    hasher->Add(gone.commander);
-    hasher->Add(gone.since);
-    for (const slongword urad : gone.from_urad) hasher->Add(urad);
+  for (const LostCommander& lost : lost_commanders_) {
+    hasher->Add(lost.commander);
+    hasher->Add(lost.since);
+    for (const slongword urad : lost.from_urad) hasher->Add(urad);
   }
 }
 

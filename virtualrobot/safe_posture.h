@@ -28,16 +28,17 @@ class SafePosture {
   // Starts the movement of the joints of object `commander`, which has crashed in frame `frame`, to
   // a safe posture.
   void CommanderIsGone(ObjectId commander, int64_t frame) {
-    gone_.push_back({commander, frame, {}});
+    lost_commanders_.push_back({commander, frame, {}});
   }
   // Ends the movement of the joints of object `commander` to a safe posture, because the object
   // runs again.
   void CommanderIsBack(ObjectId commander) {
-    std::erase_if(gone_, [commander](const Gone& gone) { return gone.commander == commander; });
+    std::erase_if(lost_commanders_,
+                  [commander](const LostCommander& lost) { return lost.commander == commander; });
   }
 
   // Ends all movements to a safe posture, because the robot is switched off.
-  void SwitchOff() { gone_.clear(); }
+  void SwitchOff() { lost_commanders_.clear(); }
 
   // Holds the joints that a crashed object has commanded, or moves them towards the safe posture:
   // sets their set points of frame `frame`.  Called after the command vectors have set theirs,
@@ -47,7 +48,7 @@ class SafePosture {
   void HashState(Hasher* hasher) const;
 
  private:
-  struct Gone {
+  struct LostCommander {
     ObjectId commander;
     int64_t since;  // frame in which the object crashed
     // Set points of all joints when the movement to the safe posture starts; empty before it
@@ -56,7 +57,7 @@ class SafePosture {
   };
 
   const RobotModel& model_;
-  std::vector<Gone> gone_;
+  std::vector<LostCommander> lost_commanders_;
 };
 
 }  // namespace openr_host

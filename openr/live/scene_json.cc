@@ -165,8 +165,8 @@ Json ValuesOf(System* system, int number, VirtualRobot* robot) {
     const double measured = Rounded(Degrees(robot->body().state().joints[i].angle_rad));
     joints.push_back(joint.commanded ? Json::array({target, measured})
                                      : Json::array({nullptr, measured}));
-    gains.push_back(robot->devices().Acts(static_cast<int>(i), robot->power().motor_power()) ? 1
-                                                                                             : 0);
+    gains.push_back(
+        robot->devices().MovesJoint(static_cast<int>(i), robot->power().motor_power()) ? 1 : 0);
   }
   for (size_t i = 0; i < model.sensors.size(); ++i) {
     if (model.sensors[i].joint >= 0) continue;

@@ -33,7 +33,7 @@ TEST(JsonReaderTest, MembersAreFoundInObjectsOnly) {
   EXPECT_TRUE(root.Has("a"));
   EXPECT_FALSE(root.Has("b"));
   EXPECT_FALSE(root.At("a").At("b").Has("c"));
-  EXPECT_TRUE(root.At("a").At("b").Elements()[1].At("c").Truth());
+  EXPECT_TRUE(root.At("a").At("b").Elements()[1].At("c").Bool());
   EXPECT_EQ(ErrorOf([&] { root.At("b"); }), "f.json: 'b' is missing");
   EXPECT_EQ(ErrorOf([&] { root.At("a").At("b").At("c"); }),
             "f.json: a.b: must be an object with 'c'");
@@ -53,7 +53,7 @@ TEST(JsonReaderTest, OnlyKnownMembersAreAllowed) {
 TEST(JsonReaderTest, AValueOfAnotherKindIsShown) {
   EXPECT_EQ(ErrorIn(R"({"a": 5})", [](const JsonReader& reader) { reader.Text(); }),
             "f.json: a: must be a text, is 5");
-  EXPECT_EQ(ErrorIn(R"({"a": 1})", [](const JsonReader& reader) { reader.Truth(); }),
+  EXPECT_EQ(ErrorIn(R"({"a": 1})", [](const JsonReader& reader) { reader.Bool(); }),
             "f.json: a: must be true or false, is 1");
   EXPECT_EQ(ErrorIn(R"({"a": true})", [](const JsonReader& reader) { reader.Number(); }),
             "f.json: a: must be a number, is true");

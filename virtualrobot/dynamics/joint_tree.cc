@@ -51,7 +51,7 @@ JointTree::JointTree(const std::vector<TreePart>& parts)
     : parts_(parts),
       angle_rad_(parts.size()),
       speed_rad_s_(parts.size()),
-      now_(parts.size()),
+      part_states_(parts.size()),
       inertia_(parts.size()),
       force_(parts.size()) {
   for (int k = 0; k < 6; ++k) parent_.push_back(k - 1);
@@ -77,8 +77,8 @@ void JointTree::Place(const Isometry3d& X_WB, const std::vector<double>& angles_
 
 Isometry3d JointTree::X_WL(int part) const {
   Isometry3d X;
-  X.linear() = now_[part].R_WL;
-  X.translation() = now_[part].centre_W - now_[part].R_WL * parts_[part].centre_m;
+  X.linear() = part_states_[part].R_WL;
+  X.translation() = part_states_[part].centre_W - part_states_[part].R_WL * parts_[part].centre_m;
   X.makeAffine();
   return X;
 }
@@ -86,13 +86,13 @@ Isometry3d JointTree::X_WL(int part) const {
 // Computes the places of all parts of the robot from the place of its trunk and the angles of its
 // hinges.
 void JointTree::PlaceParts() {
-  now_[0].R_WL = q_WB_.toRotationMatrix();
-  now_[0].centre_W = centre_W_;
+  part_states_[0].R_WL = q_WB_.toRotationMatrix();
+  part_states_[0].centre_W = centre_W_;
   for (int i = 1; i < parts(); ++i) {
     const TreePart& part = parts_[i];
     const TreePart& parent_part = parts_[part.parent];
-    const PartNow& parent = now_[part.parent];
-    PartNow& now = now_[i];
+    const PartState& parent = part_states_[part.parent];
+    PartState& now = part_states_[i];
     now.anchor_W = parent.centre_W + parent.R_WL * (part.anchor_m - parent_part.centre_m);
     now.R_WL = parent.R_WL * AxisRotation(part.axis, angle_rad_[i]);
     now.centre_W = now.anchor_W + now.R_WL * (part.centre_m - part.anchor_m);
@@ -101,12 +101,12 @@ void JointTree::PlaceParts() {
 
 // Computes the axes of the hinges, in the world frame, and the angular velocities of the parts.
 void JointTree::FindMotion() {
-  now_[0].w_W = w_W_;
+  part_states_[0].w_W = w_W_;
   for (int i = 1; i < parts(); ++i) {
-    PartNow& now = now_[i];
+    PartState& now = part_states_[i];
     now.axis.angular = now.R_WL * parts_[i].axis;
     now.axis.linear = (now.anchor_W - centre_W_).cross(now.axis.angular);
-    now.w_W = now_[parts_[i].parent].w_W + speed_rad_s_[i] * now.axis.angular;
+    now.w_W = part_states_[parts_[i].parent].w_W + speed_rad_s_[i] * now.axis.angular;
   }
 }
 
@@ -137,11 +137,11 @@ void JointTree::BeginStep(const std::vector<TorqueLine>& lines, double gravity_m
 // the hinge of the part turns.
 void JointTree::FillMatrix(const std::vector<TorqueLine>& lines, double step_s) {
   for (int i = 0; i < parts(); ++i) {
-    const Vector3d r = now_[i].centre_W - centre_W_;
+    const Vector3d r = part_states_[i].centre_W - centre_W_;
     const double mass = parts_[i].mass_kg;
     inertia_[i].mass_kg = mass;
     inertia_[i].moment = mass * r;
-    const Matrix3d& R = now_[i].R_WL;
+    const Matrix3d& R = part_states_[i].R_WL;
     inertia_[i].about_o = R * parts_[i].inertia_kg_m2 * R.transpose();
     inertia_[i].about_o.diagonal().array() += mass * r.squaredNorm();
     inertia_[i].about_o -= mass * r * r.transpose();
@@ -153,13 +153,14 @@ void JointTree::FillMatrix(const std::vector<TorqueLine>& lines, double step_s) 
     parent.about_o += inertia_[i].about_o;
   }
   for (int i = 1; i < parts(); ++i) {
-    const Spatial momentum = inertia_[i].MomentumAt(now_[i].axis);
+    const Spatial momentum = inertia_[i].MomentumAt(part_states_[i].axis);
     double* const row = RowOf(UnknownOf(i));
     for (int k = 0; k < 3; ++k) {
       row[k] = momentum.angular[k];
       row[3 + k] = momentum.linear[k];
     }
-    for (int a = i; a > 0; a = parts_[a].parent) row[UnknownOf(a)] = Dot(now_[a].axis, momentum);
+    for (int a = i; a > 0; a = parts_[a].parent)
+      row[UnknownOf(a)] = Dot(part_states_[a].axis, momentum);
     row[UnknownOf(i)] += step_s * lines[i].slope_nm_s;
   }
   const Matrix3d moment = CrossMatrix(inertia_[0].moment);
@@ -183,10 +184,10 @@ void JointTree::FindForces(const std::vector<TorqueLine>& lines, double gravity_
   std::vector<Acceleration> acceleration(parts_.size());
   acceleration[0] = {Vector3d::Zero(), Vector3d(0, 0, gravity_m_s2)};
   for (int i = 0; i < parts(); ++i) {
-    const PartNow& now = now_[i];
+    const PartState& now = part_states_[i];
     Acceleration& own = acceleration[i];
     if (i > 0) {
-      const PartNow& parent = now_[parts_[i].parent];
+      const PartState& parent = part_states_[parts_[i].parent];
       const Acceleration& before = acceleration[parts_[i].parent];
       const Vector3d to_anchor = now.anchor_W - parent.centre_W;
       const Vector3d to_centre = now.centre_W - now.anchor_W;
@@ -204,7 +205,7 @@ void JointTree::FindForces(const std::vector<TorqueLine>& lines, double gravity_
   }
   for (int i = parts() - 1; i > 0; --i) {
     along_[UnknownOf(i)] = lines[i].zero_speed_nm - lines[i].slope_nm_s * speed_rad_s_[i] -
-                           Dot(now_[i].axis, force_[i]);
+                           Dot(part_states_[i].axis, force_[i]);
     force_[parts_[i].parent].angular += force_[i].angular;
     force_[parts_[i].parent].linear += force_[i].linear;
   }
@@ -232,7 +233,8 @@ void JointTree::Factor() {
 }
 
 void JointTree::AddAlong(int part, const Spatial& force, double* along) const {
-  for (int i = part; i > 0; i = parts_[i].parent) along[UnknownOf(i)] += Dot(now_[i].axis, force);
+  for (int i = part; i > 0; i = parts_[i].parent)
+    along[UnknownOf(i)] += Dot(part_states_[i].axis, force);
   for (int k = 0; k < 3; ++k) {
     along[k] += force.angular[k];
     along[3 + k] += force.linear[k];

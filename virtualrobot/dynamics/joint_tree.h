@@ -67,8 +67,8 @@ class JointTree {
 
   // The next functions return the present place and motion of the parts.  X_WL maps a point of the
   // part's frame to its place in W.
-  const Eigen::Matrix3d& R_WL(int part) const { return now_[part].R_WL; }
-  const Eigen::Vector3d& centre_W(int part) const { return now_[part].centre_W; }
+  const Eigen::Matrix3d& R_WL(int part) const { return part_states_[part].R_WL; }
+  const Eigen::Vector3d& centre_W(int part) const { return part_states_[part].centre_W; }
   Eigen::Isometry3d X_WL(int part) const;
   const Eigen::Quaterniond& q_WB() const { return q_WB_; }
   const Eigen::Vector3d& v_W() const { return v_W_; }  // velocity of the trunk's centre of mass
@@ -108,7 +108,7 @@ class JointTree {
 
  private:
   // Place and motion of a part, which follow from the state of the tree.
-  struct PartNow {
+  struct PartState {
     Eigen::Matrix3d R_WL = Eigen::Matrix3d::Identity();
     Eigen::Vector3d centre_W{0, 0, 0};
     Spatial axis;  // velocity of the part when its hinge turns with 1 rad/s
@@ -157,7 +157,7 @@ class JointTree {
   Eigen::Vector3d v_W_{0, 0, 0}, w_W_{0, 0, 0};
   std::vector<double> angle_rad_, speed_rad_s_;  // one element for each part
 
-  std::vector<PartNow> now_;  // one element for each part
+  std::vector<PartState> part_states_;  // one element for each part
 
   // The members below belong to the step that BeginStep() has begun.
   double step_s_ = 0;
