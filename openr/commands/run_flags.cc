@@ -122,6 +122,11 @@ void DescribeOutput(CLI::App* command, RunFlags* flags) {
   command->add_option("-o", flags->snapshot_files, "PNG file of the --snapshot before it")
       ->take_all()
       ->check(IsWritable());
+}
+
+// Adds the flags of the remote control, of the addresses that programs have compiled in, and of the
+// web panel.
+void DescribeNetwork(CLI::App* command, RunFlags* flags) {
   command
       ->add_option("--rc-port", flags->simulation.rc_port,
                    "Port of the remote control; 0: any free one")
@@ -228,6 +233,7 @@ void CheckStandardOutput(const RunFlags& flags) {
 void DescribeRunFlags(CLI::App* command, RunFlags* flags) {
   DescribeRun(command, flags);
   DescribeOutput(command, flags);
+  DescribeNetwork(command, flags);
 }
 
 void AddDataLogFlags(CLI::App* command, DataLogOptions* options, std::string* timeline) {
