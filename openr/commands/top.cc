@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <string>
 
@@ -16,6 +15,7 @@
 #include "openr/commands/distribution_flags.h"
 #include "openr/commands/top_view.h"
 #include "openr/run/interrupt.h"
+#include "runtime/base/wall_clock.h"
 
 namespace openr_host {
 namespace {
@@ -65,9 +65,7 @@ class Top {
   }
 
  private:
-  int64_t NowUs() const {
-    return (std::chrono::steady_clock::now() - begin_) / std::chrono::microseconds(1);
-  }
+  int64_t NowUs() const { return (WallClockNs() - begin_ns_) / 1000; }
   double Now_s() const { return static_cast<double>(NowUs()) / 1e6; }
 
   void Listen() {
@@ -108,7 +106,7 @@ class Top {
   Bus bus_;
   StatusReader reader_;
   const bool on_screen_;
-  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  const int64_t begin_ns_ = WallClockNs();
   RunStatusList runs_;
 };
 
