@@ -20,8 +20,8 @@ import re
 import sys
 from pathlib import Path
 
-FOLDERS = ("bench", "cmake", "distribution", "docs", "examples", "objects", "openr", "runtime",
-           "stub.cfg", "testing", "tests", "tools", "virtualrobot")
+FOLDERS = ("bench", "cli", "cmake", "distribution", "docs", "examples", "kit", "objects", "openr",
+           "panel", "python", "runtime", "stub.cfg", "testing", "tests", "tools", "virtualrobot")
 SUFFIXES = {".c", ".cc", ".cfg", ".cmake", ".cost", ".cpp", ".h", ".json", ".md", ".ocf", ".py", ".sh",
             ".tsv", ".txt"}
 NUMBER = r"\d+(?:\.\d+)*"

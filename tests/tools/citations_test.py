@@ -119,6 +119,9 @@ def main():
         status, said = say({"tests/a.h": comment(citation)})
         good = status == 1 and said.startswith("tests/a.h:") and whole(words) in said
         verdict(citation, good, said)
+    for folder in ("cli", "kit", "panel", "python"):
+        status, said = say({f"{folder}/a.h": comment("BOOK 9")})
+        verdict(f"{folder} is read", status == 1 and f"{folder}/a.h:" in said, said)
     status, said = say({"tools/a.py": "# one\n\n# " + BOOK + " 1.1 and\n# 99\n"})
     verdict("the line is that of the number", said == f"tools/a.py:4: {BOOK} has no 99\n", said)
     for text, words in MARKDOWN:
