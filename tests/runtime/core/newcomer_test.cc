@@ -99,7 +99,7 @@ TEST_F(NewcomerTest, AMessageFromBeforeTheBootWaitsForDoInit) {
   EXPECT_THAT(log_, ElementsAre("init", "message"));
 }
 
-// Who asks in a DoInit is answered, or the boot would wait for itself.
+// A question in a DoInit is answered at once, because otherwise the boot would wait for itself.
 TEST_F(NewcomerTest, AQuestionInADoInitIsHeardAtOnce) {
   sleeper_->on_init = [this] {
     OwnedMessage question = system_.NewMessage(newcomer_->host().id, newcomer_->entry);
@@ -191,10 +191,10 @@ TEST_F(NewcomerTest, AnObserverThatWasNotReadyIsNotReadyForTheSuccessor) {
 
 constexpr int64_t kWorkUs = 3000;
 
-// One that has the processor, and sends at the end of its time.
-class Worker : public CodeObject {
+// An object whose handler takes processor time, and whose message leaves at the end of this time.
+class BusySender : public CodeObject {
  public:
-  Worker() {
+  BusySender() {
     work = AddExtra("Work", [this](void*) {
       if (on_work) on_work();
     });
@@ -214,7 +214,7 @@ class LeftMessagesTest : public testing::Test {
  protected:
   LeftMessagesTest() {
     system_.AddRobot("ERS-210", nullptr);
-    worker_ = system_.AddObject<Worker>(0, "worker");
+    worker_ = system_.AddObject<BusySender>(0, "worker");
     old_ = system_.AddObject<Newcomer>(0, "newcomer", &log_);
     system_.Boot();
     system_.RunFor(1000);
@@ -245,7 +245,7 @@ class LeftMessagesTest : public testing::Test {
 
   Log log_;
   System system_{Options()};
-  Worker* worker_;
+  BusySender* worker_;
   Newcomer* old_;
   std::vector<std::unique_ptr<Object>> fresh_;
 };
