@@ -70,6 +70,17 @@ grep_in '(steady_clock|system_clock|gettimeofday|clock_gettime|random_device|std
   rule 'no wall clock, no threads, no raw randomness in runtime/ and virtualrobot/'
 grep_in 'unordered_(map|set|multi)' runtime virtualrobot distribution |
   rule 'no hash order in runtime/, virtualrobot/ and distribution/'
+# Prints each comment whose first word refers to something that only the code names.  A line that
+# continues a comment may begin with any word.
+files 'cc|h' cli kit openr runtime virtualrobot distribution objects examples testing tools tests bench |
+  xargs -r awk '
+    FNR == 1 { in_comment = 0 }
+    /^ *\/\// {
+      if (!in_comment && /^ *\/\/ *(Who|Whose|What|Which|That|Those|Of|One|There|It)([^a-zA-Z_:]|$)/)
+        print FILENAME ":" FNR ":" $0
+    }
+    { in_comment = /^ *\/\// }' |
+  rule 'a comment does not begin with who, what, which, that, those, of, one, there or it (CONTRIBUTING.md)'
 grep_in '\b(TODO|FIXME|XXX|HACK)\b' cli kit openr runtime virtualrobot distribution objects examples testing tools tests |
   rule 'no unfinished marks'
 grep -rnIE '(^|[^a-zA-Z.])/(tmp|work|root|home)/' --include='*.cc' --include='*.h' --include='*.c' \

@@ -160,7 +160,7 @@ class Ros2Sound {
   Ros2Writer info_;
 };
 
-// One entry of ROS 2 diagnostics: the state of a part of the robot or of the run, with values that
+// An entry of ROS 2 diagnostics: the state of a part of the robot or of the run, with values that
 // describe it.
 struct Ros2Status {
   enum Level : uint8_t { kGood = 0, kWarning = 1, kError = 2 };

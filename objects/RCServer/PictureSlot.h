@@ -8,7 +8,7 @@
 
 #include "RemoteCamera.h"
 
-// One layer of an image of the camera, with the bytes that the robot has sent.
+// A layer of an image of the camera, with the bytes that the robot has sent.
 struct CameraLayer {
     Uint32 frame;  // frame number of the image
     Uint16 width;  // in pixels

@@ -36,7 +36,7 @@ struct PairOptions {
   bool first_may_pause = false;
 };
 
-// What a person wants the two robots to do.  The wish may change at any time.
+// The way in which a person wants two robots to move together.  The wish may change at any time.
 struct PairWish {
   Follow follow = Follow::kNone;
   // True: the first robot follows the key frames of the second robot's motions.

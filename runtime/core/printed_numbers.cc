@@ -26,7 +26,7 @@ bool IsNaNOfBits(double number) {
 
 bool IsOneOf(char c, const char* set) { return c != '\0' && std::strchr(set, c) != nullptr; }
 
-// One conversion of a printf format: "%-5.*ld" has the length "l" and the type 'd'.
+// A conversion of a printf format: "%-5.*ld" has the length "l" and the type 'd'.
 struct Conversion {
   int stars = 0;  // widths and precisions that are arguments themselves
   std::string_view length;

@@ -1,6 +1,6 @@
 // System: the clock, the message queue, the table of objects and everything that they share.
 //
-// One System is one deterministic run.  One process may have several Systems, each used from one
+// A System is one deterministic run.  One process may have several Systems, each used from one
 // thread.  The simulated robots and the network stack (IPStack) are objects of the System too.
 //
 //   System system({.seed = 1});

@@ -1,6 +1,6 @@
 // SystemCalls: the interface for all actions of a handler that other objects or users can see.
 //
-// There are three kinds of SystemCalls.  LocalCalls works on the tables of the System itself.  In a
+// SystemCalls are of three kinds.  LocalCalls works on the tables of the System itself.  In a
 // worker process, WorkerCalls sends the calls to the master (distribution/worker_calls.h).  The
 // master executes them with CheckedCalls, which checks what the worker asks for
 // (distribution/checked_calls.h).  The functions of the SDK use System::calls() and work with every

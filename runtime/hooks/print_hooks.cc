@@ -2,8 +2,8 @@
 // counted as stack of the object that calls them, and so that a NaN that an object prints is
 // reported.
 //
-// Of all functions that objects call often, these functions need the most stack: up to 2 KiB on
-// this host.  But the .ocf file of an object may allow a stack of only 3 KiB.
+// These functions need the most stack of all functions that objects call often: up to 2 KiB on this
+// host.  But the .ocf file of an object may allow a stack of only 3 KiB.
 //
 // Sanitizers define these functions themselves, so nothing is defined here in their builds.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)

@@ -87,7 +87,7 @@ class ConformTest : public testing::Test {
   void Tell(const std::string& command) { Command("teller", command); }
   void Hear(const std::string& command) { Command("hearer", command); }
   std::string Said() { return std::exchange(printed, ""); }
-  // What comes of one command.
+  // Returns the text that the object prints for one command.
   std::string Answer(const std::string& command) {
     printed.clear();
     Tell(command);

@@ -7,7 +7,7 @@ namespace {
 
 class ConsoleConformance : public ConformTest {
  protected:
-  // What comes of `command` when `typed` is typed after it.
+  // Returns the text that the object prints for `command` if a person then types `typed`.
   std::string Typing(const std::string& command, const std::string& typed) {
     Tell(command);
     TypeText(system.get(), 0, typed);

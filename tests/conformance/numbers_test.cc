@@ -7,7 +7,7 @@ namespace {
 class NumbersConformance : public ConformTest {
  protected:
   void SetUp() override { Start(); }
-  // What is found about `command`, which must run to its end.
+  // Returns the findings about `command`, which must run to its end.
   std::string FindingsOf(const std::string& command) {
     EXPECT_EQ(Answer(command), "T computed\n");
     return Findings();

@@ -1,4 +1,4 @@
-// What each example controller must do, on the ODE body.
+// Tests that each example controller does what its description says, on the ODE body.
 #include <algorithm>
 #include <cmath>
 #include <set>

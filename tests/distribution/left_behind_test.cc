@@ -1,6 +1,6 @@
-// What a lost worker leaves behind in a run that goes on: reads of the console, regions,
-// connections, its entry in the report.  Teller and Hearer are in workers; the probes are in this
-// process.
+// Tests of the things that a lost worker leaves behind in a run that goes on: reads of the console,
+// regions, connections, its entry in the report.  Teller and Hearer are in workers; the probes are
+// in this process.
 #include <MCOOP.h>
 #include <gmock/gmock.h>
 #include <signal.h>
@@ -326,7 +326,7 @@ TEST_F(LeftBehindTest, AWrongConnectionIsReportedDespiteTheLoss) {
   EXPECT_TRUE(Found("reader.In.Number.O NOT FOUND")) << Findings();
 }
 
-// Which services an object has is known only after its restart.
+// The report waits for the restart, because only then the services of the object are known.
 TEST_F(LeftBehindTest, AWrongConnectionOfALostObjectIsReportedAfterItsRestart) {
   Config("CONNECT.CFG",
          "Teller.Ot.Number.S Hearer.In.Number.O\nTelller.Out.Number.S Hearer.In.Number.O\n");

@@ -150,7 +150,7 @@ TEST(TopTest, AllRunsThatAreHeardAreShownUntilControlC) {
   EXPECT_EQ(top.Finish().status, 0) << top.heard();
 }
 
-// One listener reads everything, another one is stopped.
+// Two listeners watch: `quick` reads everything, the other listener is stopped.
 TEST(TopTest, WatchingChangesNothing) {
   const Words flags = {"--for", "6s", "--body", "ideal"};
   const RecordedRun one = Record(flags);

@@ -62,7 +62,7 @@ ExplorePlan StarPlan(int count, bool collect, bool reduce) {
 
 int64_t Factorial(int n) { return n <= 1 ? 1 : n * Factorial(n - 1); }
 
-// Of n + 2 objects, started in any order.
+// Returns the number of orders in which `nodes` + 2 objects can be started.
 int64_t Starts(int nodes) { return Factorial(nodes + 2); }
 
 TEST(SearchTest, ReceiversThatTouchNothingInCommonHaveOneOrder) {
@@ -79,7 +79,7 @@ TEST(SearchTest, ReceiversThatTellTheSameOneHaveAllOrders) {
   EXPECT_EQ(SearchOrders(StarPlan(2, true, true))["orders"], Starts(2) * Factorial(2));
 }
 
-// Of three with a collector: 3! orders in its queue, whatever is in between.
+// Three objects send to a collector: only the 3! orders in its queue count.
 TEST(SearchTest, OnlyTheOrderInTheCommonQueueCounts) {
   const Json result = SearchOrders(StarPlan(3, true, true));
   EXPECT_EQ(result["orders"], Starts(3) * Factorial(3));
@@ -131,7 +131,7 @@ class Host : public Actor {
   Selector begin_;
 };
 
-// What could happen still does when equal orders are left out.
+// Every outcome that is possible is still reached when the search leaves equal orders out.
 TEST(SearchTest, EveryOutcomeIsReachedWithReduction) {
   const auto build = [](System* system) {
     auto* const book = system->AddObject<Guestbook>(0, "book");

@@ -105,8 +105,8 @@ using openr::testing::Snapshot;
 
 constexpr std::chrono::seconds kLongEnoughToStand(20);
 
-// One in how many is tried: of the first 300 posts (the boot and the first commands), and of those
-// that repeat themselves afterwards.
+// The test tries every kEarlyStride-th of the first 300 posts (boot and first commands), and every
+// kLateStride-th of the later posts, which repeat themselves.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr uint64_t kEarlyStride = 13, kLateStride = 307;
 #else

@@ -1,4 +1,4 @@
-// What the four objects take of stack and heap when they are all at work, beside their .ocf files.
+// Compares the stack and heap that the four objects use at work with the sizes in their .ocf files.
 // docs/robot-build.md has the table; it is printed with OPENR_PRINT_LIMITS set.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What Trouble and Teller write to the stick, for tests of sticks that do not take it.
+// The writes of Trouble and Teller to the stick, for tests of sticks that do not take them.
 #ifndef Writes_h_DEFINED
 #define Writes_h_DEFINED
 

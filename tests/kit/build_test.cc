@@ -17,7 +17,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// One build that several tests look at.
+// A build that several tests look at.
 class BuiltProgram : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -244,7 +244,7 @@ TEST(BuildTest, OldCodeCompilesAndDoesWhatItDid) {
       "sum 10   42\nold 1 7 5\ncast\nsame\nkr 23 pi 3.142\nff\nhello there\nanswer hello there\n");
 }
 
-// What only g++ 3.3 took.
+// The folder gcc3 has code that g++ 3.3 accepted and that today's compiler refuses.
 TEST(BuildTest, WhatTodaysCompilerRefusesIsRepairedInTheCopy) {
   const KitFolder folder("gcc3");
   const std::string source = folder.Read("Obj/Odd.cc");

@@ -21,7 +21,7 @@ const std::vector<std::string> kLocators = {"PRM:/r1/c1-Joint2:j1", "PRM:/r1/l7-
 class ControllerCheckTest : public ::testing::Test {
  protected:
   std::vector<Remark> Remarked() const { return CheckFolder(folder.File(""), kLocators).all(); }
-  // Of one source.
+  // Returns the remarks about a controller whose only source is `source`.
   std::vector<Remark> Remarked(const std::string& source) const {
     folder.Write("wave.c", source);
     return Remarked();

@@ -306,7 +306,7 @@ TEST(ControllerBuildTest, BuildSaysWhatAControllerIsBuiltWith) {
                                    folder.File("")));
 }
 
-// Of a copy: what is built stays out of the sources.
+// Builds copies of the examples, so that no built file gets into the sources.
 TEST(ControllerBuildTest, EveryExampleBuildsAndPassesTheCheck) {
   namespace fs = std::filesystem;
   std::vector<std::string> names;

@@ -234,7 +234,7 @@ TEST_F(EditorTest, ClangKnowsTheFlagsOfTheCommandsForEditors) {
   EXPECT_TRUE(result.good()) << result.output;
 }
 
-// What a source needs beyond the flags of its Makefile, such as declarations that headers had once.
+// Old sources need more than the flags of their Makefile: declarations that headers once had.
 TEST_F(EditorTest, TheCommandsForEditorsCompileOldSources) {
   folder_.Write("Wag/Wag.cc", folder_.Read("Wag/Wag.cc") + "double largest = DBL_MAX;\n");
   EXPECT_THAT(FilesThatCompile(folder_), ElementsAre("Wag/Wag.cc"));

@@ -1,5 +1,5 @@
-// What programs that `openr build` has built say when they do what stops the robot: the line, in
-// the program's own files.
+// Tests that a program that `openr build` has built names the line in its own files when it does
+// what stops the robot.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 

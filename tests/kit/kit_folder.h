@@ -146,7 +146,7 @@ class KitFolder {
     return RunProgram(flags);
   }
 
-  // What the objects of `stick` said in a second of virtual time; "" when they could not run.
+  // Returns what the objects of `stick` print in a second of virtual time; "" if they cannot run.
   std::string Say(const std::string& stick = "MS", std::vector<std::string> flags = {}) const {
     return SayOf(File(stick), std::move(flags));
   }
@@ -158,7 +158,7 @@ class KitFolder {
     return WordsOfObjects(result.err);
   }
 
-  // Of what a run said: neither what the system says at boot nor the summary at the end.
+  // Returns the part of `said`, the output of a run, that objects have printed.
   static std::string WordsOfObjects(const std::string& said) {
     std::istringstream lines(said.substr(0, said.find("1.000 s of virtual time")));
     std::string words;

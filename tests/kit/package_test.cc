@@ -1,4 +1,4 @@
-// What other build systems get: the CMake package and the Makefile to include, of an installation.
+// Tests of the CMake package and of the Makefile that an installation has for other build systems.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What is done about complaints of today's compiler; the whole way is in build_test.cc.
+// Tests of the repairs for errors of today's compiler; build_test.cc tests them in a build.
 #include "kit/repair_rules.h"
 
 #include <gtest/gtest.h>

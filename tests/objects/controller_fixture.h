@@ -26,7 +26,7 @@ inline constexpr const char* kPaw = "PRM:/r2/c1/c2/c3/c4-Sensor:s4";
 inline constexpr const char* kHead = "PRM:/r1/c1/c2/c3/f2-Sensor:f2";
 inline constexpr const char* kThermo = "PRM:/r6/t1-Sensor:t1";
 
-// What the test's controller does; plain functions because the interface takes those.
+// Functions that the test's controller calls; plain functions, as the interface takes no others.
 inline std::function<void()> g_main;
 inline std::function<int()> g_run;
 inline int g_reset_count, g_die_count;

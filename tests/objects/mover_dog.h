@@ -66,7 +66,7 @@ class Dog : public MoverPort {
     std::string error;
     return core.Play(command, bytes.data(), bytes.size(), &error) ? "" : error;
   }
-  // What a controller's buffer holds before its first command.
+  // Returns the content of a controller's buffer before its first command.
   BatchMoverCommand Buffer() const {
     BatchMoverCommand batch = {};
     for (int j = 0; j < robot->numJoints; ++j) {

@@ -130,7 +130,7 @@ TEST(RequestHandlerTest, BeforeTheRobotStandsItIsBusyAndSaysWhere) {
   EXPECT_EQ(robot.Ask(rcLED, {0, 1}), rcOK);
 }
 
-// One that is put in place of another while the robot stands hears of no change of state.
+// An RCServer that replaces another one while the robot stands hears of no change of state.
 TEST(RequestHandlerTest, AMoverThatTakesCommandsStands) {
   Robot robot;
   robot.Say(-1, -1);  // nothing yet

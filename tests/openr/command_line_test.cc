@@ -1,4 +1,4 @@
-// What the program refuses, and how.
+// Tests of the command lines that the program refuses, and of its answers.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// What `openr controller run` sends for what a controller has changed, and how it paces iterations.
+// Tests the requests that `openr controller run` sends for a controller's changes, and its pace.
 #include <gtest/gtest.h>
 
 #include <cstring>

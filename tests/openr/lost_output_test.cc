@@ -1,4 +1,4 @@
-// What the programs do when their standard streams are closed, full or read by nobody, and when
+// Tests of the programs when their standard streams are closed, full or read by nobody, and when
 // their files cannot be written.
 #include <gmock/gmock.h>
 #include <stdlib.h>

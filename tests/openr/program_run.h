@@ -80,9 +80,9 @@ class ProgramRun {
     return true;
   }
 
-  // What it has said on standard error so far.
+  // Returns what the program has printed to standard error so far.
   const std::string& heard() const { return result_.err; }
-  // The same for standard output.
+  // Returns what the program has printed to standard output so far.
   const std::string& said() const { return result_.out; }
 
   pid_t pid() const { return child_; }

@@ -1,4 +1,4 @@
-// What docs/remote-control.md says of clients, frames and values, asked of a robot that stands.
+// Tests what docs/remote-control.md says of clients, frames and values, with a robot that stands.
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>

@@ -91,7 +91,7 @@ class ReplayTest : public testing::Test {
     file.put(static_cast<char>(byte ^ 0x10));
   }
 
-  // What `openr replay --step` prints to these commands.
+  // Returns what `openr replay --step` prints for these commands.
   std::string Step(const std::string& commands) {
     std::ofstream(folder_ / "commands") << commands;
     const std::string command = fmt::format("{} replay {} --step < {}", OPENR_PROGRAM,
@@ -363,8 +363,8 @@ TEST_F(ReplayTest, GoingBackRestoresTheExactState) {
   EXPECT_EQ(hashes[5], hashes[4]);
 }
 
-// What it says after going back could not equal the recording if its map, its static or its
-// heap were those of later.
+// If going back restored the map, the statics or the heap of the object wrongly, its messages after
+// going back would differ from the recording.
 TEST_F(ReplayTest, GoingBackRestoresWhatAnObjectKeeps) {
   MakeKeepersStick();
   Record(true, 10'000'000);

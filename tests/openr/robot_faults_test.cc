@@ -61,7 +61,7 @@ void ExpectStop(const FaultRun& run, const std::string& name) {
   EXPECT_THAT(run.Findings(), HasSubstr("error: crash: " + name));
 }
 
-// It goes on, with a warning.
+// Expects that the run has gone on and has one warning, which matches `pattern`.
 void ExpectWarning(const FaultRun& run, const std::string& pattern) {
   EXPECT_EQ(run.result.status, 0) << run.result.err;
   EXPECT_THAT(run.Findings(), ContainsRegex("^warning: " + pattern));

@@ -1,4 +1,4 @@
-// What openr run says of a stick whose configuration is wrong.
+// Tests of the messages of openr run about a stick whose configuration is wrong.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -162,7 +162,8 @@ class UnreadableStickTest : public testing::Test {
     closed_ = name.empty() ? stick_.path() : stick_.File(name);
     std::filesystem::permissions(closed_, std::filesystem::perms::none);
   }
-  // What `openr run` and `openr check` say of it.  `run_status` is the status of `openr run`.
+  // Expects the messages `in_run` and `in_check` of `openr run` and `openr check` about the stick.
+  // `run_status` is the expected exit status of `openr run`.
   void ExpectUnreadable(const std::string& in_run, const std::string& in_check,
                         int run_status = 1) {
     for (const std::string command : {"run", "check"}) {

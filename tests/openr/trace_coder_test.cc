@@ -95,7 +95,7 @@ std::string Later(const std::string& message) { return message.substr(0, 2) + me
 
 TEST(TraceCoderTest, ShortBytesCannotClaimAllMemory) {
   std::string bytes;
-  // One message less than 512 MiB, and a last one that goes over it.
+  // Eight messages with a little less than 512 MiB in all; the ninth exceeds this limit.
   const size_t most = 64 << 20;
   bytes = MessageOfZeros(most);
   for (size_t i = 1; i < 9; ++i) bytes += Later(MessageOfZeros(most - i));

@@ -69,7 +69,7 @@ inline ExplorePlan PlanOf(PrepareRun prepare_run,
   return plan;
 }
 
-// What broke, and with how many deviations; "" when nothing did.
+// The property that broke, and the number of deviations; "" if no property broke.
 struct Broken {
   std::string property;
   std::string text;

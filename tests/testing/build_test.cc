@@ -1,4 +1,4 @@
-// What a bench is built of: sticks, images, stand-ins, probes.
+// Tests of the parts of which a bench is built: sticks, images, stand-ins, probes.
 #include "openr/simulation/simulation.h"
 #include "tests/testing/doubler.h"
 

@@ -55,7 +55,7 @@ class DoublerTest : public ::testing::Test {
     bench().Boot();
   }
   Bench& bench() { return *bench_; }
-  // What ~Bench() says is part of what is tested.
+  // Destroys the bench within the test, because the failures that ~Bench() adds are tested, too.
   void EndBench() { bench_.reset(); }
 
   Doubler* doubler = nullptr;

@@ -1,4 +1,4 @@
-// What is expected, allowed and disallowed, and what failures say.
+// Tests of messages that are expected, allowed or disallowed, and of the texts of failures.
 #include "tests/testing/doubler.h"
 
 namespace openr::testing {

@@ -1,4 +1,4 @@
-// What a person does to the dog: presses its sensors, pushes it, lifts it, changes its battery.
+// Tests of a person's hands: they press the dog's sensors, push it, lift it, change its battery.
 #include <gtest/gtest-spi.h>
 #include <openr/testing.h>
 

@@ -184,7 +184,7 @@ TEST_F(InterfereTest, TheNthSendIsTheOneThatFails) {
   EXPECT_EQ(out->values<int>(), (Ints{2, 4, 6, 8}));  // 3 went with 4
 }
 
-// What a test does to messages it does not do to nobody: the name would be wrong, or the test.
+// If fewer messages come than the test wants to drop or refuse, the test or a name in it is wrong.
 TEST_F(InterfereTest, WhatNeverComesAlongIsAFailureAtTheEnd) {
   bench().Drop(Notify("Test1.In"), 2);
   in->Send(1);

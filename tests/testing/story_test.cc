@@ -1,4 +1,4 @@
-// What a test program says when an object brings it down, and when a test asks for what cannot be.
+// Tests of the output of a test program when an object crashes it, or a test asks the impossible.
 #include "Messages.h"
 #include "tests/testing/doubler.h"
 

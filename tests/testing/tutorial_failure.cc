@@ -1,4 +1,4 @@
-// What docs/testing.md says of a failure is what a failure says.
+// Tests that a failure prints what docs/testing.md shows.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ TEST(TutorialTest, TheFailureOfThePageIsTheRealOne) {
   EXPECT_THAT(output, HasSubstr("bench.StepToMessage("));
 }
 
-// There GoogleTest is not the first to write to standard output: an object is.
+// With --gtest_brief, an object and not GoogleTest is the first to write to standard output.
 TEST(BriefTest, TestsOfTheLibraryPassWhenNobodyPrintsBeforeTheObjects) {
   EXPECT_EQ(std::system(TESTING_TESTS " --gtest_brief=1 > brief.txt 2>&1"), 0)
       << FileText("brief.txt");

@@ -138,7 +138,7 @@ uint64_t HashOf(const World& world) {
   return hasher.Digest();
 }
 
-// What only a camera sees is no state; what moves, stops or reflects is.
+// The hash has all that moves, stops or reflects, and nothing that only a camera sees.
 TEST(WorldLooksTest, TheHashKnowsMatterAndNotLooks) {
   World world = ParseThing(std::string(kBall) + "}");
   const uint64_t plain = HashOf(world);

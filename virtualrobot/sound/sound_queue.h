@@ -69,7 +69,7 @@ class SoundQueue {
     SubjectID subject;
   };
 
-  // One sound of the vector that plays; a vector may have several.
+  // A sound of the vector that plays; a vector may have several.
   struct Sound {
     const byte* data;  // the samples in the vector; null: silence
     int64_t samples;   // number of samples at the rate of the sink

@@ -49,7 +49,7 @@ private:
     OPrimitiveID panJoint_;
     int tiltElement_;  // elements of the joints in sensor vectors; -1 before the first vector
     int panElement_;
-    // What is known of frame n is in element n % NUM_FRAMES: its number and the angles in rad.
+    // Element n % NUM_FRAMES has the number of frame n, and its angles in rad.
     longword frame_[NUM_FRAMES];
     double tilt_[NUM_FRAMES];
     double pan_[NUM_FRAMES];

@@ -6,7 +6,7 @@
 //   CIRCLE     walks around the ball until the goal is behind the ball
 //   PUSH       walks on through the ball, towards the goal
 //
-// It remembers where ball and goal were, and how it has moved since, so that it may look away.
+// The player remembers where ball and goal were, and how it has moved since, so that it may look away.
 //
 
 #ifndef Player_h_DEFINED

@@ -1,5 +1,5 @@
 //
-// What BallEyes has seen in one picture, for Chaser.
+// The things that BallEyes has seen in one picture.  BallEyes sends them to Chaser.
 //
 // Places are on the floor, in mm from the dog's middle: x forward, y to the left.  Directions are
 // in rad from straight ahead, positive to the left.

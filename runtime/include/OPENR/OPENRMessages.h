@@ -1,6 +1,6 @@
 // Messages between the system and an object.
 //
-// Of these messages, an application receives only OPowerStatusMessage, and its stub receives
+// An application receives only OPowerStatusMessage of these messages, and its stub receives
 // OReasonMessage and OConnectMessage.  On the robot the OPENR:: functions send the other messages;
 // on the host these functions need no messages.  The other messages are declared because sources of
 // old programs name them.  Sizes are those of a 32-bit target, as on the robot.

@@ -4,7 +4,7 @@
 #include <OPENR/core_macro.h>
 #include <stdio.h>
 
-// What BULK.TXT of the stick may say: bytes of a region, regions at a time, rounds.
+// Values that the file BULK.TXT of the stick may set: bytes of a region, regions at a time, rounds.
 static unsigned int bytesEach = 1 << 20;
 static unsigned int regions = 1;
 static unsigned int rounds = 12;

@@ -1,4 +1,4 @@
-// What Payer, Payee and Ledger say to each other.
+// The data that Payer, Payee and Ledger send to each other.
 //
 // Payer pays one coin at a time and books it; Payee books each that it gets before it asserts
 // ready.  So Ledger, which nobody kills, can tell whether a coin came twice, and whether one that
@@ -13,7 +13,7 @@ struct Coin {
     unsigned int number;   // from 1
 };
 
-// What Payer books: the coin is on its way, those before it are acknowledged or lost.
+// An entry of Payer's book: this coin is on its way, all earlier coins are acknowledged or lost.
 struct Paid {
     Coin coin;
     unsigned int acknowledged;  // number of the last one whose ready came; 0: none

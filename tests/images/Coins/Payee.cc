@@ -5,7 +5,7 @@
 #include <OPENR/core_macro.h>
 #include <stdio.h>
 
-// What a test puts another word into, for new code.
+// A test changes a word of this text in the image, so that the image counts as new code.
 static const char edition[] = "edition one";
 
 // Whether coin 30 brings this object down.

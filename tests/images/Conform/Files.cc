@@ -67,7 +67,7 @@ Modes()
                (int)open_file.st_mode, (int)file.st_mtime));
 }
 
-// What an FTP server does with each entry of a folder.
+// Does what an FTP server does with each entry of a folder.
 static void
 Dots()
 {

@@ -10,7 +10,7 @@
 // Nothing of it is computed by the compiler.
 static volatile double zero = 0, one = 1, large = 1e10, tiny = DBL_MIN, result;
 
-// What memory that was never meant to be a number looks like.
+// Returns the float with these bits, as a program gets it from memory that holds no number.
 static float
 FloatOfBits(int bits)
 {

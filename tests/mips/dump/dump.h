@@ -1,5 +1,5 @@
-// What the objects' logic makes of fixed inputs, as lines of text.  The same text must come out
-// on every compiler, word size and CPU; C++98, so that the robot's compiler can build it, too.
+// The results of the objects' logic for fixed inputs, as lines of text.  The same text must come
+// out on every compiler, word size and CPU; C++98, so that the robot's compiler can build it, too.
 #ifndef DUMP_DUMP_H_INCLUDED
 #define DUMP_DUMP_H_INCLUDED
 

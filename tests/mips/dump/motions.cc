@@ -58,7 +58,7 @@ void Play(const MtnFile& file, int loops, int perVector) {
   }
 }
 
-// What every way to cut or spoil a file is answered with.
+// Prints the answer to a file that is cut or damaged, for every way to do so.
 void DumpBroken(const std::vector<Uint8>& bytes) {
   for (size_t size = 0; size < bytes.size(); size += 3) {
     MtnFile file;

@@ -2,7 +2,7 @@
 //
 //   stack FOLDER     a folder to write a motion to, which is read as from a Memory Stick
 //
-// What is not in it: the SDK's library below our calls, and newlib instead of glibc.
+// Not measured: the SDK's library below our calls, and newlib, which the robot has for glibc.
 #include <device/led.h>
 #include <device/mtn.h>
 #include <device/robot.h>

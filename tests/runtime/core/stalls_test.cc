@@ -1,4 +1,4 @@
-// Who waits for an answer or for the processor.
+// Tests of the report about objects that wait for an answer or for the processor.
 #include "runtime/core/stalls.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// What an object may use, what of a stick is in the state hash, and robots that go one by one.
+// Tests of an object's limits, of the stick in the state hash, and of robots that go off singly.
 #include <gtest/gtest.h>
 
 #include "runtime/core/current.h"

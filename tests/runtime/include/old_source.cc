@@ -1,6 +1,6 @@
 // A source in the manner of old OPEN-R programs, checked by the compiler only.
 //
-// It uses names as such programs do: C functions and std names without their
+// The source uses names as such programs do: C functions and std names without their
 // headers, structures and calls that come along with OObject.h, conversions that the SDK's
 // signatures allow.  gnu++98 to gnu++14.
 #include <OPENR/ODataArchive.h>

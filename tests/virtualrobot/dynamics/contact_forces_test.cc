@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kFriction = 0.5;
 
-// One contact of a mass of 1 kg with the softness `soft`.
+// A contact of a mass of 1 kg with the softness `soft`.
 ContactEquations OneMass(double soft, double press, double x, double y) {
   ContactEquations equations;
   equations.Reset(1);
