@@ -148,7 +148,7 @@ void ImageCheck::CheckImage(const ObjectRecord& record, const fs::path& file,
   if (name.empty()) return;
   for (const ObjectRecord& other : lines_by_name_[name]) {
     const bool is_same = EqualsIgnoringCase(FileNameOf(other), FileNameOf(record));
-    if (is_same || !MayHoldTogether(other.section, record.section)) continue;
+    if (is_same || !MayBothApply(other.section, record.section)) continue;
     remarks_->Add(Remark::Kind::kError, record.place,
                   fmt::format("its object is named '{}' like that of {}; names in .ocf files must "
                               "differ",

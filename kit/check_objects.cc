@@ -295,7 +295,7 @@ void CheckObjectNames(const std::vector<PlacedObject>& placed, const ObjectParts
     for (const Named& mine : own) {
       const auto first = std::find_if(seen.begin(), seen.end(), [&](const Named& other) {
         return other.ocf.name == mine.ocf.name && other.object->folder != object.folder &&
-               MayHoldTogether(other.object->section, object.section);
+               MayBothApply(other.object->section, object.section);
       });
       if (first == seen.end()) continue;
       remarks->Add(

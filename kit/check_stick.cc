@@ -92,9 +92,8 @@ void StickCheck::CheckService(const ServiceName& name, const std::string& sectio
   if (full.starts_with(kGatewayPrefix)) return;
   const auto [begin, end] = images_.services.equal_range(full);
   if (begin == end) return ReportUnknown(name, place);
-  const bool is_there = std::any_of(begin, end, [&](const auto& entry) {
-    return MayHoldTogether(entry.second.section, section);
-  });
+  const bool is_there = std::any_of(
+      begin, end, [&](const auto& entry) { return MayBothApply(entry.second.section, section); });
   if (is_there) return;
   const ServiceOwner& owner = begin->second;
   remarks_->Add(Remark::Kind::kWarning, place,

@@ -40,7 +40,7 @@ StandingMonitor::Stance StandingMonitor::StanceAt(const std::vector<double>& ang
 }
 
 bool StandingMonitor::standing() const {
-  if (!posture_ || !all_paws_touch_ || calm_us_ < kCalmUs) return false;
+  if (!posture_ || !all_paws_touch_ || resting_us_ < kRestingUs) return false;
   const Stance now = StanceAt(angles_rad_);
   return (R_WB_ * now.up_B).z() >= DetCos(kSlopeMaxRad) &&
          std::abs(now.height_m - posture_->height_m) <= kHeightToleranceM &&
@@ -51,8 +51,8 @@ bool StandingMonitor::standing() const {
 void StandingMonitor::Sample(const BodyState& state, int64_t now_us) {
   const int64_t passed_us = last_us_ < 0 ? 0 : now_us - last_us_;
   last_us_ = now_us;
-  calm_us_ = state.v_WB.norm() < kSpeedMaxMs ? calm_us_ + passed_us : 0;
-  if (calm_us_ < kCalmUs) return;
+  resting_us_ = state.v_WB.norm() < kSpeedMaxMs ? resting_us_ + passed_us : 0;
+  if (resting_us_ < kRestingUs) return;
   all_paws_touch_ =
       std::all_of(state.paws.begin(), state.paws.end(), [](bool touches) { return touches; });
   R_WB_ = state.X_WB.linear();

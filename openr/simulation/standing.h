@@ -18,7 +18,7 @@ class StandingMonitor {
   static constexpr double kAttitudeToleranceRad = Radians(3);
   static constexpr double kSlopeMaxRad = Radians(20);
   static constexpr double kSpeedMaxMs = 0.005;
-  static constexpr int64_t kCalmUs = 500'000;
+  static constexpr int64_t kRestingUs = 500'000;
 
   // Makes a monitor that compares the robot with the posture "stand" of `model`, which must outlive
   // the monitor.  For a model without this posture, standing() always returns false.
@@ -31,7 +31,7 @@ class StandingMonitor {
   // Returns whether the robot stands.  It stands if all paws touch something, its height and
   // attitude over the plane through the paws are near the height and attitude of the model's
   // posture "stand", this plane is no steeper than kSlopeMaxRad, and the trunk has been slower than
-  // kSpeedMaxMs for kCalmUs.  Without this last condition, a robot that only passes through this
+  // kSpeedMaxMs for kRestingUs.  Without this last condition, a robot that only passes through this
   // posture while it moves would count as standing.
   bool standing() const;
 
@@ -49,14 +49,14 @@ class StandingMonitor {
 
   const RobotModel* model_;
   std::optional<Stance> posture_;
-  // Joint angles and attitude (R_WB_) of the robot when it had last moved slowly for kCalmUs.
+  // Joint angles and attitude (R_WB_) of the robot when it had last moved slowly for kRestingUs.
   // standing() compares them with the model's posture "stand" only when somebody asks, because
   // computing the poses of all parts costs more time than a frame of a robot without physics.
   std::vector<double> angles_rad_;
   Eigen::Matrix3d R_WB_ = Eigen::Matrix3d::Identity();
   bool all_paws_touch_ = false;
   int64_t last_us_ = -1;
-  int64_t calm_us_ = 0;
+  int64_t resting_us_ = 0;
 };
 
 }  // namespace openr_host

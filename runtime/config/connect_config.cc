@@ -81,7 +81,7 @@ const ConnectRecord* FindConnection(const std::vector<ConnectRecord>& connection
                                     const std::string& section) {
   for (const ConnectRecord& record : connections) {
     const bool same = record.subject == subject && record.observer == observer;
-    if (same && MayHoldTogether(record.section, section)) return &record;
+    if (same && MayBothApply(record.section, section)) return &record;
   }
   return nullptr;
 }

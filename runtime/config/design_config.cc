@@ -46,7 +46,7 @@ bool CheckWords(const RecordLine& line, std::vector<Diagnostic>* diagnostics) {
 const DesignRecord* FindDesign(const std::vector<DesignRecord>& designs, const std::string& keyword,
                                const std::string& section) {
   for (const DesignRecord& record : designs) {
-    const bool meets = MayHoldTogether(record.section, section);
+    const bool meets = MayBothApply(record.section, section);
     if (meets && record.keyword == keyword) return &record;
   }
   return nullptr;

@@ -72,7 +72,7 @@ class GatewayReader {
     record.place = line.place;
     record.is_proxy = true;
     if (!ReadPort(line, &record) || !ReadHost(line, &record) || !IsNew(line, record)) return;
-    if (config_->proxy && MayHoldTogether(config_->proxy->section, record.section)) {
+    if (config_->proxy && MayBothApply(config_->proxy->section, record.section)) {
       Refuse(line.place, fmt::format("OPEN-R calls have a port already, in line {}",
                                      config_->proxy->place.line));
       return;
@@ -151,7 +151,7 @@ class GatewayReader {
     std::vector<GatewayRecord> all = config_->services;
     if (config_->proxy) all.push_back(*config_->proxy);
     for (const GatewayRecord& known : all) {
-      if (!MayHoldTogether(known.section, record.section)) continue;
+      if (!MayBothApply(known.section, record.section)) continue;
       if (!known.is_proxy && !record.is_proxy && known.service == record.service) {
         Refuse(line.place, fmt::format("the service is given already in line {}; it carries one "
                                        "connection",
@@ -215,7 +215,7 @@ std::vector<Diagnostic> CheckGatewayWires(const ConnectConfig& wires, const Gate
       return;
     }
     for (const Wire& wire : known) {
-      if (wire.service != service || !MayHoldTogether(wire.section, section)) continue;
+      if (wire.service != service || !MayBothApply(wire.section, section)) continue;
       diagnostics.push_back(ErrorAt(
           place, fmt::format("'{}' is connected already in line {}; a service of the gateway "
                              "carries one connection, more fail on the robot: give each its own "

@@ -204,7 +204,7 @@ std::vector<RecordLine> ReadRecords(const std::string& file, std::string_view te
   return records;
 }
 
-bool MayHoldTogether(std::string_view section, std::string_view other) {
+bool MayBothApply(std::string_view section, std::string_view other) {
   return section.empty() || other.empty() || EqualsIgnoringCase(section, other);
 }
 

@@ -57,6 +57,6 @@ std::vector<RecordLine> ReadRecords(const std::string& file, std::string_view te
 
 // Returns true if some robot reads both sections of a text file: their names are equal, or one name
 // is "".  "" stands for the lines before the first section, which are valid for every robot.
-bool MayHoldTogether(std::string_view section, std::string_view other);
+bool MayBothApply(std::string_view section, std::string_view other);
 
 }  // namespace openr_host

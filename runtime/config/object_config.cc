@@ -14,7 +14,7 @@ namespace {
 const ObjectRecord* FindObject(const std::vector<ObjectRecord>& objects, const std::string& path,
                                const std::string& section) {
   for (const ObjectRecord& object : objects) {
-    const bool meets = MayHoldTogether(object.section, section);
+    const bool meets = MayBothApply(object.section, section);
     if (meets && EqualsIgnoringCase(object.path, path)) return &object;
   }
   return nullptr;

@@ -198,7 +198,7 @@ std::vector<OwnedMessage> ObjectTable::TakeMessagesTo(Object* object) {
   object->waiting -= static_cast<int>(messages.size());
   ASSERT(object->waiting >= 0, "{} has {} waiting messages", object->name, object->waiting);
   for (const auto& sender : objects_) TakeOutgoing(sender.get(), object->id, &messages);
-  for (const auto& sender : outlived_) TakeOutgoing(sender.get(), object->id, &messages);
+  for (const auto& sender : replaced_running_) TakeOutgoing(sender.get(), object->id, &messages);
   return messages;
 }
 
@@ -245,7 +245,7 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
   // Keeps an old object whose handler waits or still has the processor, because that handler needs
   // its object until it ends.
   if (old->handler.running != nullptr || old->delivery.is_busy())
-    outlived_.push_back(std::move(objects_[static_cast<size_t>(id)]));
+    replaced_running_.push_back(std::move(objects_[static_cast<size_t>(id)]));
   objects_[static_cast<size_t>(id)] = std::move(fresh);
 }
 

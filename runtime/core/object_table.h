@@ -103,8 +103,9 @@ class ObjectTable {
   void Place(std::unique_ptr<Object> fresh);
 
   System* const system_;
-  std::vector<std::unique_ptr<Object>> objects_;   // the index is the id of the object
-  std::vector<std::unique_ptr<Object>> outlived_;  // replaced objects whose handler has not ended
+  std::vector<std::unique_ptr<Object>> objects_;  // the index is the id of the object
+  // Replaced objects whose handler has not ended.
+  std::vector<std::unique_ptr<Object>> replaced_running_;
   std::vector<Listener> end_listeners_;
   std::vector<Listener> replace_listeners_;
 };
