@@ -122,6 +122,8 @@ def main():
     for folder in ("cli", "kit", "panel", "python"):
         status, said = say({f"{folder}/a.h": comment("BOOK 9")})
         verdict(f"{folder} is read", status == 1 and f"{folder}/a.h:" in said, said)
+    status, said = say({"panel/" "node_modules/" "a.md": "[a](missing.md)\n"})
+    verdict("packages of npm are not read", (status, said) == (0, ""), said)
     status, said = say({"tools/a.py": "# one\n\n# " + BOOK + " 1.1 and\n# 99\n"})
     verdict("the line is that of the number", said == f"tools/a.py:4: {BOOK} has no 99\n", said)
     for text, words in MARKDOWN:
