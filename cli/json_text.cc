@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "runtime/base/json_depth.h"
+
 namespace openr_host {
 namespace {
 
@@ -21,6 +23,10 @@ void CheckFraction(const Json& number, Fractions fractions) {
 
 }  // namespace
 
+JsonTooDeep::JsonTooDeep()
+    : std::runtime_error(
+          fmt::format("the JSON is nested more than {} levels deep", kJsonDepthMax)) {}
+
 template <typename Json>
 std::string JsonText(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
@@ -28,6 +34,7 @@ std::string JsonText(const Json& json, int indent) {
 
 template <typename Json>
 Json ParseJson(std::string_view text) {
+  if (IsJsonTooDeep(text)) throw JsonTooDeep();
   return Json::parse(text);
 }
 
@@ -47,6 +54,7 @@ void CheckFractions(const Json& json, Fractions fractions) {
 
 template <typename Json>
 Json TryParseJson(std::string_view text) {
+  if (IsJsonTooDeep(text)) return Json(Json::value_t::discarded);
   return Json::parse(text, nullptr, false);
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -15,7 +16,14 @@ namespace openr_host {
 template <typename Json>
 std::string JsonText(const Json& json, int indent = -1);
 
-// Returns the JSON in `text`.  Throws Json::parse_error if `text` is no JSON.
+// Thrown for JSON that is nested too deeply (IsJsonTooDeep()).
+class JsonTooDeep : public std::runtime_error {
+ public:
+  JsonTooDeep();
+};
+
+// Returns the JSON in `text`.  Throws Json::parse_error if `text` is no JSON, and JsonTooDeep if
+// the JSON is nested too deeply.
 template <typename Json>
 Json ParseJson(std::string_view text);
 
@@ -34,7 +42,8 @@ enum class Fractions {
 template <typename Json>
 void CheckFractions(const Json& json, Fractions fractions);
 
-// Returns the JSON in `text`, or a value of which is_discarded() is true if `text` is no JSON.
+// Returns the JSON in `text`, or a value of which is_discarded() is true if `text` is no JSON, or
+// JSON that is nested too deeply.
 template <typename Json>
 Json TryParseJson(std::string_view text);
 

@@ -3,9 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/base/json_depth.h"
+
 namespace openr_host {
 
 nlohmann::json JsonReader::ParseText(const std::string& text, const std::string& file) {
+  if (IsJsonTooDeep(text)) {
+    throw std::runtime_error(
+        fmt::format("{}: is nested more than {} levels deep", file, kJsonDepthMax));
+  }
   try {
     return nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& e) {

@@ -79,6 +79,8 @@ bool RunServer::ServeOne() {
     answer = problem.empty() ? Do({json, bytes}) : Refusal(problem);
   } catch (const Json::exception&) {
     answer = Refusal("the request is no JSON");
+  } catch (const JsonTooDeep& error) {
+    answer = Refusal(error.what());
   } catch (const RequestTooLong& error) {
     pipe_.Send(JsonText(Refusal(error.what()).json), "");
     return false;

@@ -42,9 +42,34 @@ TEST(JsonTextTest, AFractionBeyondEveryIntegerIsRefused) {
             "the number -2147483648.0 is too large");
 }
 
-TEST(JsonTextTest, DeeplyNestedNumbersAreChecked) {
-  const std::string deep = std::string(100'000, '[') + "1e30" + std::string(100'000, ']');
-  EXPECT_EQ(Problem(deep, Fractions::kBounded), "the number 1e+30 is too large");
+std::string Nested(size_t depth, const std::string& inside) {
+  return std::string(depth, '[') + inside + std::string(depth, ']');
+}
+
+TEST(JsonTextTest, NestedNumbersAreChecked) {
+  EXPECT_EQ(Problem(Nested(100, "1e30"), Fractions::kBounded), "the number 1e+30 is too large");
+}
+
+// The JSON library would overflow the stack when it copies or writes such JSON.
+TEST(JsonTextTest, DeeplyNestedJsonIsRefused) {
+  EXPECT_EQ(JsonText(ParseJson<Json>(Nested(100, ""))), Nested(100, ""));
+  for (const size_t depth : {size_t{101}, size_t{1'000'000}}) {
+    EXPECT_EQ(Problem(Nested(depth, ""), Fractions::kBounded),
+              "the JSON is nested more than 100 levels deep");
+    EXPECT_TRUE(TryParseJson<Json>(Nested(depth, "")).is_discarded());
+  }
+  std::string objects;
+  for (int i = 0; i < 101; ++i) objects += "{\"a\":";
+  EXPECT_THROW(ParseJson<Json>(objects), JsonTooDeep);
+}
+
+TEST(JsonTextTest, BracketsInTextsAreNotNested) {
+  const std::string brackets(1000, '[');
+  for (const std::string& text : {"\"" + brackets + "\"", "[\"\\\"" + brackets + "\",\"\\\\\"]"})
+    EXPECT_EQ(JsonText(ParseJson<Json>(text)), text);
+  std::string list = "[0";
+  for (int i = 0; i < 1000; ++i) list += ",[{}]";
+  EXPECT_EQ(ParseJson<Json>(list + "]").size(), 1001u);
 }
 
 TEST(JsonTextTest, WhatIsNoJsonIsAParseError) {

@@ -261,6 +261,17 @@ TEST_F(LiveServerTest, GarbageGetsAnErrorAndTheConnectionGoesOn) {
   close(client);
 }
 
+// Writing such an id into the answer would overflow the stack of the run.
+TEST_F(LiveServerTest, ADeeplyNestedRequestIsRefused) {
+  const int client = Connect();
+  const std::string id = std::string(30'000, '[') + std::string(30'000, ']');
+  Write(client, "{\"do\":\"a\",\"id\":" + id + "}\n{\"do\":\"a\"}\n");
+  Serve();
+  EXPECT_EQ(Read(client),
+            "{\"error\":\"the JSON is nested more than 100 levels deep\"}\n{\"echo\":\"a\"}\n");
+  close(client);
+}
+
 TEST_F(LiveServerTest, ARequestWithoutAnEndIsClosed) {
   const int client = Connect();
   const std::string piece(16 << 10, 'x');

@@ -88,6 +88,12 @@ TEST(JsonReaderTest, LimitsBelongToTheRangeAndAFloorDoesNot) {
   EXPECT_EQ(above("0.6"), "");
 }
 
+TEST(JsonReaderTest, DeeplyNestedJsonIsRefused) {
+  const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
+  EXPECT_EQ(ErrorOf([&] { JsonReader::ParseText(deep, "f.json"); }),
+            "f.json: is nested more than 100 levels deep");
+}
+
 TEST(JsonReaderTest, AListOfNumbersHasItsLength) {
   const nlohmann::json json = nlohmann::json::parse(R"({"a": [1, 2, 3]})");
   const JsonReader list = JsonReader(json, "f.json").At("a");

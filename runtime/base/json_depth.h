@@ -1,0 +1,35 @@
+// IsJsonTooDeep(), which finds JSON that is nested too deeply.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace openr_host {
+
+// The most lists and objects that JSON of a file or of another program may have inside each other.
+// The JSON of openr has less than ten.
+inline constexpr size_t kJsonDepthMax = 100;
+
+// Returns whether lists and objects in the text `json` are nested more than kJsonDepthMax levels
+// deep.  Code that parses JSON of a file or of another program must call this function before,
+// because the JSON library copies and writes JSON by recursion: JSON that is nested ten thousands
+// of levels deep would overflow the stack.
+constexpr bool IsJsonTooDeep(std::string_view json) {
+  size_t depth = 0;
+  bool is_in_text = false;
+  for (size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    if (c == '"') {
+      is_in_text = !is_in_text;
+    } else if (is_in_text) {
+      if (c == '\\') ++i;  // The next character belongs to the text, even if it is a quote.
+    } else if (c == '[' || c == '{') {
+      if (++depth > kJsonDepthMax) return true;
+    } else if ((c == ']' || c == '}') && depth > 0) {
+      --depth;
+    }
+  }
+  return false;
+}
+
+}  // namespace openr_host
