@@ -151,7 +151,9 @@ void Page::PassOn(const std::string& text, const nlohmann::json& request) {
   if (!link_->Send(line)) connection_->SetReading(false);
 }
 
-void Page::CallRobot(nlohmann::json request, size_t size) {
+// Takes `request` only when nothing can refuse it any more, because Obey() answers a refused
+// request with its id.
+void Page::CallRobot(nlohmann::json&& request, size_t size) {
   if (!allows_controllers_ && IsUpload(request) && request.value("kind", "") != "motion") {
     throw std::runtime_error(
         "a controller is code, so it cannot be uploaded through a panel that other computers "
@@ -178,9 +180,9 @@ RcBridge* Page::BridgeTo(const nlohmann::json& request) {
     throw std::runtime_error(
         fmt::format("a page can use {} robots at most; open another page", kEndpointsMax));
   }
-  auto& bridge = bridges_[key];
-  bridge = std::make_unique<RcBridge>(std::move(find), outbox_);
-  return bridge.get();
+  // Adds the bridge to bridges_ only after it was made, because RcBridge() may throw.
+  auto bridge = std::make_unique<RcBridge>(std::move(find), outbox_);
+  return bridges_.emplace(key, std::move(bridge)).first->second.get();
 }
 
 // Carries out a call of the panel "Both dogs": connects a second robot to a robot of the run,

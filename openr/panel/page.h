@@ -67,7 +67,7 @@ class Page : public WebPage {
  private:
   void HandleRequest(const std::string& text);
   void PassOn(const std::string& text, const nlohmann::json& request);
-  void CallRobot(nlohmann::json request, size_t size);
+  void CallRobot(nlohmann::json&& request, size_t size);
   void CallPair(const nlohmann::json& request);
   RcBridge* BridgeTo(const nlohmann::json& request);
   void Refuse(const nlohmann::json& request, const std::string& why);

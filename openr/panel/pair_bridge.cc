@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -210,15 +211,20 @@ PairBridge::PairBridge(const LiveRun& run, size_t robot, const nlohmann::json& r
   if (g_pair_threads >= kThreadsMax)
     throw std::runtime_error("too many connections to robots are being closed; try again soon");
   ++g_pair_threads;
-  // Detaches the thread, because the event loop must not wait for a robot that does not answer.
-  std::thread([work = work_] {
-    const std::string why = ServePair(work.get());
-    work->is_over = true;
-    OrderedJson event = EventOf(*work, why.empty() ? "closed" : "lost");
-    event["why"] = why;
-    Send(*work, std::move(event));
-    --g_pair_threads;
-  }).detach();
+  try {
+    // Detaches the thread, because the event loop must not wait for a robot that does not answer.
+    std::thread([work = work_] {
+      const std::string why = ServePair(work.get());
+      work->is_over = true;
+      OrderedJson event = EventOf(*work, why.empty() ? "closed" : "lost");
+      event["why"] = why;
+      Send(*work, std::move(event));
+      --g_pair_threads;
+    }).detach();
+  } catch (const std::system_error&) {
+    --g_pair_threads;  // this computer cannot make a thread
+    throw;
+  }
 }
 
 PairBridge::~PairBridge() { work_->control.End(); }

@@ -8,6 +8,7 @@
 #include <deque>
 #include <mutex>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -88,15 +89,20 @@ RcBridge::RcBridge(RcCalls::FindAddress find_address, std::shared_ptr<Outbox> ou
   if (g_bridge_threads >= kThreadsMax)
     throw std::runtime_error("too many connections to robots are being closed; try again soon");
   ++g_bridge_threads;
-  // Detaches the thread, because the event loop must not wait for it: a call to a robot that does
-  // not answer takes seconds.
-  std::thread([find_address = std::move(find_address), outbox = outbox_, queue = queue_] {
-    {
-      RcCalls calls(find_address);
-      DoCalls(queue.get(), &calls, outbox.get());
-    }
-    --g_bridge_threads;
-  }).detach();
+  try {
+    // Detaches the thread, because the event loop must not wait for it: a call to a robot that does
+    // not answer takes seconds.
+    std::thread([find_address = std::move(find_address), outbox = outbox_, queue = queue_] {
+      {
+        RcCalls calls(find_address);
+        DoCalls(queue.get(), &calls, outbox.get());
+      }
+      --g_bridge_threads;
+    }).detach();
+  } catch (const std::system_error&) {
+    --g_bridge_threads;  // this computer cannot make a thread
+    throw;
+  }
 }
 
 RcBridge::~RcBridge() {

@@ -137,14 +137,17 @@ TEST_F(PanelServerTest, OtherRequestsAndTheirAnswersPassThroughUnchanged) {
 
 TEST_F(PanelServerTest, WhatIsNoRequestIsRefusedAndThePageGoesOn) {
   const auto page = Page();
-  for (const char* const text : {"hello", "[]", "7", "{\"do\":"}) {
+  const std::string deep = R"({"do":"rc","call":"upload","id":)" + std::string(1'000'000, '[') +
+                           std::string(1'000'000, ']') + "}";
+  for (const std::string& text :
+       {std::string("hello"), std::string("[]"), std::string("7"), std::string("{\"do\":"), deep}) {
     page->Send(text);
     EXPECT_EQ(page->Receive(), R"({"error":"the request is no JSON object"})");
   }
   page->Send(R"({"do":"rc","call":"info","robot":1e300,"id":2})");
   EXPECT_EQ(page->Receive(), R"({"error":"the number 1e+300 is too large","id":2})");
-  page->Send(R"({"do":"rc","call":"info","robot":-1})");
-  EXPECT_EQ(page->Receive(), R"({"error":"there is no robot -1"})");
+  page->Send(R"({"do":"rc","call":"info","robot":-1,"id":4})");
+  EXPECT_EQ(page->Receive(), R"({"error":"there is no robot -1","id":4})");
   page->Send(R"({"do":7,"id":3})");
   EXPECT_THAT(page->Receive(), HasSubstr("\"id\":3"));
   page->Send(R"({"do":"status"})");
@@ -292,6 +295,43 @@ TEST_F(PanelServerTest, ARobotThatIsNotThereIsAnError) {
   EXPECT_THAT(answer.at("error").get<std::string>(), HasSubstr("no program listens there"));
   const Json wrong = page->Ask({{"do", "rc"}, {"call", "connect"}, {"endpoint", "a:b:c"}});
   EXPECT_THAT(wrong.at("error").get<std::string>(), HasSubstr("more than one colon"));
+}
+
+// Each page uses as many robots as it may.  One page is closed while its robots do not answer, so
+// that its threads go on, and the next page gets none.
+TEST_F(PanelServerTest, ARobotThatWasRefusedMayBeAskedForAgain) {
+  const int silent = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  socklen_t size = sizeof address;
+  auto* const any = reinterpret_cast<sockaddr*>(&address);
+  ASSERT_EQ(bind(silent, any, size), 0);
+  ASSERT_EQ(listen(silent, 16), 0);
+  ASSERT_EQ(getsockname(silent, any, &size), 0);
+  const auto call = [](int host, int port, const std::string& id) {
+    return Json{{"do", "rc"},
+                {"call", "connect"},
+                {"endpoint", "127.0.0." + std::to_string(host) + ":" + std::to_string(port)},
+                {"id", id}};
+  };
+  std::vector<std::unique_ptr<WebSocketClient>> pages;
+  while (pages.size() < 15) {
+    pages.push_back(Page());
+    for (int host = 1; host <= 4; ++host) pages.back()->Ask(call(host, 1, "nobody listens"));
+  }
+  auto closed = Page();
+  for (int host = 1; host <= 4; ++host)
+    closed->Send(call(host, ntohs(address.sin_port), "silent").dump());
+  closed->Send("hello");
+  EXPECT_EQ(closed->Receive(), R"({"error":"the request is no JSON object"})");
+  closed.reset();
+  const auto next = Page();
+  for (const char* const id : {"a", "b"}) {
+    const Json answer = next->Ask(call(1, ntohs(address.sin_port), id));
+    EXPECT_EQ(answer.value("id", ""), id) << answer;
+    EXPECT_TRUE(answer.contains("error")) << answer;
+  }
+  close(silent);
 }
 
 TEST_F(PanelServerTest, CtrlCEndsAServerThatWasStartedByHand) {
