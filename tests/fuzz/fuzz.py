@@ -206,6 +206,12 @@ def report(name, result):
     return False
 
 
+def seconds_each(seconds, count):
+    """Returns the share of each of `count` targets in `seconds`, rounded up, so that all together
+    do not get less."""
+    return -(-seconds // count)
+
+
 def run_all(names, work, seconds=None, quiet=QUIET_SECONDS, clock=time.monotonic):
     """Calls work(name) for all names, two at a time.  Shows the progress meanwhile; `seconds` is
     how long one call takes, if that is known.  Returns how many calls returned True."""
@@ -245,8 +251,7 @@ def main():
     if options.argument is None or not options.argument.isdigit() or int(options.argument) < 1:
         parser.error("the seconds are missing: ./dev fuzz TARGET SECONDS")
     names = list(known) if options.target == "all" else [options.target]
-    # Each target gets its share of the processes' time.
-    seconds = max(1, int(options.argument) // len(names))
+    seconds = seconds_each(int(options.argument), len(names))
 
     good = run_all(names, lambda name: report(name, fuzz(name, known[name], seconds, options.seed)),
                    seconds)

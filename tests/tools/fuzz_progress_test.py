@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""tests/fuzz/fuzz.py: the progress line of ./dev fuzz, and the limits of inputs.  The last line is "N passed, N failed"."""
+"""tests/fuzz/fuzz.py: the progress line of ./dev fuzz, the limits of inputs and the shares of targets.  The last line is "N passed, N failed"."""
 import io
 import sys
 import threading
@@ -65,4 +65,7 @@ verdict("a terminal shows the line", " of 3 targets done, about 20 s left" in sh
 verdict("the line is cleared at the end", shown.endswith("\r\x1b[K"), repr(shown))
 check("a pipe shows nothing", drawn(is_terminal=False), "")
 check("a short run shows nothing", drawn(is_terminal=True, quiet=60), "")
+verdict("targets that share seconds do not get less in all",
+        [fuzz.seconds_each(*share) for share in ((300, 35), (35, 35), (1, 35), (60, 1))] == [9, 1, 1, 60])
+
 sys.exit(finish())

@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
-"""tools/mutant_operators.py: which changes it makes of a source, and what it leaves alone.  The
-last line is "N passed, N failed"."""
+"""tools/mutant_operators.py: which changes it makes of a source, and what it leaves alone; and
+tests/mutants/accepted.json, whose survivors must be mutants of the tree.  The last line is
+"N passed, N failed"."""
+import json
 import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 sys.path[:0] = [str(ROOT / "tests/support"), str(ROOT / "tools")]
+import mutants as tool  # noqa: E402
 from mutant_operators import mutants_of  # noqa: E402
 from verdicts import finish, verdict  # noqa: E402
 
@@ -48,5 +51,9 @@ SOURCE = "void F() {\n  Foo(1);\n  Bar(2);\n  Foo(1);\n}\n"
 PLACES = [(mutant.line, mutant.text, mutant.occurrence) for mutant in mutants_of("a.cc", SOURCE)
           if mutant.original == "1"]
 verdict("equal lines are numbered", PLACES == [(2, "Foo(1);", 1), (4, "Foo(1);", 2)], PLACES)
+
+UNKNOWN = tool.unknown_entries(json.loads(tool.TARGETS.read_text()), tool.accepted_keys())
+verdict("each entry of accepted.json names a mutant of the tree", not UNKNOWN,
+        "\n".join([*map(str, UNKNOWN), "if only the text of a line has changed, change the entry"]))
 
 sys.exit(finish())
