@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Kills a run at each of its writes to the Memory Stick, and looks at the stick.
 
-    power_cuts.py --build build/release [--most N] [--one CALL N [--refuse]]
+    power_cuts.py --build build/release [--most N] [--one CALL N [--refuse | --term]]
 
 A client uploads a motion and then an image, which replaces one that is there.  strace kills the run
 with SIGKILL at its n-th call of a kind on the files of the uploads: an open, a write, a close, a
@@ -17,11 +17,14 @@ renames fail, and both uploads replace a file.  There the old file may be withou
 kill, until the next start, or until the one after that if it is the image.  The stick has no
 CONTROLL.OLD before, so no upload renames one here.
 
+The same again with SIGTERM.  After that the run has to end by itself with status 0, or by the signal
+if it has said nothing yet, and must leave no temporary file and no socket.
+
 Then one run that is not killed: its bytes before each rename of an upload, and the folder directly
 after it, are written through to the disk (fsync), as a cut of the host's power demands.  The client
 gets the answer to its last packet only after that.
 --most N takes N calls of each kind, spread over the uploads.  --one CALL N ends one run; with
---refuse its renames fail.  The last line is "N passed, N failed".
+--refuse its renames fail, with --term it gets SIGTERM.  The last line is "N passed, N failed".
 """
 import argparse
 import ast
@@ -107,13 +110,22 @@ class Uploads:
         subprocess.run(["pkill", "-KILL", "-P", str(self.run.process.pid)], check=False)
         self.run.process.wait()
 
-    def was_killed(self, limit_s):
-        """Waits for the end of the run; returns whether strace has killed it within the limit."""
+    def has_ended(self, limit_s):
+        """Waits for the end of the run; returns whether it came within the limit."""
         try:
             self.run.process.wait(timeout=limit_s)
         except subprocess.TimeoutExpired:
             return False
-        return self.run.process.returncode in (-signal.SIGKILL, 128 + signal.SIGKILL)
+        return True
+
+    def was_killed(self, limit_s):
+        """Waits for the end of the run; returns whether strace has killed it within the limit."""
+        return self.has_ended(limit_s) and self.run.process.returncode in (-signal.SIGKILL, 128 + signal.SIGKILL)
+
+    def left(self):
+        """Returns the temporary files and the sockets that the run has left behind."""
+        files = [path.name for path in self.run.stick.rglob("*") if TEMPORARY.search(path.name)]
+        return files + [path.name for path in self.run.folder.rglob("*") if path.is_socket()]
 
     def wrong(self, may_lack):
         """Returns what is wrong with the stick; `may_lack`: files may be without their names."""
@@ -163,6 +175,26 @@ def cut(openr, call, number, refuses):
         return None if whole and not killed and not wrong else wrong
 
 
+def ask_to_end(openr, call, number):
+    """Sends SIGTERM to a run at one call.  Returns what is wrong, or None as cut() does."""
+    with tempfile.TemporaryDirectory(prefix="cut-") as folder:
+        uploads = Uploads(openr, folder, *upload_paths(folder), "-e", f"inject={call}:signal=SIGTERM:when={number}")
+        whole = uploads.upload()
+        has_ended = uploads.has_ended(1 if whole else LIMIT_S)
+        uploads.end()
+        wrong = uploads.wrong(may_lack=False)
+        if has_ended:
+            status, left, said = uploads.run.process.returncode, uploads.left(), uploads.run.said.read_text()
+            # Before the run takes signals, it has said nothing, and SIGTERM just ends it.
+            if status != 0 and (status != -signal.SIGTERM or said):
+                wrong.append(f"status {status}: {said}")
+            wrong += [f"{left} is left behind"] if left else []
+        elif not whole:
+            wrong.append(f"the uploads failed, and the run goes on: {uploads.run.said.read_text()}")
+        wrong += uploads.start_again()
+        return None if whole and not has_ended and not wrong else wrong
+
+
 def cut_all(openr, calls, most, refuses):
     """Ends runs at each call of these kinds, or at `most` calls of each kind."""
     with tempfile.TemporaryDirectory(prefix="cut-") as folder:
@@ -176,8 +208,15 @@ def cut_all(openr, calls, most, refuses):
         numbers = range(1, counts[call] + 1)
         for number in numbers if not most else numbers[::max(1, len(numbers) // most)][:most]:
             wrong = cut(openr, call, number, refuses)
-            verdict(f"killed at {call} {number} of {counts[call]}{where}", wrong == [],
-                    "the run makes fewer calls" if wrong is None else "\n".join(wrong))
+            verdict(f"killed at {call} {number} of {counts[call]}{where}", wrong == [], text_of(wrong))
+            if not refuses:
+                wrong = ask_to_end(openr, call, number)
+                verdict(f"SIGTERM at {call} {number} of {counts[call]}", wrong == [], text_of(wrong))
+
+
+def text_of(wrong):
+    """Returns what cut() or ask_to_end() has found wrong, as a text."""
+    return "the run makes fewer calls" if wrong is None else "\n".join(wrong)
 
 
 def ends_answered(lines):
@@ -236,14 +275,17 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build/release"))
     parser.add_argument("--most", type=int, default=0, help="ends at calls of one kind; 0: all")
     parser.add_argument("--one", nargs=2, metavar=("CALL", "N"))
-    parser.add_argument("--refuse", action="store_true", help="with --one: rename() replaces no file")
+    how = parser.add_mutually_exclusive_group()
+    how.add_argument("--refuse", action="store_true", help="with --one: rename() replaces no file")
+    how.add_argument("--term", action="store_true", help="with --one: SIGTERM")
     flags = parser.parse_args()
     if not shutil.which("strace"):
         sys.exit("strace is not installed (Debian package strace)")
     openr = (flags.build / "bin/openr").resolve()
     if flags.one:
-        wrong = cut(openr, flags.one[0], int(flags.one[1]), flags.refuse)
-        print("\n".join(["the run makes fewer calls"] if wrong is None else wrong or ["nothing is wrong"]))
+        call, number = flags.one[0], int(flags.one[1])
+        wrong = ask_to_end(openr, call, number) if flags.term else cut(openr, call, number, flags.refuse)
+        print("nothing is wrong" if wrong == [] else text_of(wrong))
         return 1 if wrong else 0
     cut_all(openr, CALLS, flags.most, refuses=False)
     cut_all(openr, REFUSED_CALLS, flags.most, refuses=True)
