@@ -124,26 +124,28 @@ void Page::Take(std::string_view part, bool is_text, bool is_last) {
 void Page::HandleRequest(const std::string& text) {
   auto request = TryParseJson<nlohmann::json>(text);
   if (!request.is_object()) return Refuse({}, "the request is no JSON object");
+  // Copies the id, because CallRobot() moves the request away, and a refusal needs the id.
+  const nlohmann::json id = request.value("id", nlohmann::json());
   try {
     CheckFractions(request, Fractions::kBounded);
     if (text.size() > kMessageMax && !IsUpload(request)) {
       End(kCloseTooLong, fmt::format("a message of more than {} bytes", kMessageMax));
     } else if (const std::string what = request.value("do", ""); what == "runs") {
-      runs_->Ask(outbox_, request.value("id", nlohmann::json()));
+      runs_->Ask(outbox_, id);
     } else if (what == "rc") {
       CallRobot(std::move(request), text.size());
     } else if (what == "pair") {
       CallPair(request);
     } else {
-      PassOn(text, request);
+      PassOn(text, id);
     }
   } catch (const std::exception& error) {
-    Refuse(request, error.what());
+    Refuse(id, error.what());
   }
 }
 
-void Page::PassOn(const std::string& text, const nlohmann::json& request) {
-  if (link_ == nullptr) return Refuse(request, "this page has no run; the request runs lists them");
+void Page::PassOn(const std::string& text, const nlohmann::json& id) {
+  if (link_ == nullptr) return Refuse(id, "this page has no run; the request runs lists them");
   std::string line = text;
   // Replaces line ends by spaces, which mean the same in JSON.  The run takes each line as a
   // request of its own, so this request must be one line.
@@ -151,9 +153,7 @@ void Page::PassOn(const std::string& text, const nlohmann::json& request) {
   if (!link_->Send(line)) connection_->SetReading(false);
 }
 
-// Takes `request` only when nothing can refuse it any more, because Obey() answers a refused
-// request with its id.
-void Page::CallRobot(nlohmann::json&& request, size_t size) {
+void Page::CallRobot(nlohmann::json request, size_t size) {
   if (!allows_controllers_ && IsUpload(request) && request.value("kind", "") != "motion") {
     throw std::runtime_error(
         "a controller is code, so it cannot be uploaded through a panel that other computers "
@@ -211,9 +211,9 @@ void Page::CallPair(const nlohmann::json& request) {
   Queue(JsonText(answer));
 }
 
-void Page::Refuse(const nlohmann::json& request, const std::string& why) {
+void Page::Refuse(const nlohmann::json& id, const std::string& why) {
   Json answer = {{"error", why}};
-  if (request.is_object() && request.contains("id")) answer["id"] = request["id"];
+  if (!id.is_null()) answer["id"] = id;
   Queue(JsonText(answer));
 }
 

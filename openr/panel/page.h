@@ -66,11 +66,11 @@ class Page : public WebPage {
 
  private:
   void HandleRequest(const std::string& text);
-  void PassOn(const std::string& text, const nlohmann::json& request);
-  void CallRobot(nlohmann::json&& request, size_t size);
+  void PassOn(const std::string& text, const nlohmann::json& id);
+  void CallRobot(nlohmann::json request, size_t size);
   void CallPair(const nlohmann::json& request);
   RcBridge* BridgeTo(const nlohmann::json& request);
-  void Refuse(const nlohmann::json& request, const std::string& why);
+  void Refuse(const nlohmann::json& id, const std::string& why);
   void Queue(std::string text);
   void Drop(size_t size, bool is_last);
 
