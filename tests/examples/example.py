@@ -1,5 +1,6 @@
 """One example: a copy of its folder, built, run, and what is wrong with it."""
 import json
+import pathlib
 import re
 import shutil
 import signal
@@ -49,6 +50,7 @@ class Example:
         self.recording = scratch / f"{source.name}.rec"
         self.complaints = []
         self.skipped = []
+        self.hashes = []  # of run(): the arguments and the hash of the trace, as in hashes.txt
         # Without what somebody's own build and run left there.
         shutil.copytree(source, self.folder,
                         ignore=shutil.ignore_patterns("OBJS", "*.PPM", "*.WAV"))
@@ -117,6 +119,8 @@ class Example:
         self.expect_lines(other.lines, one.lines)
         self.expect(other.report.get("state_hash") == one.report.get("state_hash"),
                     "other processes give another state")
+        words = [pathlib.Path(word).name if word.startswith("/") else word for word in arguments]
+        self.hashes.append(f"{self.name} {' '.join(words)}  {one.report.get('trace_hash')}")
         return other
 
     def run_once(self, *arguments):

@@ -2,11 +2,14 @@
 """Builds every program of examples/ in a copy and runs it: does it print what its README says?
 
     run_examples.py --build DIR [WORD]
+    run_examples.py --build DIR --record-hashes
 
 DIR/bin/openr builds and runs; with WORD only examples whose name contains it.  Each
 is run once more with every object in a process of its own, which has to be the same run.  Programs
 that serve the network get a free port in their copy, and are asked by real clients on 127.0.0.1; a
 recording of what was answered from other processes is replayed in one.
+The trace of a run that nobody takes part in has the hash of hashes.txt.  --record-hashes writes this
+file anew, for a commit that says why the runs are others now.
 The last line is "N passed, N failed" (", N skipped").
 """
 import argparse
@@ -23,6 +26,7 @@ import local_checks
 import network_checks
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
+HASHES = pathlib.Path(__file__).resolve().parent / "hashes.txt"
 
 
 def checks():
@@ -40,26 +44,43 @@ def is_live(name):
     return name == "Hello" or hasattr(network_checks, f"check_{name}")
 
 
+def recorded_hashes(name):
+    """Returns the lines of hashes.txt about one example."""
+    return [line for line in HASHES.read_text().splitlines() if line.startswith(name + " ")]
+
+
 def run(openr, name, check, scratch, apart):
-    """What is wrong, in lines (none is good), and what could not be looked at."""
+    """What is wrong, in lines (none is good), what could not be looked at, and the hashes."""
     try:
         folder = scratch / (name + ("-apart" if apart else ""))
         folder.mkdir()
         example = Example(openr, EXAMPLES / name, folder, apart)
         check(example)
-        return example.complaints, example.skipped
+        return example.complaints, example.skipped, example.hashes
     except Exception:  # a broken check must not hide the others
-        return [traceback.format_exc()], []
+        return [traceback.format_exc()], [], []
+
+
+def difference(name, hashes):
+    """Returns in lines how the hashes differ from those of hashes.txt."""
+    wanted = recorded_hashes(name)
+    if hashes == wanted:
+        return []
+    return ["the traces are not those of hashes.txt, but", *("  " + line for line in hashes),
+            "instead of", *("  " + line for line in wanted)]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--build", required=True, type=pathlib.Path)
     parser.add_argument("word", nargs="?", default="")
+    parser.add_argument("--record-hashes", action="store_true")
     arguments = parser.parse_args()
+    if arguments.word and arguments.record_hashes:
+        parser.error("--record-hashes needs all examples, without a WORD")
     openr = (arguments.build / "bin/openr").resolve()
     found = checks()
-    good, bad, skips = 0, 0, 0
+    good, bad, skips, all_hashes = 0, 0, 0, []
 
     # Those of controllers/ are tested by tests/controllers and tests/kit, those of python/ by
     # tests/python; ros2/ needs ROS 2.
@@ -78,7 +99,10 @@ def main():
             todo = {(name, apart): pool.submit(run, openr, name, found[name], scratch, apart)
                     for name, apart in passes if arguments.word in name}
             for (name, apart), future in todo.items():
-                complaints, skipped = future.result()
+                complaints, skipped, hashes = future.result()
+                all_hashes += hashes
+                if not arguments.record_hashes and not apart:
+                    complaints = complaints + difference(name, hashes)
                 name += " from other processes" if apart else ""
                 print(f"{'FAIL' if complaints else 'ok  '} {name}", flush=True)
                 for line in complaints + [f"skipped: {what}" for what in skipped]:
@@ -88,6 +112,9 @@ def main():
                 skips += len(skipped)
     finally:
         shutil.rmtree(scratch, ignore_errors=True)
+    if arguments.record_hashes and bad == 0:
+        HASHES.write_text("# Arguments and hash of the trace of each run of the examples (run_examples.py).\n" +
+                          "".join(line + "\n" for line in all_hashes))
     print(f"{good} passed, {bad} failed" + (f", {skips} skipped" if skips else ""))
     return 1 if bad or good == 0 else 0
 
