@@ -76,13 +76,45 @@ std::string AddressOf(const ListenOptions& listen) {
   return listen.is_on() ? listen.address : "127.0.0.1";
 }
 
+// SpareDescriptor: a file descriptor that is given up for a moment when this process can open no
+// more descriptors, to close the connection that waits.  Without this, the connection would stay in
+// the queue of the listener, and the event loop would find the listener readable again and again.
+class SpareDescriptor {
+ public:
+  SpareDescriptor() { Open(); }
+  ~SpareDescriptor() {
+    if (descriptor_ >= 0) close(descriptor_);
+  }
+  SpareDescriptor(const SpareDescriptor&) = delete;
+  SpareDescriptor& operator=(const SpareDescriptor&) = delete;
+
+  // Closes the next connection that waits at `listener`.  Returns false if there is none.
+  bool CloseNext(int listener) {
+    if (descriptor_ < 0) return false;
+    close(descriptor_);
+    const int connection = accept4(listener, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
+    if (connection >= 0) close(connection);
+    Open();
+    return connection >= 0;
+  }
+
+ private:
+  void Open() { descriptor_ = open("/dev/null", O_RDONLY | O_CLOEXEC); }
+
+  int descriptor_;
+};
+
 // Accepts all connections that wait at `listener`, and gives each to `take`.  Always returns true,
 // because a Listener whose function returns false is closed.
-bool AcceptAll(int listener, const std::function<void(int connection)>& take) {
+bool AcceptAll(int listener, SpareDescriptor* spare,
+               const std::function<void(int connection)>& take) {
   for (;;) {
     const int connection = accept4(listener, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
-    if (connection < 0) return true;
-    take(connection);
+    if (connection >= 0) {
+      take(connection);
+    } else if ((errno != EMFILE && errno != ENFILE) || !spare->CloseNext(listener)) {
+      return true;
+    }
   }
 }
 
@@ -155,6 +187,7 @@ class Panel : public WebService {
   RunsLister runs_;
   std::set<OpenPage*> pages_;
   int signals_ = -1;
+  SpareDescriptor spare_;
   Listener listener_, signal_listener_, run_listener_;
   // The remote control of one robot, which is forwarded to other computers (--listen).
   struct Forwarded {
@@ -190,7 +223,8 @@ Panel::Panel(const PanelOptions& options)
       own_run_(FirstRun(options)),
       runs_(own_run_),
       listener_([this] {
-        return AcceptAll(listener_descriptor_, [this](int client) { loop_->Serve(client); });
+        return AcceptAll(listener_descriptor_, &spare_,
+                         [this](int client) { loop_->Serve(client); });
       }),
       signal_listener_([this] {
         loop_->Stop();
@@ -254,7 +288,7 @@ void Panel::ForwardRemoteControl(int robot) {
   };
   const size_t index = forwarded_.size();
   const auto accept = [this, descriptor, index] {
-    return AcceptAll(descriptor,
+    return AcceptAll(descriptor, &spare_,
                      [this, index](int client) { forwarded_[index].forwarder.Take(client); });
   };
   forwarded_.push_back(

@@ -2,8 +2,13 @@
 #include "tests/openr/panel_server.h"
 
 #include <gmock/gmock.h>
+#include <netinet/in.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
 
+#include <algorithm>
 #include <atomic>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <thread>
@@ -332,6 +337,34 @@ TEST_F(PanelServerTest, ARobotThatWasRefusedMayBeAskedForAgain) {
     EXPECT_TRUE(answer.contains("error")) << answer;
   }
   close(silent);
+}
+
+// A connection that stayed in the queue would wake the server's event loop again and again.
+TEST_F(PanelServerTest, AConnectionForWhichNoDescriptorIsLeftIsClosed) {
+  int highest = 0;
+  const std::string descriptors = "/proc/" + std::to_string(server_->pid()) + "/fd";
+  for (const auto& entry : std::filesystem::directory_iterator(descriptors))
+    highest = std::max(highest, std::stoi(entry.path().filename()));
+  rlimit before{}, few{};
+  ASSERT_EQ(prlimit(server_->pid(), RLIMIT_NOFILE, nullptr, &before), 0);
+  few = {static_cast<rlim_t>(highest) + 3, before.rlim_max};
+  ASSERT_EQ(prlimit(server_->pid(), RLIMIT_NOFILE, &few, nullptr), 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<uint16_t>(port_));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  std::vector<int> clients;
+  for (rlim_t i = 0; i <= few.rlim_cur; ++i) {
+    clients.push_back(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+    ASSERT_EQ(connect(clients.back(), reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+  }
+  const timeval patience{30, 0};
+  setsockopt(clients.back(), SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+  char byte;
+  EXPECT_EQ(recv(clients.back(), &byte, 1, 0), 0);
+  for (const int client : clients) close(client);
+  ASSERT_EQ(prlimit(server_->pid(), RLIMIT_NOFILE, &before, nullptr), 0);
+  EXPECT_THAT(Http(port_, "/"), StartsWith("HTTP/1.1 200 OK\r\n"));
 }
 
 TEST_F(PanelServerTest, CtrlCEndsAServerThatWasStartedByHand) {
