@@ -9,6 +9,7 @@
 #include "cli/json_text.h"
 #include "openr/data/mcap_writer.h"
 #include "openr/data/table.h"
+#include "runtime/base/json_depth.h"
 
 namespace openr_host {
 namespace {
@@ -138,6 +139,10 @@ class McapReader {
         fmt::format("{}: the record at byte {} {}", file_, good_ + kMcapMagic.size(), why));
   }
 
+  [[noreturn]] void RefuseDepth() const {
+    Refuse(fmt::format("has objects within objects, more than {} deep", kLevelMax));
+  }
+
   void ReadSchema(RecordFields* record) {
     const uint16_t number = record->U16();
     schemas_[number] = record->Text();
@@ -158,15 +163,16 @@ class McapReader {
     const double time_s = static_cast<double>(record->U64()) / 1e9;
     record->Take(8);
     if (topic.empty()) return;
-    const auto json = TryParseJson<nlohmann::json>(record->Rest());
+    const std::string_view text = record->Rest();
+    if (IsJsonTooDeep(text)) RefuseDepth();
+    const auto json = TryParseJson<nlohmann::json>(text);
     if (json.is_object()) AddMembers(QuantityOfTopic(topic), time_s, json, 1);
   }
 
   // Adds the numbers of a JSON object, and of the objects inside it, to the table.  `level` is the
   // depth of the object in its message; a whole message has depth 1.
   void AddMembers(const std::string& name, double time_s, const nlohmann::json& json, int level) {
-    if (level > kLevelMax)
-      Refuse(fmt::format("has objects within objects, more than {} deep", kLevelMax));
+    if (level > kLevelMax) RefuseDepth();
     for (const auto& [key, value] : json.items()) {
       if (key == "timestamp") continue;
       if (value.is_object()) AddMembers(name + key + ".", time_s, value, level + 1);

@@ -150,13 +150,15 @@ TEST(McapTableTest, NestedChunkIsRefused) {
 }
 
 TEST(McapTableTest, DeepObjectsAreRefused) {
-  std::string bytes, deep = "1";
-  for (int i = 0; i < 1000; ++i) deep = "{\"a\":" + deep + "}";
-  McapWriter writer("test", [&bytes](std::string_view more) { bytes += more; });
-  const uint16_t schema = writer.AddSchema("openr.joint", "{\"type\":\"object\"}");
-  writer.Add(writer.AddChannel("/aibo/joint", schema), 8000, deep);
-  writer.Finish();
-  EXPECT_THAT(ErrorOfMcap(bytes), HasSubstr("has objects within objects, more than 32 deep"));
+  for (const int depth : {33, 1000}) {
+    std::string bytes, deep = "1";
+    for (int i = 0; i < depth; ++i) deep = "{\"a\":" + deep + "}";
+    McapWriter writer("test", [&bytes](std::string_view more) { bytes += more; });
+    const uint16_t schema = writer.AddSchema("openr.joint", "{\"type\":\"object\"}");
+    writer.Add(writer.AddChannel("/aibo/joint", schema), 8000, deep);
+    writer.Finish();
+    EXPECT_THAT(ErrorOfMcap(bytes), HasSubstr("has objects within objects, more than 32 deep"));
+  }
 }
 
 TEST(McapTableTest, DamagedChunkIsRefused) {
