@@ -175,6 +175,7 @@ int FolderBuild::Run() {
   make_.copies = ToEnvironment(copies_);
   for (const SourceCopy& entry : copies_) copied_folders_.emplace_back(entry.copy);
   project_ = ScanProject(copied_folders_);
+  CheckHasProgram(project_, folder_);
   Build();
   Deliver();
   if (options_.writes_database)

@@ -154,10 +154,7 @@ Project ScanProject(const std::vector<fs::path>& folders) {
   return project;
 }
 
-void CheckHasProgram(const fs::path& folder) {
-  if (const std::string problem = WhyUnreadable(folder); !problem.empty())
-    throw std::runtime_error(fmt::format("{}: {}", folder.string(), problem));
-  const Project project = ScanProject(FindReferredPlaces(folder).folders);
+void CheckHasProgram(const Project& project, const fs::path& folder) {
   if (!project.objects.empty()) return;
   if (IsControllerFolder(folder)) {
     throw std::runtime_error(
@@ -170,6 +167,14 @@ void CheckHasProgram(const fs::path& folder) {
         "object to begin with",
         folder.string()));
   }
+}
+
+void CheckHasProgram(const fs::path& folder) {
+  if (const std::string problem = WhyUnreadable(folder); !problem.empty())
+    throw std::runtime_error(fmt::format("{}: {}", folder.string(), problem));
+  const ReferredPlaces places = FindReferredPlaces(folder);
+  // Files around the folder may hold the program, so only the copies show whether it has one.
+  if (places.files.empty()) CheckHasProgram(ScanProject(places.folders), folder);
 }
 
 bool IsGeneratedDefinitions(const std::string& text) {

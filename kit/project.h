@@ -49,9 +49,13 @@ struct Project {
 // these folders are used only if the root has none.
 Project ScanProject(const std::vector<std::filesystem::path>& folders);
 
-// Throws std::runtime_error if `folder`, the user's folder, has nothing that can be built.  Called
-// before the folder is copied, because a folder without a program, such as a home folder, may be
-// large.
+// Throws std::runtime_error if `project`, which is in `folder` or in a copy of it, has nothing that
+// can be built.
+void CheckHasProgram(const Project& project, const std::filesystem::path& folder);
+
+// Throws std::runtime_error if `folder`, the user's folder, cannot be read or has nothing that can
+// be built.  Called before the folder is copied, because a folder without a program, such as a home
+// folder, may be large.
 void CheckHasProgram(const std::filesystem::path& folder);
 
 // Returns whether the text of a def.h was written by stubgen2, of any version.

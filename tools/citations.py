@@ -226,7 +226,7 @@ class Checker:
     def files(self):
         for folder in FOLDERS:
             for file in sorted((self.root / folder).rglob("*")):
-                is_ours = "node_modules" not in file.parts  # packages of npm, installed in panel/
+                is_ours = "node_modules" not in file.relative_to(self.root).parts  # packages of npm, installed in panel/
                 if is_ours and file.suffix in SUFFIXES and file.is_file() and not file.is_symlink():
                     yield file
         yield from sorted(self.root.glob("*.md"))

@@ -7,7 +7,7 @@
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-kinds=(accessMoved arrayIndexOutOfBounds bufferAccessOutOfBounds deallocuse
+kinds=(cppcheckError internalAstError preprocessorErrorDirective syntaxError unknownMacro accessMoved arrayIndexOutOfBounds bufferAccessOutOfBounds deallocuse
   doubleFree eraseDereference invalidIterator1 leakNoVarFunctionCall memleak memleakOnRealloc
   memsetClass mismatchAllocDealloc mismatchingContainers negativeIndex nullPointer
   nullPointerRedundantCheck resourceLeak returnReference selfAssignment sizeofwithsilentarraypointer

@@ -214,9 +214,11 @@ int Join(JoinFlags flags, bool is_known = false, std::string* sanitized_stick = 
   if (g_ended_by != 0) EndBySignal();
   if (!found_stick.empty()) {
     own_stick.reset();
-    if (sanitized_stick == nullptr) StartWithSanitizerOf(found_stick);
-    *sanitized_stick = found_stick;
-    return kNeedsSanitizer;
+    if (sanitized_stick != nullptr) {
+      *sanitized_stick = found_stick;
+      return kNeedsSanitizer;
+    }
+    StartWithSanitizerOf(found_stick);  // returns only if openr could not be started again
   }
   flags.worker.say(outcome.problem);
   return outcome.is_refused ? kRefused : kExitWrong;

@@ -164,7 +164,7 @@ class McapReader {
     record->Take(8);
     if (topic.empty()) return;
     const std::string_view text = record->Rest();
-    if (IsJsonTooDeep(text)) RefuseDepth();
+    if (text.starts_with('{') && IsJsonTooDeep(text)) RefuseDepth();
     const auto json = TryParseJson<nlohmann::json>(text);
     if (json.is_object()) AddMembers(QuantityOfTopic(topic), time_s, json, 1);
   }

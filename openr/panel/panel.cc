@@ -90,6 +90,7 @@ class SpareDescriptor {
 
   // Closes the next connection that waits at `listener`.  Returns false if there is none.
   bool CloseNext(int listener) {
+    if (descriptor_ < 0) Open();  // another thread may have taken the last descriptor before
     if (descriptor_ < 0) return false;
     close(descriptor_);
     const int connection = accept4(listener, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);

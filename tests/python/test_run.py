@@ -131,7 +131,8 @@ class RunTest(unittest.TestCase):
         for text in (b"", b"[]", b"{", b'{"do": 5}', b'{"do": "runn"}', b'{"do": "run", "for_s": "1"}',
                      b'{"do": "run", "for": 1}', b'{"do": "until"}', b'{"do": "run", "for_s": -1}',
                      b'{"do": "run", "for_s": 1e300}', b'{"do": "start"}', b'{"do": "boot"}',
-                     b'{"do": "fork"}', b'{"do": "connect", "port": 70000}', b'\xff\xfe'):
+                     b'{"do": "fork"}', b'{"do": "connect", "port": 70000}', b'\xff\xfe',
+                     b"[" * 101 + b"]" * 101):
             with self.assertRaises(openr_host.Refused, msg=text):
                 ask(text)
         self.run_.step()

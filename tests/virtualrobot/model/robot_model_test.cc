@@ -191,6 +191,12 @@ TEST(RobotModelTest, RangeBeyond32BitsIsRefused) {
             "m.json: sensors.rows[3].range[1]: is 2147483648, must be -2147483648 to 2147483647");
 }
 
+TEST(RobotModelTest, RangeBeyond64BitsIsRefused) {
+  EXPECT_EQ(ErrorWith("\"range\": [0, 980665]", "\"range\": [0, 18446744073709551615]"),
+            "m.json: sensors.rows[3].range[1]: is 18446744073709551615, must be -2147483648 to "
+            "2147483647");
+}
+
 TEST(RobotModelTest, StopsBeyondATurnAreRefused) {
   EXPECT_EQ(ErrorWith("\"hard\": [-85, 46]", "\"hard\": [-85, 361]"),
             "m.json: joints.rows[0].hard: must lie between -360 and 360 degrees");
