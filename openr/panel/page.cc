@@ -66,6 +66,10 @@ void Page::Join(const LiveRun& run) {
   }
 }
 
+void Page::TakeRestOfRun() {
+  if (link_ != nullptr) link_->TakeRest();
+}
+
 void Page::End(int code, const std::string& why) {
   if (is_closing_) return;
   Queue(JsonText(Json{{"event", "ended"}, {"why", why}}));

@@ -48,6 +48,8 @@ class Page : public WebPage {
   // Connects the page to the run `run`.  If that is not possible, tells the page why.
   void Join(const LiveRun& run);
 
+  // Passes the last answers of the run on to the page.  Called when the run has ended.
+  void TakeRestOfRun();
   // Tells the page that its run has ended, or why it has no run, and closes the page.  If a part of
   // a message from the page has come, first waits for the rest of this message.  If the server
   // closed a socket with unread bytes, the kernel on the page's side would throw away what it has

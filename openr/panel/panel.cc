@@ -320,7 +320,11 @@ std::string Panel::Announcement() const {
 
 void Panel::EndPages() {
   if (is_leaving_) return;
-  for (OpenPage* const page : pages_) page->End(kCloseRunEnded, "the run has ended");
+  for (OpenPage* const page : pages_) {
+    // The run may have answered shortly before its end, and the event loop may see the end first.
+    page->TakeRestOfRun();
+    page->End(kCloseRunEnded, "the run has ended");
+  }
   loop_->StopAfter(pages_.empty() ? 1 : kFarewellMs);
 }
 

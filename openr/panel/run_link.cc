@@ -69,6 +69,19 @@ bool RunLink::OnReadable() {
   return true;
 }
 
+void RunLink::TakeRest() {
+  char buffer[64 << 10];
+  // A run that has ended has left no more than a socket holds, which is far below this limit.
+  constexpr int kReadsMax = 256;
+  for (int i = 0; i < kReadsMax; ++i) {
+    const ssize_t count = recv(descriptor_, buffer, sizeof buffer, 0);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return;
+    received_.append(buffer, static_cast<size_t>(count));
+    TakeLines();
+  }
+}
+
 void RunLink::TakeLines() {
   size_t begin = 0;
   for (size_t end = received_.find('\n'); end != std::string::npos;

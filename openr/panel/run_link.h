@@ -37,6 +37,9 @@ class RunLink final : public WebDescriptor {
   // Sends a line to the run.  Returns false if the page should send no more lines until resume() is
   // called.
   bool Send(const std::string& line);
+  // Passes on the lines that the run has sent and that were not read yet.  Called when the run has
+  // ended, so that its last answers are not lost.
+  void TakeRest();
 
   bool OnReadable() override;
   bool OnWritable() override;
