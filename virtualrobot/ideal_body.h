@@ -5,9 +5,10 @@
 // statue would (PlaceOnFloor()).
 //
 // The body never walks, turns, slides or falls over: x, y and yaw stay as they are at the start.
-// It ignores gains, torques and speed limits, and the drives of its servos are always 0.  It does
-// not touch the things of its world, but its distance sensor sees them.  The velocity of its base
-// is 0, and its accelerometer measures gravity only.  It cannot be pushed, but a hand can lift it.
+// The body ignores gains, torques and speed limits, and the drives of its servos are always 0.  It
+// does not touch the things of its world, but its distance sensor sees them.  The velocity of its
+// base is 0, and its accelerometer measures gravity only.  It cannot be pushed, but a hand can lift
+// it.
 #pragma once
 
 #include <optional>

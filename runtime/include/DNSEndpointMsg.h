@@ -11,7 +11,7 @@
 #include <antEnvMsg.h>
 
 // The largest number of DNS servers, and the size in bytes of a host name with its closing NUL.
-// With these limits a message has less than 256 bytes.
+// A message with these limits has less than 256 bytes.
 #define MAXNS 3
 #define MAXDNAME 100
 

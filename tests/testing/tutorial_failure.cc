@@ -33,7 +33,8 @@ TEST(TutorialTest, TheFailureOfThePageIsTheRealOne) {
   EXPECT_THAT(output, HasSubstr("bench.StepToMessage("));
 }
 
-// With --gtest_brief, an object and not GoogleTest is the first to write to standard output.
+// GoogleTest prints nothing at the start with --gtest_brief, so an object is the first to write to
+// standard output.
 TEST(BriefTest, TestsOfTheLibraryPassWhenNobodyPrintsBeforeTheObjects) {
   EXPECT_EQ(std::system(TESTING_TESTS " --gtest_brief=1 > brief.txt 2>&1"), 0)
       << FileText("brief.txt");

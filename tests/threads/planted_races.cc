@@ -24,7 +24,7 @@ namespace openr_host {
 namespace {
 
 constexpr int kRounds = 1000;
-// In each round, kDepth calls begin that never return.  ThreadSanitizer has room for 65,536 open
+// Each round begins kDepth calls that never return.  ThreadSanitizer has room for 65,536 open
 // calls of one stack, so it would crash if it took all of these calls for calls of one stack.
 constexpr int kFiberRounds = 5000;
 constexpr int kDepth = 20;

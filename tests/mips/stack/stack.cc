@@ -2,7 +2,8 @@
 //
 //   stack FOLDER     a folder to write a motion to, which is read as from a Memory Stick
 //
-// Not measured: the SDK's library below our calls, and newlib, which the robot has for glibc.
+// The stack that the SDK's library needs below our calls is not measured, nor that of newlib, the C
+// library of the robot, which has glibc here.
 #include <device/led.h>
 #include <device/mtn.h>
 #include <device/robot.h>

@@ -78,7 +78,7 @@ TEST_F(DeliveryStateTest, AReasonThatEndsHidesNoOtherReason) {
   EXPECT_FALSE(IsPlain());
 }
 
-// With thousands of objects a delivery waits for memory, so this layout is a matter of speed.
+// A delivery waits for memory if there are thousands of objects, so this layout saves time.
 TEST_F(DeliveryStateTest, WhatEveryDeliveryReadsLiesOnOneCacheLineOfTheObject) {
   const auto line = [](const void* place) { return reinterpret_cast<uintptr_t>(place) / 64; };
   const uintptr_t first = line(&object.entry_count);
