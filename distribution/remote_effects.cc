@@ -87,7 +87,8 @@ bool RemoteProcess::HandleRequest(const openr_wire_ToMaster& to_master) {
       return true;
     }
     case openr_wire_TO_MASTER_STOPPED:
-      if (to_master.body._u.stopped.timeout_us > kDelayMaxUs) Refuse("a wait until another time");
+      if (to_master.body._u.stopped.timeout_us > kDelayMaxUs)
+        connection_.Refuse("a wait until another time");
       return false;
     default:
       return false;
@@ -96,7 +97,7 @@ bool RemoteProcess::HandleRequest(const openr_wire_ToMaster& to_master) {
 
 Object* RemoteProcess::ObjectOf(ObjectId id) {
   const auto found = objects_.find(id);
-  if (found == objects_.end()) Refuse("a request of an object that is not its own");
+  if (found == objects_.end()) connection_.Refuse("a request of an object that is not its own");
   return found->second;
 }
 
@@ -105,7 +106,7 @@ void RemoteProcess::SendAnswer(const CallResult& answer) {
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_ANSWER);
   to_worker.body._u.answer = {answer.status, arena.Numbers(answer.numbers),
                               WireArena::View(answer.bytes.data(), answer.bytes.size())};
-  Send(to_worker);
+  connection_.Send(to_worker);
 }
 
 void RemoteProcess::Apply(const openr_wire_ToMaster& to_master, Object* self) {
@@ -145,21 +146,22 @@ void RemoteProcess::CheckEnds(const openr_wire_Message& in, const Object* self) 
   const Message* const request = self == nullptr ? nullptr : self->handler.running.get();
   const bool is_forwarded = request != nullptr && !in.is_reply && in.reply_box != 0 &&
                             in.reply_box == request->reply_box && in.sender == request->sender;
-  if (!is_own(in.sender) && !is_forwarded) Refuse("a message in the name of another object");
+  if (!is_own(in.sender) && !is_forwarded)
+    connection_.Refuse("a message in the name of another object");
   // Accepts an id that no object has.  Such an id is sent by a subject or an observer for which the
   // program has set no entry (SetReadyEntry(), SetNotifyEntry()).
   const auto is_others = [&](ObjectId id) { return !is_own(id) && system_->object(id) != nullptr; };
   if (in.payload._d == openr_wire_PAYLOAD_NOTIFY && is_others(in.payload._u.notify.subject))
-    Refuse("a notification of another object's subject");
+    connection_.Refuse("a notification of another object's subject");
   if (in.payload._d == openr_wire_PAYLOAD_READY && is_others(in.payload._u.ready.observer))
-    Refuse("a ready of another object's observer");
+    connection_.Refuse("a ready of another object's observer");
 }
 
 void RemoteProcess::Check(const openr_wire_Message& in, const Object* self) {
   CheckEnds(in, self);
   const auto check_region = [this](uint32_t region) {
     if (system_->regions().BaseOf(region) != nullptr && !MayUse(region))
-      Refuse(fmt::format("bytes of region {:#x}, which it has not", region));
+      connection_.Refuse(fmt::format("bytes of region {:#x}, which it has not", region));
   };
   if (in.payload._d == openr_wire_PAYLOAD_ANT) check_region(in.payload._u.ant.region);
   if (in.payload._d != openr_wire_PAYLOAD_NOTIFY) return;
@@ -179,8 +181,9 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
   const uint64_t cause = message->cause;
   const std::string problem = marshaller_->Decode(posted.message, message.get());
   marshaller_->ReleaseSample();
-  if (!problem.empty()) Refuse(problem);
-  if (posted.delay_us < 0 || posted.delay_us > kDelayMaxUs) Refuse("a message for another time");
+  if (!problem.empty()) connection_.Refuse(problem);
+  if (posted.delay_us < 0 || posted.delay_us > kDelayMaxUs)
+    connection_.Refuse("a message for another time");
   // Restores the message's class and cause (the number of the message whose handler sends this
   // message), so that they are the same as in a run with one process.  Removes the number that the
   // worker has given to the message, because System::Post() gives it a number of the master.
@@ -218,7 +221,7 @@ CallResult RemoteProcess::Call(uint32_t function, const CallArguments& arguments
 }
 
 void RemoteProcess::ApplyNote(const openr_wire_Note& note) {
-  if (note.kind >= WorkerCallList::kSize) Refuse(fmt::format("note {}", note.kind));
+  if (note.kind >= WorkerCallList::kSize) connection_.Refuse(fmt::format("note {}", note.kind));
   if (t_current.object == nullptr && !MayLackCaller(note.kind)) return;
   Call(note.kind, {VectorOf(note.numbers), StringOf(note.text)});
 }

@@ -51,9 +51,9 @@ size_t RemoteProcess::CountUndelivered() const {
 }
 
 void RemoteProcess::ReleaseAll() {
-  // Sets is_lost_ first.  The calls below post messages to the master's stand-ins for the worker's
-  // objects, and the stand-ins must not send these messages to the worker.
-  is_lost_ = true;
+  // Counts the worker as lost first.  The calls below post messages to the master's stand-ins for
+  // the worker's objects, and the stand-ins must not send these messages to the worker.
+  connection_.set_lost();
   ReturnExported();
   marshaller_->PeerIsLost();
   for (const auto& [id, object] : objects_) {
@@ -71,15 +71,12 @@ void RemoteProcess::ReleaseAll() {
   running_.clear();
   stops_.clear();
   is_silent_ = false;
-  slot_.Abandon();
+  connection_.slot().Abandon();
 }
 
 void RemoteProcess::Rejoin(const std::map<ObjectId, RemoteObject*>& objects) {
   objects_ = objects;
-  // Changes the number of the session.  Functions that still wait for the old process compare this
-  // number to see that the old process has ended.
-  ++session_;
-  is_lost_ = false;
+  connection_.Rejoin();
   loss_.clear();
   crashed_ = false;
   crashed_object_ = kNoObject;
@@ -96,13 +93,13 @@ void RemoteProcess::Forget(ObjectId id) {
     system_->object(id)->ReturnRegion(region);
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_FORGET);
   to_worker.body._u.replaced_object = id;
-  Send(to_worker);
+  connection_.Send(to_worker);
   // Waits for the answer of the worker only in lockstep.  In a free run the master waits for no
   // worker, and HandleFreeSample() receives the answer later.
   if (is_free_) return;
-  const ReceivedSample to_master = Next();
+  const RemoteConnection::ReceivedSample to_master = connection_.Next();
   if (to_master->body._d != openr_wire_TO_MASTER_FORGOTTEN)
-    Refuse("something else when it was to forget");
+    connection_.Refuse("something else when it was to forget");
   HandleForgotten(*to_master);
 }
 

@@ -1,7 +1,6 @@
 #include "distribution/remote_process.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <optional>
@@ -17,20 +16,8 @@
 namespace openr_host {
 namespace {
 
-// While the master waits for a sample of the worker, it checks at this interval that the worker
-// still exists.
-constexpr int kWorkerPollMs = 10;
-// Time after which the user is told to start an external worker.  A worker that has already been
-// started joins in less time, and the user is told nothing.
-constexpr int64_t kJoinNoticeMs = 300;
-// Time to wait for the last samples of a worker that has ended, because they may still be on their
-// way.  One of these samples may be a goodbye, which has the reason of the end.
-constexpr int kGoodbyeWaitMs = 50;
-constexpr int64_t kShortTimeoutMs = 500;  // time limit for an answer while the run ends
 // Time for a worker to receive the sample that ends it.  A busy machine may not run it for seconds.
 constexpr int kEndFlushMs = 5'000;
-// After this time without an answer, the user is told that the worker is silent.
-constexpr int64_t kSilenceMs = 2'000;
 // First number of the reply boxes in which the master's objects get a reply when a handler in a
 // worker has stopped in a free run.  The boxes that objects open count from 1 and never get so
 // large, so the two kinds of boxes stay different.
@@ -41,38 +28,8 @@ constexpr uint64_t kFirstWakeBox = uint64_t{1} << 40;
 RemoteProcess::RemoteProcess(Bus* bus, std::string name, bool is_external,
                              std::function<std::string()> health,
                              std::function<void(const std::string&)> say)
-    : name_(std::move(name)),
-      health_(std::move(health)),
-      say_(std::move(say)),
-      wait_reason_(fmt::format("its handler in process '{}'", name_)),
-      slot_(bus, name_, is_external) {}
-
-void RemoteProcess::Refuse(const std::string& what) {
-  throw ProcessLost(fmt::format("process '{}' (pid {}) sent {}; is it the same openr?", name_,
-                                identity().pid, what));
-}
-
-openr_wire_ToWorker RemoteProcess::NewToWorker(openr_wire_ToWorkerKind kind) {
-  openr_wire_ToWorker to_worker{};
-  to_worker.body._d = kind;
-  return to_worker;
-}
-
-void RemoteProcess::Send(const openr_wire_ToWorker& to_worker, bool batched) {
-  if (slot_.channel() == nullptr)
-    throw ProcessLost(fmt::format("process '{}' is not there", name_));
-  try {
-    if (batched) return slot_.channel()->SendBatched(to_worker);
-    slot_.channel()->Send(to_worker);
-  } catch (const std::runtime_error& error) {  // the write timed out, or DDS has no memory
-    throw ProcessLost(fmt::format("process '{}' (pid {}) takes nothing any more: {}", name_,
-                                  identity().pid, error.what()));
-  }
-}
-
-void RemoteProcess::FlushBatch() {
-  if (slot_.channel() != nullptr) slot_.channel()->FlushBatch();
-}
+    : connection_(bus, std::move(name), is_external, std::move(health), std::move(say)),
+      wait_reason_(fmt::format("its handler in process '{}'", connection_.name())) {}
 
 // Returns whether the next message to be delivered goes to an object in a worker.  If so, the
 // sample that is about to be sent may wait and share a packet with that message.  If not, no other
@@ -84,100 +41,17 @@ bool RemoteProcess::WillSendMore() const {
   return target != nullptr && target->delivery.blocked() == nullptr && !target->delivery.is_busy();
 }
 
-// Waits for the next sample of the worker.  Throws ProcessLost if the worker is lost.
-RemoteProcess::ReceivedSample RemoteProcess::Next() {
-  bool is_reported = false;
-  for (int64_t silent_ms = 0;; silent_ms += kWorkerPollMs) {
-    ReceivedSample to_master = slot_.channel()->Receive(kWorkerPollMs);
-    if (to_master) {
-      CheckGoodbye(*to_master);
-      if (is_reported) say_(fmt::format("process '{}' answers again", name_));
-      return to_master;
-    }
-    const std::string problem = FindProblem();
-    if (!problem.empty()) {  // waits for the worker's last sample, which may still be on its way
-      ReceivedSample last = slot_.channel()->Receive(kGoodbyeWaitMs);
-      if (last) {
-        CheckGoodbye(*last);
-        return last;
-      }
-      throw ProcessLost(problem);
-    }
-    if (has_short_timeout_ && silent_ms >= kShortTimeoutMs)
-      throw ProcessLost(
-          fmt::format("process '{}' (pid {}) did not answer when the run was brought "
-                      "down",
-                      name_, identity().pid));
-    if (is_reported || silent_ms < kSilenceMs) continue;
-    is_reported = true;
-    say_(
-        fmt::format("process '{}' (pid {}) has not answered for {} s: stopped, or busy; the run "
-                    "waits for it",
-                    name_, identity().pid, kSilenceMs / 1000));
-  }
-}
-
-std::string RemoteProcess::FindProblem() const {
-  std::string problem = health_();
-  if (problem.empty() && slot_.HasEnded())
-    problem = fmt::format("process '{}' (pid {} on {}) is not there any more: killed, or ended",
-                          name_, identity().pid, identity().host);
-  if (problem.empty() && !slot_.channel()->IsConnected())
-    problem = fmt::format("process '{}' (pid {} on {}) cannot be reached any more", name_,
-                          identity().pid, identity().host);
-  return problem;
-}
-
-std::string RemoteProcess::FindLoss() {
-  std::string problem = FindProblem();
-  try {
-    if (const ReceivedSample last = slot_.channel()->Receive(problem.empty() ? 0 : kGoodbyeWaitMs))
-      CheckGoodbye(*last);
-  } catch (const ProcessLost& lost) {
-    return lost.what();
-  }
-  return problem;
-}
-
-// Throws ProcessLost if the sample is the worker's goodbye, by which a worker tells that it ends.
-// The goodbye may arrive at any time.
-void RemoteProcess::CheckGoodbye(const openr_wire_ToMaster& to_master) const {
-  if (to_master.body._d != openr_wire_TO_MASTER_GOODBYE) return;
-  const openr_wire_Goodbye& goodbye = to_master.body._u.goodbye;
-  const std::string text = fmt::format("process '{}' (pid {} on {}) {}", name_, identity().pid,
-                                       identity().host, StringOf(goodbye.text));
-  if (goodbye.has_refused) throw ProcessRefused(text);
-  throw ProcessLost(text);
-}
-
-void RemoteProcess::WaitForJoin(int64_t limit_ms, const std::string& advice,
-                                const std::function<bool()>& is_ending) {
-  const std::string then = advice.empty() ? "" : "; " + advice;
-  for (int64_t waited_ms = 0; !slot_.AwaitJoin(kWorkerPollMs); waited_ms += kWorkerPollMs) {
-    if (is_ending())
-      throw ProcessLost(
-          fmt::format("process '{}' had not come when the run was interrupted", name_));
-    const std::string problem = health_();
-    if (!problem.empty()) throw ProcessLost(problem);
-    if (waited_ms >= limit_ms)
-      throw ProcessLost(
-          fmt::format("process '{}' did not come within {} s{}", name_, limit_ms / 1000, then));
-    if (waited_ms == (advice.empty() ? kSilenceMs : kJoinNoticeMs))
-      say_(fmt::format("waiting for process '{}' ({} s){}", name_, limit_ms / 1000, then));
-  }
-}
-
 void RemoteProcess::Welcome(System* system, const openr_wire_Welcome& welcome) {
   system_ = system;
   if (marshaller_ == nullptr) {
     marshaller_ = std::make_unique<Marshaller>(system, false);
     calls_ = std::make_unique<CheckedCalls>(
         system, [this](ObjectId id) { return objects_.contains(id); },
-        [this](const std::string& what) { Refuse(what); });
+        [this](const std::string& what) { connection_.Refuse(what); });
   }
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_WELCOME);
   to_worker.body._u.welcome = welcome;
-  Send(to_worker);
+  connection_.Send(to_worker);
 }
 
 void RemoteProcess::Add(RemoteObject* object) { objects_[object->id] = object; }
@@ -189,52 +63,52 @@ void RemoteProcess::BeginLoad(const openr_wire_Load& load) {
   for (uint32_t i = 0; i < load.objects._length; ++i) {
     if (load.objects._buffer[i].is_own) awaited_objects_.insert(load.objects._buffer[i].id);
   }
-  Send(to_worker);
+  connection_.Send(to_worker);
 }
 
 void RemoteProcess::Load(const openr_wire_Load& load) {
   BeginLoad(load);
-  while (!HandleLoaded(*Next(), objects_)) {
+  while (!HandleLoaded(*connection_.Next(), objects_)) {
   }
 }
 
 bool RemoteProcess::HasLoaded(const std::map<ObjectId, RemoteObject*>& objects) {
-  while (const ReceivedSample to_master = slot_.channel()->Receive(0)) {
+  while (const RemoteConnection::ReceivedSample to_master = connection_.channel()->Receive(0)) {
     if (HandleLoaded(*to_master, objects)) return true;
   }
-  const std::string problem = FindProblem();
+  const std::string problem = connection_.FindProblem();
   if (!problem.empty()) throw ProcessLost(problem);
   return false;
 }
 
 bool RemoteProcess::HandleLoaded(const openr_wire_ToMaster& to_master,
                                  const std::map<ObjectId, RemoteObject*>& objects) {
-  CheckGoodbye(to_master);
+  connection_.CheckGoodbye(to_master);
   if (HandleRequest(to_master)) return false;
   if (to_master.body._d == openr_wire_TO_MASTER_CRASHED) Crash(to_master.body._u.crashed);
-  if (to_master.body._d != openr_wire_TO_MASTER_LOADED) Refuse("no list of its objects");
+  if (to_master.body._d != openr_wire_TO_MASTER_LOADED)
+    connection_.Refuse("no list of its objects");
   Apply(to_master, nullptr);
   const auto& loaded = to_master.body._u.loaded.objects;
   for (uint32_t i = 0; i < loaded._length; ++i) {
     const openr_wire_LoadedObject& entry = loaded._buffer[i];
     const auto found = objects.find(entry.id);
     if (found == objects.end() || awaited_objects_.erase(entry.id) == 0)
-      Refuse("an object that is not its own, or sent it twice");
+      connection_.Refuse("an object that is not its own, or sent it twice");
     if (entry.problem != nullptr && *entry.problem != '\0') throw ProcessLost(entry.problem);
     found->second->SetDescription(entry);
     RecordHeap(found->second->robot, entry.heap_here);
   }
-  if (!awaited_objects_.empty()) Refuse("nothing of an object that it was to load");
+  if (!awaited_objects_.empty()) connection_.Refuse("nothing of an object that it was to load");
   return true;
 }
 
 void RemoteProcess::Crash(const openr_wire_Crashed& crashed) {
-  crashed_object_ = crashed.object;
-  throw ProcessCrashed(StringOf(crashed.text));
+  throw ProcessCrashed(StringOf(crashed.text), crashed.object);
 }
 
 bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
-  const uint64_t session = session_;
+  const uint64_t session = connection_.session();
   // Starts the timer before the message for the handler is sent, because the handler may already
   // run before Send() returns.
   const Latency::Timer timer(&latency_, &latency_of_[object->id]);
@@ -252,7 +126,7 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
       return objects_.contains(system_->regions().MakerOf(region));
     };
     marshaller_->Encode(message, is_there, &arena, &deliver.message);
-    Send(to_worker, is_free_ && WillSendMore());
+    connection_.Send(to_worker, is_free_ && WillSendMore());
     marshaller_->CompleteSend(message);
   }
   for (;;) {
@@ -264,21 +138,21 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
     } else {
       ResumeWithReply(object, *stop, session);
     }
-    // Returns false if the worker was lost while the master waited for it.  Compares the number of
-    // the session too, because is_lost_ is false again if the worker has been restarted since.
-    if (is_lost_ || session != session_) return false;
+    // Returns false if the worker was lost while the master waited for it, even if the worker has
+    // been restarted since.
+    if (connection_.IsOver(session)) return false;
   }
 }
 
 std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStop(RemoteObject* object) {
   for (;;) {
-    const ReceivedSample to_master = Next();
+    const RemoteConnection::ReceivedSample to_master = connection_.Next();
     if (HandleRequest(*to_master)) continue;
     if (to_master->body._d == openr_wire_TO_MASTER_CRASHED) Crash(to_master->body._u.crashed);
     if (to_master->body._d != openr_wire_TO_MASTER_STOPPED)
-      Refuse("something in the middle of a handler");
+      connection_.Refuse("something in the middle of a handler");
     if (to_master->body._u.stopped.object != object->id)
-      Refuse("the end of another object's handler");
+      connection_.Refuse("the end of another object's handler");
     return ApplyStop(*to_master);
   }
 }
@@ -307,7 +181,7 @@ void RemoteProcess::RecordHeap(int robot, uint64_t bytes) {
   // Largest number of heap bytes that is accepted.  A robot has 32 MB of memory, so a number above
   // this limit must be an error of the worker.
   constexpr uint64_t kHeapMaxBytes = uint64_t{1} << 40;
-  if (bytes > kHeapMaxBytes) Refuse("a heap that is too large");
+  if (bytes > kHeapMaxBytes) connection_.Refuse("a heap that is too large");
   system_->robot(robot).memory.used_bytes += bytes - std::exchange(heap_by_robot_[robot], bytes);
 }
 
@@ -316,7 +190,7 @@ void RemoteProcess::RecordHeap(int robot, uint64_t bytes) {
 // the wait when the worker reports that the handler has stopped.  Returns nullopt if the worker was
 // lost.
 std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStopInFreeRun(RemoteObject* object) {
-  const uint64_t session = session_;
+  const uint64_t session = connection_.session();
   const uint64_t box = kFirstWakeBox + ++wake_box_count_;
   object->boxes.open.insert(box);
   // Measures the worker's silence from now on, because the worker gets work now and an idle worker
@@ -326,7 +200,7 @@ std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStopInFreeRun(RemoteObj
   ASSERT(is_new, "{} runs a handler already", object->name);
   bool timed_out = false;
   system_->requests().Await(box, -1, wait_reason_, &timed_out);
-  if (is_lost_ || session != session_) return std::nullopt;
+  if (connection_.IsOver(session)) return std::nullopt;
   Stop stop = std::move(stops_[object->id]);
   stops_.erase(object->id);
   return stop;
@@ -341,6 +215,7 @@ void RemoteProcess::RecordLoss(const Action& action) {
   } catch (const ProcessCrashed& crash) {
     loss_ = crash.what();
     crashed_ = true;
+    crashed_object_ = crash.object;
   } catch (const ProcessLost& lost) {
     loss_ = lost.what();
   }
@@ -349,18 +224,19 @@ void RemoteProcess::RecordLoss(const Action& action) {
 bool RemoteProcess::HandleReceived() {
   bool came = false;
   RecordLoss([this, &came] {
-    while (const ReceivedSample to_master = slot_.channel()->Receive(0)) {
+    while (const RemoteConnection::ReceivedSample to_master = connection_.channel()->Receive(0)) {
       came = true;
       HandleFreeSample(*to_master);
       // Ends the loop after the samples that have already been read from DDS.  The next call of
       // HandleReceived() handles samples that arrive during this call, so that a busy worker cannot
       // keep the master in this loop.
-      if (!slot_.channel()->has_received()) break;
+      if (!connection_.channel()->has_received()) break;
     }
   });
   if (!came) return false;
   last_heard_ms_ = WallClockMs();
-  if (std::exchange(is_silent_, false)) say_(fmt::format("process '{}' answers again", name_));
+  if (std::exchange(is_silent_, false))
+    connection_.Say(fmt::format("process '{}' answers again", connection_.name()));
   return true;
 }
 
@@ -368,33 +244,33 @@ bool RemoteProcess::HandleReceived() {
 void RemoteProcess::ReportSilence() {
   if (running_.empty() || is_silent_ || WallClockMs() - last_heard_ms_ < kSilenceMs) return;
   is_silent_ = true;
-  say_(
+  connection_.Say(
       fmt::format("process '{}' (pid {}) has not answered for {} s: stopped, or busy; the others "
                   "go on",
-                  name_, identity().pid, kSilenceMs / 1000));
+                  connection_.name(), connection_.identity().pid, kSilenceMs / 1000));
 }
 
 void RemoteProcess::CheckHealth() {
   ReportSilence();
   RecordLoss([this] {
-    const std::string problem = FindProblem();
+    const std::string problem = connection_.FindProblem();
     if (problem.empty()) return;
-    if (const ReceivedSample last = slot_.channel()->Receive(kGoodbyeWaitMs))
+    if (const RemoteConnection::ReceivedSample last = connection_.ReceiveLast())
       return HandleFreeSample(*last);  // the worker's goodbye tells more than `problem`
     throw ProcessLost(problem);
   });
 }
 
 void RemoteProcess::HandleFreeSample(const openr_wire_ToMaster& to_master) {
-  CheckGoodbye(to_master);
+  connection_.CheckGoodbye(to_master);
   if (HandleRequest(to_master)) return;
   if (to_master.body._d == openr_wire_TO_MASTER_CRASHED) Crash(to_master.body._u.crashed);
   if (to_master.body._d == openr_wire_TO_MASTER_FORGOTTEN) return HandleForgotten(to_master);
   if (to_master.body._d != openr_wire_TO_MASTER_STOPPED)
-    Refuse("something that is no end of a handler");
+    connection_.Refuse("something that is no end of a handler");
   const ObjectId object = to_master.body._u.stopped.object;
   const auto found = running_.find(object);
-  if (found == running_.end()) Refuse("the end of a handler that was not begun");
+  if (found == running_.end()) connection_.Refuse("the end of a handler that was not begun");
   stops_[object] = ApplyStop(to_master);
   WakeHandler(object, found->second);
   running_.erase(object);
@@ -420,7 +296,7 @@ void RemoteProcess::ResumeWithReply(RemoteObject* object, const Stop& stop, uint
   // Does not go on if the worker was lost while the handler waited for its reply, for example
   // because the handler of another object of this worker crashed.  No handler is left then that
   // could continue.
-  if (is_lost_ || session != session_) return;
+  if (connection_.IsOver(session)) return;
   WireArena arena;
   resume.now_us = system_->now_us();
   resume.heap_elsewhere = HeapElsewhere(system_, object->robot);
@@ -428,20 +304,19 @@ void RemoteProcess::ResumeWithReply(RemoteObject* object, const Stop& stop, uint
   resume.reply.target = object->id;
   resume.reply.is_reply = true;
   resume.reply.reply_box = stop.box;
-  Send(to_worker);
+  connection_.Send(to_worker);
 }
 
 void RemoteProcess::ResumeWithLine(RemoteObject* object, const Stop& stop, uint64_t session) {
   char line[Message::kPayloadMax];
-  const auto is_obsolete = [this, session] { return is_lost_ || session != session_; };
   std::string problem;
   const auto is_gone = [&] {
-    if (!is_obsolete()) problem = FindProblem();
-    return is_obsolete() || !problem.empty();
+    if (!connection_.IsOver(session)) problem = connection_.FindProblem();
+    return connection_.IsOver(session) || !problem.empty();
   };
   const size_t size = system_->console_input().Read(
       line, std::min<size_t>(std::max<uint32_t>(stop.size, 1), sizeof line), is_gone);
-  if (is_obsolete()) return;
+  if (connection_.IsOver(session)) return;
   if (!problem.empty()) throw ProcessLost(problem);
   WireArena arena;
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_RESUME);
@@ -454,16 +329,16 @@ void RemoteProcess::ResumeWithLine(RemoteObject* object, const Stop& stop, uint6
   resume.reply.reply_box = stop.box;
   resume.reply.payload._d = openr_wire_PAYLOAD_BYTES;
   resume.reply.payload._u.bytes = arena.Bytes(line, size);
-  Send(to_worker);
+  connection_.Send(to_worker);
 }
 
 std::string RemoteProcess::FetchState(ObjectId object) {
   if (is_free_) return "";  // in a free run the object runs on, so there is no state to return
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_ASK_STATE);
   to_worker.body._u.state_of = object;
-  Send(to_worker);
-  const ReceivedSample to_master = Next();
-  if (to_master->body._d != openr_wire_TO_MASTER_STATE) Refuse("no state");
+  connection_.Send(to_worker);
+  const RemoteConnection::ReceivedSample to_master = connection_.Next();
+  if (to_master->body._d != openr_wire_TO_MASTER_STATE) connection_.Refuse("no state");
   const openr_wire_State& state = to_master->body._u.state;
   for (uint32_t i = 0; i < state.regions._length; ++i) {
     const openr_wire_RegionBytes& in = state.regions._buffer[i];
@@ -473,9 +348,9 @@ std::string RemoteProcess::FetchState(ObjectId object) {
     if (marshaller_->HasImported(in.region)) continue;
     char* const base = system_->regions().BaseOf(in.region);
     if (base == nullptr || in.bytes._length != system_->regions().SizeOf(in.region))
-      Refuse(fmt::format("bytes of region {:#x}, which is not so", in.region));
+      connection_.Refuse(fmt::format("bytes of region {:#x}, which is not so", in.region));
     if (!calls_->HasRegion(in.region))
-      Refuse(fmt::format("bytes of region {:#x}, which is not its own", in.region));
+      connection_.Refuse(fmt::format("bytes of region {:#x}, which is not its own", in.region));
     std::copy_n(in.bytes._buffer, in.bytes._length, reinterpret_cast<uint8_t*>(base));
   }
   return StringOf(state.subjects);
@@ -485,15 +360,16 @@ void RemoteProcess::End(const std::string& why) {
   // Destroys the marshaller while the System still exists, because the memory of received regions
   // is in the System's region table.
   marshaller_.reset();
-  if (!slot_.has_joined()) return;  // there is no worker, or a restarted worker has not joined yet
+  // Returns if there is no worker, or if a restarted worker has not joined yet.
+  if (!connection_.slot().has_joined()) return;
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_END);
   WireArena arena;
   to_worker.body._u.ended = {false, arena.Text(why)};
   try {
-    Send(to_worker);
-    slot_.channel()->WaitForAcks(kEndFlushMs);
+    connection_.Send(to_worker);
+    connection_.channel()->WaitForAcks(kEndFlushMs);
   } catch (const ProcessLost&) {
-    is_lost_ = true;
+    connection_.set_lost();
   }
 }
 

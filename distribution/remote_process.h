@@ -12,7 +12,6 @@
 #include <memory>
 #include <optional>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -21,7 +20,7 @@
 #include "distribution/checked_calls.h"
 #include "distribution/latency.h"
 #include "distribution/marshaller.h"
-#include "distribution/process_slot.h"
+#include "distribution/remote_connection.h"
 
 class RCRegion;
 
@@ -31,18 +30,6 @@ class Object;
 class RemoteObject;
 class System;
 
-// Thrown if a handler of the worker's objects has ended the worker process, for instance by a
-// crash.
-struct ProcessCrashed : ProcessLost {
-  using ProcessLost::ProcessLost;
-};
-
-// Thrown if the worker has refused the run before taking part.  The run does not fail, because the
-// master then waits for another process of the same name.
-struct ProcessRefused : ProcessLost {
-  using ProcessLost::ProcessLost;
-};
-
 class RemoteProcess {
  public:
   // `is_external` is true if a user starts the worker.  `health` returns the problem of the worker
@@ -50,18 +37,11 @@ class RemoteProcess {
   RemoteProcess(Bus* bus, std::string name, bool is_external, std::function<std::string()> health,
                 std::function<void(const std::string&)> say);
 
-  const std::string& name() const { return name_; }
-  const ProcessSlot::Identity& identity() const { return slot_.identity(); }
-  ProcessSlot& slot() { return slot_; }
-  bool is_lost() const { return is_lost_; }
-  void set_lost() { is_lost_ = true; }
+  RemoteConnection& connection() { return connection_; }
+  const std::string& name() const { return connection_.name(); }
+  bool is_lost() const { return connection_.is_lost(); }
 
   // ---- All functions from here on may throw ProcessLost, except where noted.
-
-  // Waits until the worker has joined, at most `limit_ms`; stops waiting when `is_ending` returns
-  // true.  `advice` tells the user how to start an external worker; "" for other workers.
-  void WaitForJoin(int64_t limit_ms, const std::string& advice,
-                   const std::function<bool()>& is_ending);
 
   // Returns the bytes of heap used on `robot` by all objects but those of this worker.  The worker
   // needs this number to know how much of the robot's memory is left, because all objects of a
@@ -107,9 +87,6 @@ class RemoteProcess {
   // worker is not counted either.
   size_t CountUndelivered() const;
 
-  // Sends the samples to the worker that Channel::SendBatched() has kept to share a packet.
-  void FlushBatch();
-
   // Handles the samples that the worker has sent; returns true if the worker had sent samples.
   // Must not be called from a handler.  If the worker is lost, sets loss() and does not throw.
   bool HandleReceived();
@@ -127,10 +104,6 @@ class RemoteProcess {
   // Runs the handler of `message`, which is being delivered to `object`.  Returns false if the
   // worker was lost before the handler ended.
   bool RunHandler(RemoteObject* object, const Message& message);
-
-  // Shortens the time after which the worker is given up if it does not answer.  To be called when
-  // the run ends.
-  void ShortenTimeouts() { has_short_timeout_ = true; }
 
   // Asks the worker for the state of `object` and returns it, for the state hash of the run.  Also
   // copies the bytes of the object's memory regions to the master, because that hash covers the
@@ -158,21 +131,11 @@ class RemoteProcess {
   // releases the regions that it gives back.  Messages of other kinds are ignored.
   void HandleUndelivered(const Message& message);
 
-  // Returns the problem of the worker, or "".  Needs no answer of the worker, so it also finds the
-  // loss of a worker that has nothing to do.
-  std::string FindProblem() const;
-  // Returns the problem of the worker as FindProblem() does.  If the worker has sent a goodbye,
-  // returns the reason in the goodbye, which is more exact.  A goodbye is the sample by which a
-  // worker tells that it ends.
-  std::string FindLoss();
-
   // Ends the worker and tells it `why` the run has ended: the text of DescribeEnd(), or "".
   // REQUIRES: the System still exists.
   void End(const std::string& why);
 
  private:
-  using ReceivedSample = MasterChannel::ReceivedSample;
-
   // The reason why a handler in the worker has stopped: it has returned, or waits for a reply or a
   // line of the console.
   struct Stop {
@@ -183,11 +146,7 @@ class RemoteProcess {
     std::string why;
   };
 
-  static openr_wire_ToWorker NewToWorker(openr_wire_ToWorkerKind kind);
-  void Send(const openr_wire_ToWorker& to_worker, bool batched = false);
   bool WillSendMore() const;
-  ReceivedSample Next();
-  void CheckGoodbye(const openr_wire_ToMaster& to_master) const;
   void ReportSilence();
   std::optional<Stop> WaitForStop(RemoteObject* object);
   std::optional<Stop> WaitForStopInFreeRun(RemoteObject* object);
@@ -215,25 +174,19 @@ class RemoteProcess {
   void ResumeWithLine(RemoteObject* object, const Stop& stop, uint64_t session);
   void ReturnExported();
   Object* ObjectOf(ObjectId id);
-  [[noreturn]] void Refuse(const std::string& what);
 
-  const std::string name_;
-  const std::function<std::string()> health_;
-  const std::function<void(const std::string&)> say_;
+  RemoteConnection connection_;
   const std::string wait_reason_;  // tells the user what a RemoteObject waits for
-  ProcessSlot slot_;
   System* system_ = nullptr;
   std::unique_ptr<Marshaller> marshaller_;
   std::unique_ptr<CheckedCalls> calls_;  // checks calls of the worker; null before Welcome()
   std::map<ObjectId, RemoteObject*> objects_;
   std::set<ObjectId> awaited_objects_;  // objects that the worker is loading
-  uint64_t session_ = 0;                // number of restarts of the worker so far
   // For each object of the worker, the number of dropped notifications (Object::dropped_count) that
   // the worker has reported last.  The master adds only the increase to its own count.
   std::map<ObjectId, uint64_t> dropped_;
   // For each robot, the number of heap bytes that the worker's objects use.
   std::map<int, uint64_t> heap_by_robot_;
-  bool is_lost_ = false;
   Latency latency_;
   std::map<ObjectId, Latency> latency_of_;
   // ---- Free runs
@@ -249,7 +202,6 @@ class RemoteProcess {
   // The time of the worker's last sample, or the time when an idle worker was given work.
   // ReportSilence() compares it with the present time.
   int64_t last_heard_ms_ = 0;
-  bool has_short_timeout_ = false;
   bool is_silent_ = false;  // whether the user was told that the worker is silent
   std::string loss_;        // reason of the loss of the worker, or ""
   bool crashed_ = false;

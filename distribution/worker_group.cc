@@ -72,7 +72,7 @@ void WorkerGroup::Start(Member* member) {
   // Gives each process a new session name, so that samples for an earlier process of the same name
   // never reach this process.
   const std::string session = NewSessionName();
-  member->process->slot().OpenSession(session);
+  member->process->connection().slot().OpenSession(session);
   std::vector<std::string> command = options_.wrapper;
   command.insert(command.end(), options_.command.begin(), options_.command.end());
   command.insert(command.end(), {"--process", member->name, "--session", session});
@@ -209,7 +209,8 @@ void WorkerGroup::SendNextLoad(Member* member) {
     const std::string advice = host == options_.placement.host_of.end()
                                    ? ""
                                    : JoinAdvice(member->name, host->second, options_.bus);
-    member->process->WaitForJoin(options_.wait_ms, advice, [this] { return IsEnding(); });
+    member->process->connection().WaitForJoin(options_.wait_ms, advice,
+                                              [this] { return IsEnding(); });
     Welcome(member);
   }
   member->process->Load(load);
@@ -236,7 +237,7 @@ void WorkerGroup::LoadNewObjects(Member* member) {
 // stick was wrong.  The user may then start a worker with the right stick.
 void WorkerGroup::WaitForAnotherWorker(Member* member, const std::string& why) {
   options_.say(fmt::format("{}; the run waits for another one", why));
-  member->process->slot().Abandon();
+  member->process->connection().slot().Abandon();
   member->is_welcomed = false;
   member->robots = member->known = 0;
 }
@@ -257,7 +258,7 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
   // at any time.  Only a crash is still reported, because its cause is a handler and not the
   // signal.
   if (IsInterrupted() && loss != RemoteObject::Loss::kCrashed) {
-    process.set_lost();
+    process.connection().set_lost();
     return StopRun(
         {EndKind::kSignal, "Ctrl-C or SIGTERM came again while a process was waited for"});
   }
@@ -267,7 +268,7 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
   // If the loss was noticed after the run, only reports it, because nothing has to be cleaned up or
   // restarted.
   if (loss == RemoteObject::Loss::kAtEnd) {
-    process.set_lost();
+    process.connection().set_lost();
     system_->AddFindingAbout(about, Severity::kError, why);
     return;
   }
@@ -282,13 +283,14 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
     if (options_.restarts > 0)
       text += fmt::format("; it was started again {} times", options_.restarts);
     system_->AddFindingAbout(about, Severity::kError, fmt::format("{}; the run stops here", text));
-    process.set_lost();
+    process.connection().set_lost();
     return StopRun({EndKind::kLostProcess, text});
   }
   // Names the process in the message only after a crash, because for other losses the text `why`
   // names the process already.
   if (member->crashed)
-    text += fmt::format("; process '{}' (pid {}) is gone", process.name(), process.identity().pid);
+    text += fmt::format("; process '{}' (pid {}) is gone", process.name(),
+                        process.connection().identity().pid);
   const bool waits = !options_.is_free && MayRestart(*member);
   text += waits ? "; the run waits for it to come back" : "; the others go on";
   options_.say(text);
@@ -314,7 +316,7 @@ bool WorkerGroup::HandleReceived() {
 void WorkerGroup::Pump(int64_t timeout_us) {
   // Sends the samples (DDS messages) that SendBatched() has kept back so that several share a
   // packet.  Workers may be idle until they get these samples.
-  for (auto& [name, member] : members_) member.process->FlushBatch();
+  for (auto& [name, member] : members_) member.process->connection().FlushBatch();
   if (!HandleReceived()) {
     bus_.Wait(timeout_us);
     // Returns after a second Ctrl-C.  The workers then end because the user wants it, so their end
@@ -345,7 +347,7 @@ void WorkerGroup::CheckWorkers() {
   for (auto& [name, member] : members_) {
     if (!IsRestarting(member)) AdvanceRestart(&member);
     if (member.process->is_lost()) continue;
-    const std::string problem = member.process->FindLoss();
+    const std::string problem = member.process->connection().FindLoss();
     if (!problem.empty())
       HandleLoss(member.objects.begin()->second, RemoteObject::Loss::kGone, problem);
   }
@@ -353,7 +355,7 @@ void WorkerGroup::CheckWorkers() {
 }
 
 void WorkerGroup::ShortenTimeouts() {
-  for (auto& [name, member] : members_) member.process->ShortenTimeouts();
+  for (auto& [name, member] : members_) member.process->connection().ShortenTimeouts();
 }
 
 void WorkerGroup::ReportLosses() {
@@ -372,8 +374,8 @@ std::vector<WorkerGroup::ProcessFacts> WorkerGroup::Describe() const {
   std::vector<ProcessFacts> all;
   for (const auto& [name, member] : members_) {
     ProcessFacts facts{name,
-                       member.process->slot().last_identity().host,
-                       member.process->slot().last_identity().pid,
+                       member.process->connection().slot().last_identity().host,
+                       member.process->connection().slot().last_identity().pid,
                        {},
                        member.lost,
                        member.losses,
@@ -405,7 +407,7 @@ void WorkerGroup::End() {
   for (auto& [name, member] : members_) {
     // Does not give a worker time to end if it has not joined.  Such a worker was not told that the
     // run is over, so it would not end by itself, and WaitForEnd() kills it at once.
-    const bool has_come = member.process->identity().pid != 0;
+    const bool has_come = member.process->connection().identity().pid != 0;
     const int64_t limit_ms = IsInterrupted() ? kInterruptedExitWaitMs : kExitWaitMs;
     if (member.child != nullptr) member.child->WaitForEnd(has_come ? limit_ms : 0);
   }

@@ -78,13 +78,13 @@ void WorkerGroup::AdvanceRestart(Member* member, bool may_load) {
     switch (member->stage) {
       case Stage::kRunning:
       case Stage::kNotRestarted:
-        process.slot().RefuseOtherRequests();
+        process.connection().slot().RefuseOtherRequests();
         return;
       case Stage::kCleaningUp:
         Restart(member);
         return;
       case Stage::kJoining:
-        if (!process.slot().AwaitJoin(0)) break;
+        if (!process.connection().slot().AwaitJoin(0)) break;
         if (may_load) BeginLoading(member);
         return;
       case Stage::kLoading:
@@ -125,7 +125,7 @@ void WorkerGroup::FailAttempt(Member* member, const std::string& why) {
   options_.say(why);
   member->lost = why;
   member->new_objects.clear();
-  member->process->slot().Abandon();
+  member->process->connection().slot().Abandon();
   member->attempt_failed = true;
   EnterStage(member, Stage::kCleaningUp);
 }
@@ -146,7 +146,7 @@ void WorkerGroup::Restart(Member* member) {
     if (options_.restarts > 0)
       options_.say(fmt::format("process '{}' is not started again: it was {} times", member->name,
                                options_.restarts));
-    member->process->slot().Close();
+    member->process->connection().slot().Close();
     EnterStage(member, Stage::kNotRestarted);
     return;
   }
@@ -228,11 +228,11 @@ void WorkerGroup::OnReplaced(ObjectId id) {
     member.lost.clear();
     ++member.returns;
     EnterStage(&member, Stage::kRunning);
+    const ProcessSlot::Identity& identity = member.process->connection().identity();
     options_.say(
         fmt::format("process '{}' is back (pid {} on {}); {} messages came meanwhile and "
                     "were not heard",
-                    name, member.process->identity().pid, member.process->identity().host,
-                    undelivered - member.undelivered_before));
+                    name, identity.pid, identity.host, undelivered - member.undelivered_before));
     if (!return_listener_) continue;
     for (const auto& [new_id, object] : member.objects) return_listener_(object);
   }

@@ -57,14 +57,14 @@ class ForgedTest : public ::testing::Test {
     return options;
   }
   void Come() {
-    process_.slot().OpenSession("now");
+    process_.connection().slot().OpenSession("now");
     channel_ = std::make_unique<WorkerChannel>(&bus_, "liar/now", ChannelEnd::kWorker);
     WaitUntil("the other end", [this] { return channel_->IsConnected(); });
     openr_wire_ToMaster to_master = New(openr_wire_TO_MASTER_HELLO);
     to_master.body._u.hello = {openr_wire_VERSION, arena_.Text("liar"), arena_.Text("here"), 4711,
                                arena_.Text("")};
     channel_->Send(to_master);
-    process_.WaitForJoin(10'000, "", [] { return false; });
+    process_.connection().WaitForJoin(10'000, "", [] { return false; });
     openr_wire_Welcome welcome{};
     welcome.stick = arena_.Text("");
     process_.Welcome(&system_, welcome);
