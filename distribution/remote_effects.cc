@@ -1,9 +1,5 @@
-// The part of RemoteProcess that applies the effects of a worker's handlers in the master, and
-// answers the worker's questions.  Effects are the messages that handlers sent and the functions
-// that they called.
-//
-// Each effect is checked before it is applied: a worker may act only for its own objects, memory
-// regions and robots.
+#include "distribution/remote_effects.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +7,6 @@
 #include <utility>
 
 #include "distribution/remote_object.h"
-#include "distribution/remote_process.h"
 #include "distribution/worker_call_list.h"
 #include "runtime/core/api.h"
 #include "runtime/core/system.h"
@@ -57,60 +52,56 @@ bool MayLackCaller(uint32_t function) {
 
 }  // namespace
 
-// Handles a sample that a worker sends in the middle of a handler: console text, a question, or a
-// message.  Returns false if the sample is of another kind, such as the end of the handler.
-bool RemoteProcess::HandleRequest(const openr_wire_ToMaster& to_master) {
+bool RemoteEffects::HandleRequest(const openr_wire_ToMaster& to_master) {
   switch (to_master.body._d) {
     case openr_wire_TO_MASTER_CONSOLE:
-      system_->Print(StringOf(to_master.body._u.console_text));
+      resources_->system()->Print(StringOf(to_master.body._u.console_text));
       return true;
     case openr_wire_TO_MASTER_QUESTION: {
       const openr_wire_Question& in = to_master.body._u.question;
-      Object* const self = ObjectOf(in.object);
+      Object* const self = resources_->ObjectOf(in.object);
       // Applies the effects of the handler before its question (messages and calls), because the
       // answer may depend on them.
       Apply(to_master, self);
-      const CurrentScope scope(system_, self);
+      const CurrentScope scope(resources_->system(), self);
       SendAnswer(Call(in.kind, {VectorOf(in.numbers), StringOf(in.text), StringOf(in.bytes)}));
       return true;
     }
     case openr_wire_TO_MASTER_ENTRY: {
-      const Object* const object = system_->object(to_master.body._u.entry.object);
+      const Object* const object = resources_->system()->object(to_master.body._u.entry.object);
       const bool has = object != nullptr && object->HasEntry(to_master.body._u.entry.selector);
       SendAnswer({has ? 1 : 0});
       return true;
     }
     case openr_wire_TO_MASTER_POST: {
-      Object* const self = ObjectOf(to_master.body._u.post.object);
+      Object* const self = resources_->ObjectOf(to_master.body._u.post.object);
       Apply(to_master, self);
       SendAnswer({Post(to_master.body._u.post.posted, self)});
       return true;
     }
+    case openr_wire_TO_MASTER_CRASHED: {
+      const openr_wire_Crashed& crashed = to_master.body._u.crashed;
+      throw ProcessCrashed(StringOf(crashed.text), crashed.object);
+    }
     case openr_wire_TO_MASTER_STOPPED:
       if (to_master.body._u.stopped.timeout_us > kDelayMaxUs)
-        connection_.Refuse("a wait until another time");
+        connection_->Refuse("a wait until another time");
       return false;
     default:
       return false;
   }
 }
 
-Object* RemoteProcess::ObjectOf(ObjectId id) {
-  const auto found = objects_.find(id);
-  if (found == objects_.end()) connection_.Refuse("a request of an object that is not its own");
-  return found->second;
-}
-
-void RemoteProcess::SendAnswer(const CallResult& answer) {
+void RemoteEffects::SendAnswer(const CallResult& answer) {
   WireArena arena;
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_ANSWER);
   to_worker.body._u.answer = {answer.status, arena.Numbers(answer.numbers),
                               WireArena::View(answer.bytes.data(), answer.bytes.size())};
-  connection_.Send(to_worker);
+  connection_->Send(to_worker);
 }
 
-void RemoteProcess::Apply(const openr_wire_ToMaster& to_master, Object* self) {
-  const CurrentScope scope(system_, self);
+void RemoteEffects::Apply(const openr_wire_ToMaster& to_master, Object* self) {
+  const CurrentScope scope(resources_->system(), self);
   for (uint32_t i = 0; i < to_master.effects._length; ++i) {
     const openr_wire_Effect& effect = to_master.effects._buffer[i];
     if (effect._d == openr_wire_EFFECT_POST) {
@@ -122,46 +113,60 @@ void RemoteProcess::Apply(const openr_wire_ToMaster& to_master, Object* self) {
   }
 }
 
+HandlerStop RemoteEffects::ApplyStop(const openr_wire_ToMaster& to_master) {
+  const openr_wire_Stopped& stopped = to_master.body._u.stopped;
+  RemoteObject* const object = resources_->ObjectOf(stopped.object);
+  Apply(to_master, object);
+  object->state = StringOf(stopped.state);
+  resources_->RecordDropped(object, stopped.dropped);
+  object->stack_max = stopped.stack_max;
+  object->heap_max = stopped.heap_max;
+  resources_->RecordHeap(object->robot, stopped.heap_here);
+  object->pending_count = stopped.pending;
+  return {stopped.kind, stopped.box, stopped.timeout_us, stopped.size, StringOf(stopped.why)};
+}
+
+void RemoteEffects::ApplyForgotten(const openr_wire_ToMaster& to_master) {
+  Apply(to_master, nullptr);
+  resources_->marshaller()->PeerDropped(VectorOf(to_master.body._u.forgotten.dropped));
+}
+
 // Returns whether `message` answers the request that the handler of `self` is serving, or forwards
 // that request to another object.  In both cases the object owes no answer any more.
-bool RemoteProcess::Answers(const Message& message, const Object* self) {
+bool RemoteEffects::Answers(const Message& message, const Object* self) {
   const Message* const request = self == nullptr ? nullptr : self->handler.running.get();
   return request != nullptr && message.reply_box != 0 && message.reply_box == request->reply_box &&
          (message.is_reply ? message.target : message.sender) == request->sender;
 }
 
-// Returns whether the worker may send bytes for the memory region `region`.  The worker may do so
-// if an object of the worker owns or has made the region, or if the region was sent to the worker.
-bool RemoteProcess::MayUse(uint32_t region) const {
-  return calls_->HasRegion(region) || marshaller_->HasExported(region);
-}
-
 // Refuses a message if its sender, or the object of its subject or observer, is not `self`.  If
 // `self` is null, any object of this worker may be the sender.  A request that the handler forwards
 // keeps the name of its original sender, so that name is accepted, too.
-void RemoteProcess::CheckEnds(const openr_wire_Message& in, const Object* self) {
+void RemoteEffects::CheckEnds(const openr_wire_Message& in, const Object* self) {
   const auto is_own = [&](ObjectId id) {
-    return self == nullptr ? id == kNoObject || objects_.contains(id) : id == self->id;
+    return self == nullptr ? id == kNoObject || resources_->objects().contains(id) : id == self->id;
   };
   const Message* const request = self == nullptr ? nullptr : self->handler.running.get();
   const bool is_forwarded = request != nullptr && !in.is_reply && in.reply_box != 0 &&
                             in.reply_box == request->reply_box && in.sender == request->sender;
   if (!is_own(in.sender) && !is_forwarded)
-    connection_.Refuse("a message in the name of another object");
+    connection_->Refuse("a message in the name of another object");
   // Accepts an id that no object has.  Such an id is sent by a subject or an observer for which the
   // program has set no entry (SetReadyEntry(), SetNotifyEntry()).
-  const auto is_others = [&](ObjectId id) { return !is_own(id) && system_->object(id) != nullptr; };
+  const auto is_others = [&](ObjectId id) {
+    return !is_own(id) && resources_->system()->object(id) != nullptr;
+  };
   if (in.payload._d == openr_wire_PAYLOAD_NOTIFY && is_others(in.payload._u.notify.subject))
-    connection_.Refuse("a notification of another object's subject");
+    connection_->Refuse("a notification of another object's subject");
   if (in.payload._d == openr_wire_PAYLOAD_READY && is_others(in.payload._u.ready.observer))
-    connection_.Refuse("a ready of another object's observer");
+    connection_->Refuse("a ready of another object's observer");
 }
 
-void RemoteProcess::Check(const openr_wire_Message& in, const Object* self) {
+void RemoteEffects::Check(const openr_wire_Message& in, const Object* self) {
   CheckEnds(in, self);
   const auto check_region = [this](uint32_t region) {
-    if (system_->regions().BaseOf(region) != nullptr && !MayUse(region))
-      connection_.Refuse(fmt::format("bytes of region {:#x}, which it has not", region));
+    if (resources_->system()->regions().BaseOf(region) != nullptr && !resources_->MayUse(region))
+      connection_->Refuse(fmt::format("bytes of region {:#x}, which it has not", region));
   };
   if (in.payload._d == openr_wire_PAYLOAD_ANT) check_region(in.payload._u.ant.region);
   if (in.payload._d != openr_wire_PAYLOAD_NOTIFY) return;
@@ -169,21 +174,22 @@ void RemoteProcess::Check(const openr_wire_Message& in, const Object* self) {
   for (uint32_t i = 0; i < parts._length; ++i) check_region(parts._buffer[i].region);
 }
 
-int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self) {
+int32_t RemoteEffects::Post(const openr_wire_PostedMessage& posted, Object* self) {
   Check(posted.message, self);
-  const CurrentScope scope(system_, self);
-  OwnedMessage message = system_->NewMessage(posted.message.target, posted.message.selector);
+  const CurrentScope scope(resources_->system(), self);
+  OwnedMessage message =
+      resources_->system()->NewMessage(posted.message.target, posted.message.selector);
   // Keeps two members that NewMessage() has set: the message's class (messages that are due at the
   // same time are delivered in the order of their classes) and its cause (the number of the message
   // whose handler sends this message).  They must be the same as in a run with one process, and not
   // the worker's values that Decode() may store.
   const MessageClass message_class = message->message_class;
   const uint64_t cause = message->cause;
-  const std::string problem = marshaller_->Decode(posted.message, message.get());
-  marshaller_->ReleaseSample();
-  if (!problem.empty()) connection_.Refuse(problem);
+  const std::string problem = resources_->marshaller()->Decode(posted.message, message.get());
+  resources_->marshaller()->ReleaseSample();
+  if (!problem.empty()) connection_->Refuse(problem);
   if (posted.delay_us < 0 || posted.delay_us > kDelayMaxUs)
-    connection_.Refuse("a message for another time");
+    connection_->Refuse("a message for another time");
   // Restores the message's class and cause (the number of the message whose handler sends this
   // message), so that they are the same as in a run with one process.  Removes the number that the
   // worker has given to the message, because System::Post() gives it a number of the master.
@@ -193,21 +199,21 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
   if (message->is_reply) {
     // Refuses a reply if the object that asked has closed its reply box meanwhile.  A run with one
     // process refuses such a reply, too.
-    const Object* const asker = system_->object(message->target);
+    const Object* const asker = resources_->system()->object(message->target);
     if (asker == nullptr || !asker->boxes.open.contains(message->reply_box)) return sRBOXWASCLEANED;
   }
   const bool is_notify = message->kind == PayloadKind::kNotify && self != nullptr;
   const StandingReady used = {is_notify ? posted.message.payload._u.notify.selector : 0,
                               message->target, message->selector};
   const bool answers = Answers(*message, self);
-  const int32_t error = system_->Post(std::move(message), posted.delay_us);
+  const int32_t error = resources_->system()->Post(std::move(message), posted.delay_us);
   // Marks the request, to which this message is the reply, as answered.  Without this mark the
   // master would answer the request again if the worker is lost before the handler ends
   // (RemoteObject::SendEmptyReply()).
   if (answers && error == sSUCCESS) self->handler.running->reply_box = 0;
   // Records that the observer is not ready any more.  After a notification, an observer must assert
   // ready again before it gets the next notification.
-  if (is_notify && error == sSUCCESS) objects_.at(self->id)->UseReady(used);
+  if (is_notify && error == sSUCCESS) resources_->objects().at(self->id)->UseReady(used);
   return error;
 }
 
@@ -215,13 +221,14 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
 // workers may call), as a worker has asked, in the name of the current object.  There is no current
 // object while the worker loads its objects.  For a number that is not in the list, returns the
 // status oNOT_SUPPORTED.
-CallResult RemoteProcess::Call(uint32_t function, const CallArguments& arguments) {
+CallResult RemoteEffects::Call(uint32_t function, const CallArguments& arguments) {
   if (function >= WorkerCallList::kSize) return {oNOT_SUPPORTED};
-  return WorkerCallList::Call(function, CallTargets{system_, calls_.get()}, arguments);
+  return WorkerCallList::Call(function, CallTargets{resources_->system(), resources_->calls()},
+                              arguments);
 }
 
-void RemoteProcess::ApplyNote(const openr_wire_Note& note) {
-  if (note.kind >= WorkerCallList::kSize) connection_.Refuse(fmt::format("note {}", note.kind));
+void RemoteEffects::ApplyNote(const openr_wire_Note& note) {
+  if (note.kind >= WorkerCallList::kSize) connection_->Refuse(fmt::format("note {}", note.kind));
   if (t_current.object == nullptr && !MayLackCaller(note.kind)) return;
   Call(note.kind, {VectorOf(note.numbers), StringOf(note.text)});
 }

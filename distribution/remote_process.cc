@@ -35,26 +35,19 @@ RemoteProcess::RemoteProcess(Bus* bus, std::string name, bool is_external,
 // sample that is about to be sent may wait and share a packet with that message.  If not, no other
 // sample follows soon, so the sample must be sent now.
 bool RemoteProcess::WillSendMore() const {
-  const Message* const next = system_->queue().First();
+  const Message* const next = resources_.system()->queue().First();
   if (next == nullptr || next->is_reply) return false;
-  const auto* const target = dynamic_cast<const RemoteObject*>(system_->object(next->target));
+  const auto* const target =
+      dynamic_cast<const RemoteObject*>(resources_.system()->object(next->target));
   return target != nullptr && target->delivery.blocked() == nullptr && !target->delivery.is_busy();
 }
 
 void RemoteProcess::Welcome(System* system, const openr_wire_Welcome& welcome) {
-  system_ = system;
-  if (marshaller_ == nullptr) {
-    marshaller_ = std::make_unique<Marshaller>(system, false);
-    calls_ = std::make_unique<CheckedCalls>(
-        system, [this](ObjectId id) { return objects_.contains(id); },
-        [this](const std::string& what) { connection_.Refuse(what); });
-  }
+  resources_.Begin(system);
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_WELCOME);
   to_worker.body._u.welcome = welcome;
   connection_.Send(to_worker);
 }
-
-void RemoteProcess::Add(RemoteObject* object) { objects_[object->id] = object; }
 
 void RemoteProcess::BeginLoad(const openr_wire_Load& load) {
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_LOAD);
@@ -68,7 +61,7 @@ void RemoteProcess::BeginLoad(const openr_wire_Load& load) {
 
 void RemoteProcess::Load(const openr_wire_Load& load) {
   BeginLoad(load);
-  while (!HandleLoaded(*connection_.Next(), objects_)) {
+  while (!HandleLoaded(*connection_.Next(), resources_.objects())) {
   }
 }
 
@@ -84,11 +77,10 @@ bool RemoteProcess::HasLoaded(const std::map<ObjectId, RemoteObject*>& objects) 
 bool RemoteProcess::HandleLoaded(const openr_wire_ToMaster& to_master,
                                  const std::map<ObjectId, RemoteObject*>& objects) {
   connection_.CheckGoodbye(to_master);
-  if (HandleRequest(to_master)) return false;
-  if (to_master.body._d == openr_wire_TO_MASTER_CRASHED) Crash(to_master.body._u.crashed);
+  if (effects_.HandleRequest(to_master)) return false;
   if (to_master.body._d != openr_wire_TO_MASTER_LOADED)
     connection_.Refuse("no list of its objects");
-  Apply(to_master, nullptr);
+  effects_.Apply(to_master, nullptr);
   const auto& loaded = to_master.body._u.loaded.objects;
   for (uint32_t i = 0; i < loaded._length; ++i) {
     const openr_wire_LoadedObject& entry = loaded._buffer[i];
@@ -97,14 +89,10 @@ bool RemoteProcess::HandleLoaded(const openr_wire_ToMaster& to_master,
       connection_.Refuse("an object that is not its own, or sent it twice");
     if (entry.problem != nullptr && *entry.problem != '\0') throw ProcessLost(entry.problem);
     found->second->SetDescription(entry);
-    RecordHeap(found->second->robot, entry.heap_here);
+    resources_.RecordHeap(found->second->robot, entry.heap_here);
   }
   if (!awaited_objects_.empty()) connection_.Refuse("nothing of an object that it was to load");
   return true;
-}
-
-void RemoteProcess::Crash(const openr_wire_Crashed& crashed) {
-  throw ProcessCrashed(StringOf(crashed.text), crashed.object);
 }
 
 bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
@@ -116,21 +104,22 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
     WireArena arena;
     openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_DELIVER);
     openr_wire_Deliver& deliver = to_worker.body._u.deliver;
-    deliver.now_us = system_->now_us();
-    deliver.heap_elsewhere = HeapElsewhere(system_, object->robot);
+    deliver.now_us = resources_.system()->now_us();
+    deliver.heap_elsewhere = resources_.HeapElsewhere(resources_.system(), object->robot);
     // Returns whether the worker has the bytes of a region, so that they need not be sent.  The
     // worker has them if one of its objects has made the region, even if another object owns the
     // region now.  A restarted worker does not have the regions of the lost process; for these,
     // MakerOf() returns kNoObject, because the objects that made them were unloaded.
     const auto is_there = [this](uint32_t region) {
-      return objects_.contains(system_->regions().MakerOf(region));
+      return resources_.objects().contains(resources_.system()->regions().MakerOf(region));
     };
-    marshaller_->Encode(message, is_there, &arena, &deliver.message);
+    resources_.marshaller()->Encode(message, is_there, &arena, &deliver.message);
     connection_.Send(to_worker, is_free_ && WillSendMore());
-    marshaller_->CompleteSend(message);
+    resources_.marshaller()->CompleteSend(message);
   }
   for (;;) {
-    const std::optional<Stop> stop = is_free_ ? WaitForStopInFreeRun(object) : WaitForStop(object);
+    const std::optional<HandlerStop> stop =
+        is_free_ ? WaitForStopInFreeRun(object) : WaitForStop(object);
     if (!stop) return false;
     if (stop->kind == openr_wire_STOP_DONE) return true;
     if (stop->kind == openr_wire_STOP_READS) {
@@ -144,52 +133,23 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
   }
 }
 
-std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStop(RemoteObject* object) {
+std::optional<HandlerStop> RemoteProcess::WaitForStop(RemoteObject* object) {
   for (;;) {
     const RemoteConnection::ReceivedSample to_master = connection_.Next();
-    if (HandleRequest(*to_master)) continue;
-    if (to_master->body._d == openr_wire_TO_MASTER_CRASHED) Crash(to_master->body._u.crashed);
+    if (effects_.HandleRequest(*to_master)) continue;
     if (to_master->body._d != openr_wire_TO_MASTER_STOPPED)
       connection_.Refuse("something in the middle of a handler");
     if (to_master->body._u.stopped.object != object->id)
       connection_.Refuse("the end of another object's handler");
-    return ApplyStop(*to_master);
+    return effects_.ApplyStop(*to_master);
   }
-}
-
-RemoteProcess::Stop RemoteProcess::ApplyStop(const openr_wire_ToMaster& to_master) {
-  const openr_wire_Stopped& stopped = to_master.body._u.stopped;
-  Object* const object = ObjectOf(stopped.object);
-  Apply(to_master, object);
-  object->state = StringOf(stopped.state);
-  object->dropped_count += stopped.dropped - std::exchange(dropped_[object->id], stopped.dropped);
-  object->stack_max = stopped.stack_max;
-  RemoteObject* const remote = objects_.at(object->id);
-  remote->heap_max = stopped.heap_max;
-  RecordHeap(object->robot, stopped.heap_here);
-  remote->pending_count = stopped.pending;
-  return {stopped.kind, stopped.box, stopped.timeout_us, stopped.size, StringOf(stopped.why)};
-}
-
-uint64_t RemoteProcess::HeapElsewhere(System* system, int robot) const {
-  const auto there = heap_by_robot_.find(robot);
-  return system->robot(robot).memory.used_bytes -
-         (there == heap_by_robot_.end() ? 0 : there->second);
-}
-
-void RemoteProcess::RecordHeap(int robot, uint64_t bytes) {
-  // Largest number of heap bytes that is accepted.  A robot has 32 MB of memory, so a number above
-  // this limit must be an error of the worker.
-  constexpr uint64_t kHeapMaxBytes = uint64_t{1} << 40;
-  if (bytes > kHeapMaxBytes) connection_.Refuse("a heap that is too large");
-  system_->robot(robot).memory.used_bytes += bytes - std::exchange(heap_by_robot_[robot], bytes);
 }
 
 // Waits in a free run (the master does not wait for handlers) until the handler of `object` in the
 // worker has stopped.  Only `object` waits: other objects run meanwhile.  HandleFreeSample() ends
 // the wait when the worker reports that the handler has stopped.  Returns nullopt if the worker was
 // lost.
-std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStopInFreeRun(RemoteObject* object) {
+std::optional<HandlerStop> RemoteProcess::WaitForStopInFreeRun(RemoteObject* object) {
   const uint64_t session = connection_.session();
   const uint64_t box = kFirstWakeBox + ++wake_box_count_;
   object->boxes.open.insert(box);
@@ -199,9 +159,9 @@ std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStopInFreeRun(RemoteObj
   const bool is_new = running_.emplace(object->id, box).second;
   ASSERT(is_new, "{} runs a handler already", object->name);
   bool timed_out = false;
-  system_->requests().Await(box, -1, wait_reason_, &timed_out);
+  resources_.system()->requests().Await(box, -1, wait_reason_, &timed_out);
   if (connection_.IsOver(session)) return std::nullopt;
-  Stop stop = std::move(stops_[object->id]);
+  HandlerStop stop = std::move(stops_[object->id]);
   stops_.erase(object->id);
   return stop;
 }
@@ -263,66 +223,59 @@ void RemoteProcess::CheckHealth() {
 
 void RemoteProcess::HandleFreeSample(const openr_wire_ToMaster& to_master) {
   connection_.CheckGoodbye(to_master);
-  if (HandleRequest(to_master)) return;
-  if (to_master.body._d == openr_wire_TO_MASTER_CRASHED) Crash(to_master.body._u.crashed);
-  if (to_master.body._d == openr_wire_TO_MASTER_FORGOTTEN) return HandleForgotten(to_master);
+  if (effects_.HandleRequest(to_master)) return;
+  if (to_master.body._d == openr_wire_TO_MASTER_FORGOTTEN)
+    return effects_.ApplyForgotten(to_master);
   if (to_master.body._d != openr_wire_TO_MASTER_STOPPED)
     connection_.Refuse("something that is no end of a handler");
   const ObjectId object = to_master.body._u.stopped.object;
   const auto found = running_.find(object);
   if (found == running_.end()) connection_.Refuse("the end of a handler that was not begun");
-  stops_[object] = ApplyStop(to_master);
-  WakeHandler(object, found->second);
+  stops_[object] = effects_.ApplyStop(to_master);
+  resources_.Wake(object, found->second);
   running_.erase(object);
-}
-
-// Ends the wait of `object` in the master: posts the reply to `box`, for which the object waits.
-void RemoteProcess::WakeHandler(ObjectId object, uint64_t box) {
-  OwnedMessage wake = system_->NewMessage(object, 0);
-  wake->message_class = MessageClass::kInput;
-  wake->is_reply = true;
-  wake->reply_box = box;
-  system_->Post(std::move(wake));
 }
 
 // Makes `object`, the master's stand-in for an object of the worker, wait for the reply that `stop`
 // names, so that other objects run meanwhile.  Then sends the reply to the worker, where the
 // handler goes on.
-void RemoteProcess::ResumeWithReply(RemoteObject* object, const Stop& stop, uint64_t session) {
+void RemoteProcess::ResumeWithReply(RemoteObject* object, const HandlerStop& stop,
+                                    uint64_t session) {
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_RESUME);
   openr_wire_Resume& resume = to_worker.body._u.resume;
   const OwnedMessage reply =
-      system_->requests().Await(stop.box, stop.timeout_us, stop.why, &resume.timed_out);
+      resources_.system()->requests().Await(stop.box, stop.timeout_us, stop.why, &resume.timed_out);
   // Does not go on if the worker was lost while the handler waited for its reply, for example
   // because the handler of another object of this worker crashed.  No handler is left then that
   // could continue.
   if (connection_.IsOver(session)) return;
   WireArena arena;
-  resume.now_us = system_->now_us();
-  resume.heap_elsewhere = HeapElsewhere(system_, object->robot);
-  marshaller_->Encode(*reply, nullptr, &arena, &resume.reply);
+  resume.now_us = resources_.system()->now_us();
+  resume.heap_elsewhere = resources_.HeapElsewhere(resources_.system(), object->robot);
+  resources_.marshaller()->Encode(*reply, nullptr, &arena, &resume.reply);
   resume.reply.target = object->id;
   resume.reply.is_reply = true;
   resume.reply.reply_box = stop.box;
   connection_.Send(to_worker);
 }
 
-void RemoteProcess::ResumeWithLine(RemoteObject* object, const Stop& stop, uint64_t session) {
+void RemoteProcess::ResumeWithLine(RemoteObject* object, const HandlerStop& stop,
+                                   uint64_t session) {
   char line[Message::kPayloadMax];
   std::string problem;
   const auto is_gone = [&] {
     if (!connection_.IsOver(session)) problem = connection_.FindProblem();
     return connection_.IsOver(session) || !problem.empty();
   };
-  const size_t size = system_->console_input().Read(
+  const size_t size = resources_.system()->console_input().Read(
       line, std::min<size_t>(std::max<uint32_t>(stop.size, 1), sizeof line), is_gone);
   if (connection_.IsOver(session)) return;
   if (!problem.empty()) throw ProcessLost(problem);
   WireArena arena;
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_RESUME);
   openr_wire_Resume& resume = to_worker.body._u.resume;
-  resume.now_us = system_->now_us();
-  resume.heap_elsewhere = HeapElsewhere(system_, object->robot);
+  resume.now_us = resources_.system()->now_us();
+  resume.heap_elsewhere = resources_.HeapElsewhere(resources_.system(), object->robot);
   resume.reply.target = object->id;
   resume.reply.sender = kNoObject;
   resume.reply.is_reply = true;
@@ -345,11 +298,11 @@ std::string RemoteProcess::FetchState(ObjectId object) {
     // Does not copy the worker's bytes of a region that the master has received in a notification
     // and not given back.  An observer may have changed the region, so the master's copy may be
     // newer than the worker's.
-    if (marshaller_->HasImported(in.region)) continue;
-    char* const base = system_->regions().BaseOf(in.region);
-    if (base == nullptr || in.bytes._length != system_->regions().SizeOf(in.region))
+    if (resources_.marshaller()->HasImported(in.region)) continue;
+    char* const base = resources_.system()->regions().BaseOf(in.region);
+    if (base == nullptr || in.bytes._length != resources_.system()->regions().SizeOf(in.region))
       connection_.Refuse(fmt::format("bytes of region {:#x}, which is not so", in.region));
-    if (!calls_->HasRegion(in.region))
+    if (!resources_.calls()->HasRegion(in.region))
       connection_.Refuse(fmt::format("bytes of region {:#x}, which is not its own", in.region));
     std::copy_n(in.bytes._buffer, in.bytes._length, reinterpret_cast<uint8_t*>(base));
   }
@@ -357,9 +310,7 @@ std::string RemoteProcess::FetchState(ObjectId object) {
 }
 
 void RemoteProcess::End(const std::string& why) {
-  // Destroys the marshaller while the System still exists, because the memory of received regions
-  // is in the System's region table.
-  marshaller_.reset();
+  resources_.End();
   // Returns if there is no worker, or if a restarted worker has not joined yet.
   if (!connection_.slot().has_joined()) return;
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_END);

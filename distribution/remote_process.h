@@ -15,12 +15,10 @@
 #include <string>
 #include <vector>
 
-#include "distribution/bus.h"
-#include "distribution/call_codec.h"
-#include "distribution/checked_calls.h"
 #include "distribution/latency.h"
-#include "distribution/marshaller.h"
 #include "distribution/remote_connection.h"
+#include "distribution/remote_effects.h"
+#include "distribution/remote_resources.h"
 
 class RCRegion;
 
@@ -38,15 +36,11 @@ class RemoteProcess {
                 std::function<void(const std::string&)> say);
 
   RemoteConnection& connection() { return connection_; }
+  RemoteResources& resources() { return resources_; }
   const std::string& name() const { return connection_.name(); }
   bool is_lost() const { return connection_.is_lost(); }
 
   // ---- All functions from here on may throw ProcessLost, except where noted.
-
-  // Returns the bytes of heap used on `robot` by all objects but those of this worker.  The worker
-  // needs this number to know how much of the robot's memory is left, because all objects of a
-  // robot share its memory.
-  uint64_t HeapElsewhere(System* system, int robot) const;
 
   // Sends the worker the settings of the run, such as seed and stick.
   void Welcome(System* system, const openr_wire_Welcome& welcome);
@@ -54,8 +48,6 @@ class RemoteProcess {
   // Sends new entries of the master's tables of robots and objects, and waits until the worker has
   // loaded its own objects among them.
   void Load(const openr_wire_Load& load);
-  // Adds `object`, the master's stand-in for an object that the worker will load.
-  void Add(RemoteObject* object);
 
   // Begins to load the objects of a restarted worker: sends new entries of the master's tables of
   // robots and objects, as Load() does, but does not wait.  The worker counts as lost until
@@ -126,67 +118,33 @@ class RemoteProcess {
   // Releases a memory region that the worker sent, and sends no ready message for it.  To be called
   // when the object that sent the region was lost or replaced, because then no subject waits for
   // the region.
-  void ReturnRegion(RCRegion* region);
+  void ReturnRegion(RCRegion* region) { resources_.ReturnRegion(region); }
   // Handles a message that the lost worker did not receive.  If `message` is a ready message,
   // releases the regions that it gives back.  Messages of other kinds are ignored.
-  void HandleUndelivered(const Message& message);
+  void HandleUndelivered(const Message& message) { resources_.HandleUndelivered(message); }
 
   // Ends the worker and tells it `why` the run has ended: the text of DescribeEnd(), or "".
   // REQUIRES: the System still exists.
   void End(const std::string& why);
 
  private:
-  // The reason why a handler in the worker has stopped: it has returned, or waits for a reply or a
-  // line of the console.
-  struct Stop {
-    openr_wire_StopKind kind = openr_wire_STOP_DONE;
-    uint64_t box = 0;
-    int64_t timeout_us = -1;
-    uint32_t size = 0;
-    std::string why;
-  };
-
   bool WillSendMore() const;
   void ReportSilence();
-  std::optional<Stop> WaitForStop(RemoteObject* object);
-  std::optional<Stop> WaitForStopInFreeRun(RemoteObject* object);
-  Stop ApplyStop(const openr_wire_ToMaster& to_master);
-  void RecordHeap(int robot, uint64_t bytes);
+  std::optional<HandlerStop> WaitForStop(RemoteObject* object);
+  std::optional<HandlerStop> WaitForStopInFreeRun(RemoteObject* object);
   void HandleFreeSample(const openr_wire_ToMaster& to_master);
-  void HandleForgotten(const openr_wire_ToMaster& to_master);
   bool HandleLoaded(const openr_wire_ToMaster& to_master,
                     const std::map<ObjectId, RemoteObject*>& objects);
   template <typename Action>
   void RecordLoss(const Action& action);
-  [[noreturn]] void Crash(const openr_wire_Crashed& crashed);
-  void WakeHandler(ObjectId object, uint64_t box);
-  bool HandleRequest(const openr_wire_ToMaster& to_master);
-  void SendAnswer(const CallResult& answer);
-  CallResult Call(uint32_t function, const CallArguments& arguments);
-  void Apply(const openr_wire_ToMaster& to_master, Object* self);
-  void ApplyNote(const openr_wire_Note& note);
-  int32_t Post(const openr_wire_PostedMessage& posted, Object* self);
-  void Check(const openr_wire_Message& in, const Object* self);
-  void CheckEnds(const openr_wire_Message& in, const Object* self);
-  bool MayUse(uint32_t region) const;
-  static bool Answers(const Message& message, const Object* self);
-  void ResumeWithReply(RemoteObject* object, const Stop& stop, uint64_t session);
-  void ResumeWithLine(RemoteObject* object, const Stop& stop, uint64_t session);
-  void ReturnExported();
-  Object* ObjectOf(ObjectId id);
+  void ResumeWithReply(RemoteObject* object, const HandlerStop& stop, uint64_t session);
+  void ResumeWithLine(RemoteObject* object, const HandlerStop& stop, uint64_t session);
 
   RemoteConnection connection_;
-  const std::string wait_reason_;  // tells the user what a RemoteObject waits for
-  System* system_ = nullptr;
-  std::unique_ptr<Marshaller> marshaller_;
-  std::unique_ptr<CheckedCalls> calls_;  // checks calls of the worker; null before Welcome()
-  std::map<ObjectId, RemoteObject*> objects_;
+  RemoteResources resources_{&connection_};
+  RemoteEffects effects_{&connection_, &resources_};
+  const std::string wait_reason_;       // tells the user what a RemoteObject waits for
   std::set<ObjectId> awaited_objects_;  // objects that the worker is loading
-  // For each object of the worker, the number of dropped notifications (Object::dropped_count) that
-  // the worker has reported last.  The master adds only the increase to its own count.
-  std::map<ObjectId, uint64_t> dropped_;
-  // For each robot, the number of heap bytes that the worker's objects use.
-  std::map<int, uint64_t> heap_by_robot_;
   Latency latency_;
   std::map<ObjectId, Latency> latency_of_;
   // ---- Free runs
@@ -198,7 +156,7 @@ class RemoteProcess {
   // The objects of which a handler runs in the worker now; the value is the reply box for which the
   // object's stand-in waits in the master.
   std::map<ObjectId, uint64_t> running_;
-  std::map<ObjectId, Stop> stops_;  // the reason why the handler of each object has stopped
+  std::map<ObjectId, HandlerStop> stops_;  // the reason why the handler of each object has stopped
   // The time of the worker's last sample, or the time when an idle worker was given work.
   // ReportSilence() compares it with the present time.
   int64_t last_heard_ms_ = 0;

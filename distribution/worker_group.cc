@@ -97,7 +97,7 @@ StandIns WorkerGroup::StandInsFor(System* system, int robot) {
       object->name = name;
       object->path = path;
       member->objects[id] = object.get();
-      member->process->Add(object.get());
+      member->process->resources().Add(object.get());
       placed_.push_back(name);
       system_->object_table().Adopt(std::move(object));
       // Lets the worker load the object as soon as OBJECT.CFG names it, and not later in Connect(),
@@ -190,7 +190,7 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
   // in other processes may have used more heap since the previous Load.
   std::vector<uint64_t> heap_elsewhere;
   for (int i = 0; i < system_->robot_count(); ++i)
-    heap_elsewhere.push_back(member->process->HeapElsewhere(system_, i));
+    heap_elsewhere.push_back(member->process->resources().HeapElsewhere(system_, i));
   load.heap_elsewhere = arena->Numbers(heap_elsewhere);
   load.robots = arena->Sequence<decltype(load.robots)>(robots);
   load.designs = arena->Sequence<decltype(load.designs)>(designs);

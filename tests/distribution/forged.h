@@ -46,7 +46,7 @@ class ForgedTest : public ::testing::Test {
     remote->set_selectors({0, 1, 2, 3, kEntry});
     remote_ = remote.get();
     Come();
-    process_.Add(remote_);
+    process_.resources().Add(remote_);
     system_.object_table().Adopt(std::move(remote));
     region_here_ = system_.regions().New(kBytes, sender_->host().id);
     region_there_ = system_.regions().New(kBytes, remote_->id);
