@@ -95,7 +95,7 @@ void Monitor::Publish(Clock::time_point now, bool has_ended) {
 // Returns how long the handlers of `object` have taken since the previous status was published.
 RunStatus::Times Monitor::TimesOf(const RemoteObject& object) {
   Latency& before = latency_of_[object.id];
-  const Latency now = object.process()->LatencyOf(object.id);
+  const Latency now = object.process()->handlers().LatencyOf(object.id);
   const Latency since = now.Since(std::exchange(before, now));
   return {since.count(), since.MeanUs(), since.PercentileUs(0.99), since.MaxUs()};
 }

@@ -48,7 +48,7 @@ bool RemoteObject::Dispatch(uint32_t, void*) {
 // worker was lost.
 bool RemoteObject::Run() {
   try {
-    return process_->RunHandler(this, *handler.running);
+    return process_->handlers().Run(this, *handler.running);
   } catch (const ProcessCrashed& crash) {
     lost_(this, Loss::kCrashed, crash.what());
   } catch (const ProcessLost& lost) {

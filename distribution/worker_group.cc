@@ -137,7 +137,7 @@ std::string WorkerGroup::Connect() {
   if (options_.is_free) system_->trace().set_hashing(false);
   for (auto& [name, member] : members_) {
     LoadNewObjects(&member);
-    if (problem_.empty() && options_.is_free) member.process->RunFree();
+    if (problem_.empty() && options_.is_free) member.process->handlers().RunFree();
   }
   return problem_;
 }
@@ -154,7 +154,7 @@ void WorkerGroup::Welcome(Member* member) {
   welcome.free_running = options_.is_free;
   welcome.log_level = options.log_level;
   welcome.stick = arena.Text(options_.stick);
-  member->process->Welcome(system_, welcome);
+  member->process->loader().Welcome(system_, welcome);
   member->is_welcomed = true;
   if (member->is_external) claim_->MakePermanent();
 }
@@ -213,7 +213,7 @@ void WorkerGroup::SendNextLoad(Member* member) {
                                               [this] { return IsEnding(); });
     Welcome(member);
   }
-  member->process->Load(load);
+  member->process->loader().Load(load);
 }
 
 void WorkerGroup::LoadNewObjects(Member* member) {
@@ -258,7 +258,7 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
   // at any time.  Only a crash is still reported, because its cause is a handler and not the
   // signal.
   if (IsInterrupted() && loss != RemoteObject::Loss::kCrashed) {
-    process.connection().set_lost();
+    process.set_lost();
     return StopRun(
         {EndKind::kSignal, "Ctrl-C or SIGTERM came again while a process was waited for"});
   }
@@ -268,7 +268,7 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
   // If the loss was noticed after the run, only reports it, because nothing has to be cleaned up or
   // restarted.
   if (loss == RemoteObject::Loss::kAtEnd) {
-    process.connection().set_lost();
+    process.set_lost();
     system_->AddFindingAbout(about, Severity::kError, why);
     return;
   }
@@ -276,14 +276,14 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
   uint64_t pending = 0;
   for (const auto& [id, object] : member->objects) pending += object->pending_count;
   if (pending > 0) text += fmt::format("; {} notifications that waited in it are lost", pending);
-  const size_t undelivered = process.CountUndelivered();
+  const size_t undelivered = process.free_run().CountUndelivered();
   if (undelivered > 0)
     text += fmt::format("; {} messages that it had been handed are lost", undelivered);
   if (!member->crashed && !options_.is_free && !MayRestart(*member)) {
     if (options_.restarts > 0)
       text += fmt::format("; it was started again {} times", options_.restarts);
     system_->AddFindingAbout(about, Severity::kError, fmt::format("{}; the run stops here", text));
-    process.connection().set_lost();
+    process.set_lost();
     return StopRun({EndKind::kLostProcess, text});
   }
   // Names the process in the message only after a crash, because for other losses the text `why`
@@ -308,7 +308,7 @@ void WorkerGroup::StopRun(const RunEnd& why) {
 bool WorkerGroup::HandleReceived() {
   bool came = false;
   for (auto& [name, member] : members_) {
-    if (!member.process->is_lost()) came = member.process->HandleReceived() || came;
+    if (!member.process->is_lost()) came = member.process->free_run().HandleReceived() || came;
   }
   return came;
 }
@@ -331,13 +331,14 @@ void WorkerGroup::Pump(int64_t timeout_us) {
     RemoteProcess& process = *member.process;
     AdvanceRestart(&member);
     if (process.is_lost()) continue;
-    if (is_time) process.CheckHealth();
-    if (process.loss().empty()) continue;
-    const auto crashed_object = member.objects.find(process.crashed_object());
+    if (is_time) process.free_run().CheckHealth();
+    const RemoteFreeRun::Loss& loss = process.free_run().loss();
+    if (loss.why.empty()) continue;
+    const auto crashed_object = member.objects.find(loss.crashed_object);
     HandleLoss(crashed_object == member.objects.end() ? member.objects.begin()->second
                                                       : crashed_object->second,
-               process.has_crashed() ? RemoteObject::Loss::kCrashed : RemoteObject::Loss::kGone,
-               process.loss());
+               loss.has_crashed ? RemoteObject::Loss::kCrashed : RemoteObject::Loss::kGone,
+               loss.why);
   }
 }
 
@@ -380,7 +381,7 @@ std::vector<WorkerGroup::ProcessFacts> WorkerGroup::Describe() const {
                        member.lost,
                        member.losses,
                        member.returns};
-    const Latency& latency = member.process->latency();
+    const Latency& latency = member.process->handlers().latency();
     facts.handlers = latency.count();
     facts.median_us = latency.PercentileUs(0.5);
     facts.p99_us = latency.PercentileUs(0.99);

@@ -29,7 +29,7 @@ struct WorkerGroupOptions {
   std::vector<std::string> wrapper;
   std::string stick;  // folder of the run's Memory Stick, as a path on the master's host
   // Whether the run is a free run, in which the master does not wait for handlers
-  // (RemoteProcess::RunFree()).
+  // (RemoteHandlers::RunFree()).
   bool is_free = false;
   int64_t wait_ms = 60'000;  // time limit for a worker to join, in ms of the wall clock
   int restarts = 0;          // how often each worker may be restarted

@@ -88,7 +88,7 @@ void WorkerGroup::AdvanceRestart(Member* member, bool may_load) {
         if (may_load) BeginLoading(member);
         return;
       case Stage::kLoading:
-        if (process.HasLoaded(member->successors)) ReplaceObjects(member);
+        if (process.loader().HasLoaded(member->successors)) ReplaceObjects(member);
         break;
       case Stage::kReplacing:
         return;
@@ -171,7 +171,7 @@ void WorkerGroup::BeginLoading(Member* member) {
   }
   Welcome(member);
   WireArena arena;
-  member->process->BeginLoad(NextLoadFor(member, &arena));
+  member->process->loader().BeginLoad(NextLoadFor(member, &arena));
   EnterStage(member, Stage::kLoading);
 }
 

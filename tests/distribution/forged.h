@@ -67,7 +67,7 @@ class ForgedTest : public ::testing::Test {
     process_.connection().WaitForJoin(10'000, "", [] { return false; });
     openr_wire_Welcome welcome{};
     welcome.stick = arena_.Text("");
-    process_.Welcome(&system_, welcome);
+    process_.loader().Welcome(&system_, welcome);
   }
 
   openr_wire_ToMaster New(openr_wire_ToMasterKind kind) const {
@@ -204,7 +204,7 @@ class ForgedTest : public ::testing::Test {
       openr_wire_Load load{};
       load.objects =
           arena_.Sequence<decltype(load.objects)>(std::vector<openr_wire_ObjectEntry>{entry});
-      process_.Load(load);
+      process_.loader().Load(load);
     });
   }
   std::string TextHere() { return {system_.regions().BaseOf(region_here_), kBytes}; }
