@@ -204,8 +204,8 @@ bool ChannelBase::IsConnected() const {
          readers.current_count > 0 && writers.current_count > 0;
 }
 
-void ChannelBase::WaitForAcks(int timeout_ms) {
-  Dds().dds_wait_for_acks(writer_, DDS_MSECS(timeout_ms));
+bool ChannelBase::WaitForAcks(int timeout_ms) {
+  return Dds().dds_wait_for_acks(writer_, DDS_MSECS(timeout_ms)) == DDS_RETCODE_OK;
 }
 
 void ChannelBase::WriteBatched(const void* sample) {

@@ -112,10 +112,10 @@ class ChannelBase {
   // Returns whether DDS has found the reader and the writer of the channel's other end.
   bool IsConnected() const;
 
-  // Waits until the other end has received all samples, at most `timeout_ms`.  To be called before
-  // the channel is destroyed if no sample may be lost, because the samples that the other end has
-  // not received by then are lost.
-  void WaitForAcks(int timeout_ms);
+  // Waits until the other end has received all samples, at most `timeout_ms`.  Returns whether the
+  // other end has received them.  To be called before the channel is destroyed if no sample may be
+  // lost, because the samples that the other end has not received by then are lost.
+  bool WaitForAcks(int timeout_ms);
 
   // Sends the samples that SendBatched() has kept.
   void FlushBatch();

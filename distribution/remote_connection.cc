@@ -146,4 +146,23 @@ std::string RemoteConnection::FindLoss() {
   return problem;
 }
 
+bool RemoteConnection::SendEnd(const std::string& why) {
+  // Returns if there is no worker, or if a restarted worker has not joined yet.
+  if (!slot_.has_joined()) return false;
+  openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_END);
+  WireArena arena;
+  to_worker.body._u.ended = {false, arena.Text(why)};
+  try {
+    Send(to_worker);
+  } catch (const ProcessLost&) {
+    is_lost_ = true;
+    return false;
+  }
+  return true;
+}
+
+bool RemoteConnection::AwaitReceipt(int64_t limit_ms) {
+  return channel()->WaitForAcks(static_cast<int>(limit_ms));
+}
+
 }  // namespace openr_host

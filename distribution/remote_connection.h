@@ -1,8 +1,8 @@
 // RemoteConnection: the master's end of the connection to one worker process.
 //
 // It sends samples to the worker, receives the worker's samples, and finds out that the worker has
-// ended or cannot be reached.  It does not know what the samples mean, except for the worker's
-// goodbye, by which a worker tells that it ends.
+// ended or cannot be reached.  It does not know what the samples mean, except for two: the worker's
+// goodbye, by which a worker tells that it ends, and the sample that ends the worker.
 //
 // The connection owns the slot in which processes of the worker's name join one after the other.
 #pragma once
@@ -96,6 +96,13 @@ class RemoteConnection {
   // Returns the problem of the worker as FindProblem() does.  If the worker has sent a goodbye,
   // returns the reason in the goodbye, which is more exact.
   std::string FindLoss();
+
+  // Tells the worker that it has to end, and `why` the run has ended: the text of DescribeEnd(), or
+  // "".  Returns false if no worker has joined, or if the worker is lost now.
+  bool SendEnd(const std::string& why);
+  // Waits until the worker has received all samples, at most `limit_ms`.  Returns whether it has
+  // received them.  REQUIRES: SendEnd() has returned true.
+  bool AwaitReceipt(int64_t limit_ms);
 
   // Shortens the time after which Next() gives up a worker that does not answer.  To be called when
   // the run ends.

@@ -8,12 +8,6 @@
 #include "runtime/core/system.h"
 
 namespace openr_host {
-namespace {
-
-// Time for a worker to receive the sample that ends it.  A busy machine may not run it for seconds.
-constexpr int kEndFlushMs = 5'000;
-
-}  // namespace
 
 RemoteProcess::RemoteProcess(Bus* bus, std::string name, bool is_external,
                              std::function<std::string()> health,
@@ -75,19 +69,9 @@ void RemoteProcess::Forget(ObjectId id) {
   effects_.ApplyForgotten(*to_master);
 }
 
-void RemoteProcess::End(const std::string& why) {
+bool RemoteProcess::SendEnd(const std::string& why) {
   resources_.End();
-  // Returns if there is no worker, or if a restarted worker has not joined yet.
-  if (!connection_.slot().has_joined()) return;
-  openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_END);
-  WireArena arena;
-  to_worker.body._u.ended = {false, arena.Text(why)};
-  try {
-    connection_.Send(to_worker);
-    connection_.channel()->WaitForAcks(kEndFlushMs);
-  } catch (const ProcessLost&) {
-    connection_.set_lost();
-  }
+  return connection_.SendEnd(why);
 }
 
 }  // namespace openr_host

@@ -69,9 +69,9 @@ class RemoteProcess {
   // replaced this object and will be connected again.  Throws ProcessLost.
   void Forget(ObjectId id);
 
-  // Ends the worker and tells it `why` the run has ended: the text of DescribeEnd(), or "".
-  // REQUIRES: the System still exists.
-  void End(const std::string& why);
+  // Releases what the worker's objects have in the System, and tells the worker `why` the run has
+  // ended (RemoteConnection::SendEnd()).  REQUIRES: the System still exists.
+  bool SendEnd(const std::string& why);
 
  private:
   RemoteConnection connection_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "distribution/end_workers.h"
 #include "distribution/join_advice.h"
 #include "distribution/latency.h"
 #include "distribution/remote_object.h"
@@ -21,6 +22,9 @@ namespace {
 // The interval at which a free run checks that its workers still exist.  Each check costs system
 // calls, so we do not check in every call of Pump().
 constexpr int64_t kHealthIntervalNs = 10'000'000;
+// Time for all workers together to receive the samples that end them.  A busy machine may not run a
+// worker for seconds.
+constexpr int64_t kEndFlushMs = 5'000;
 constexpr int64_t kExitWaitMs = 5'000;  // time for a worker to end after it was told to end
 // The time for a worker to end after a second Ctrl-C, when the user does not want to wait.
 constexpr int64_t kInterruptedExitWaitMs = 500;
@@ -402,16 +406,26 @@ std::map<ObjectId, uint64_t> WorkerGroup::HeapMax() const {
 
 void WorkerGroup::End() {
   const std::string why = system_ != nullptr && system_->end() ? DescribeEnd(*system_->end()) : "";
-  // Tells all workers that the run is over before waiting for the first one, so that all workers
-  // end at the same time.
-  for (auto& [name, member] : members_) member.process->End(why);
-  for (auto& [name, member] : members_) {
-    // Does not give a worker time to end if it has not joined.  Such a worker was not told that the
-    // run is over, so it would not end by itself, and WaitForEnd() kills it at once.
-    const bool has_come = member.process->connection().identity().pid != 0;
-    const int64_t limit_ms = IsInterrupted() ? kInterruptedExitWaitMs : kExitWaitMs;
-    if (member.child != nullptr) member.child->WaitForEnd(has_come ? limit_ms : 0);
+  std::vector<EndingWorker> workers;
+  for (auto& [name, entry] : members_) {
+    Member* const member = &entry;
+    workers.push_back({[member, why] { return member->process->SendEnd(why); },
+                       [member](int64_t limit_ms) {
+                         return member->process->connection().AwaitReceipt(limit_ms);
+                       },
+                       [this, member](bool is_silent) { AwaitExit(member, is_silent); }});
   }
+  EndWorkers(workers, kEndFlushMs, WallClockMs);
+}
+
+// Waits for the end of a worker's process, and kills the process if it has not ended in time.  A
+// worker that has not joined was not told that the run is over, and a silent worker has not
+// received that.  Such a worker would not end by itself, so WaitForEnd() kills it at once.
+void WorkerGroup::AwaitExit(Member* member, bool is_silent) {
+  if (member->child == nullptr) return;
+  const bool is_told = member->process->connection().identity().pid != 0 && !is_silent;
+  const int64_t limit_ms = IsInterrupted() ? kInterruptedExitWaitMs : kExitWaitMs;
+  member->child->WaitForEnd(is_told ? limit_ms : 0);
 }
 
 }  // namespace openr_host

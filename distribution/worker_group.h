@@ -113,8 +113,8 @@ class WorkerGroup {
   // lost.
   void ReportLosses();
 
-  // Tells the workers that the run has ended, and kills workers of this host that do not end in
-  // time.  REQUIRES: the System still exists.
+  // Tells all workers that the run has ended, and kills workers of this host that do not hear this
+  // or do not end in time.  REQUIRES: the System still exists.
   void End();
 
  private:
@@ -176,6 +176,7 @@ class WorkerGroup {
   bool HandleReceived();
   void HandleLoss(const RemoteObject* about, RemoteObject::Loss loss, const std::string& why);
   void StopRun(const RunEnd& why);
+  void AwaitExit(Member* member, bool is_silent);
 
   // ---- The restart of a lost worker, in worker_group_restart.cc
   bool MayRestart(const Member& member) const;
