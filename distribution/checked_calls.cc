@@ -150,7 +150,7 @@ OStatus CheckedCalls::ControlPrimitive(OPrimitiveID id, OPrimitiveRequest reques
                                   result->size());
 }
 
-OStatus CheckedCalls::SetColourTable(uint32_t region, const std::string& bytes) {
+OStatus CheckedCalls::SetCdtVectorData(uint32_t region, const std::string& bytes) {
   char* const base = system_->regions().BaseOf(region);
   if (base != nullptr && !HasRegion(region)) {
     system_->AddFinding(Severity::kError,

@@ -45,13 +45,13 @@ class CheckedCalls : public LocalCalls {
   // if `about` is kNoObject, the finding is about the system.
   void AddFindingAbout(ObjectId about, Severity severity, std::string_view text);
 
-  // ControlPrimitive() and SetColourTable() get the bytes of a block of memory in place of its
+  // ControlPrimitive() and SetCdtVectorData() get the bytes of a block of memory in place of its
   // address, because an address in the worker means nothing in the master.
   OStatus ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, const std::string& parameter,
                            uint64_t result_size, std::string* result);
   // Copies `bytes`, the colour tables for the camera, to `region`, then calls
   // RobotServices::SetCdtVectorData().
-  OStatus SetColourTable(uint32_t region, const std::string& bytes);
+  OStatus SetCdtVectorData(uint32_t region, const std::string& bytes);
 
   // Returns whether an object of the worker owns the region or has made it.  Tests both owner and
   // maker, because an object may make a region and give it to an object in another process.

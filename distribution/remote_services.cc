@@ -80,7 +80,7 @@ OStatus RemoteServices::DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncK
 OStatus RemoteServices::SetCdtVectorData(MemoryRegionID id) {
   const char* const base = regions_->BaseOf(id);
   const std::string bytes(base == nullptr ? "" : base, regions_->SizeOf(id));
-  return AskMaster<&CheckedCalls::SetColourTable>(master_, id, bytes);
+  return AskMaster<&CheckedCalls::SetCdtVectorData>(master_, id, bytes);
 }
 
 OStatus RemoteServices::SetMotorPower(OPower power) {

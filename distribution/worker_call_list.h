@@ -66,7 +66,7 @@ using WorkerCallList = CallList<
     &SystemCalls::PinRegion, &SystemCalls::UnpinRegion, &SystemCalls::AllowAccess,
     &SystemCalls::Attach, &SystemCalls::Detach, &SystemCalls::CheckAccess,
     &SystemCalls::NoteMapping, &CheckedCalls::AddFindingAbout, &SystemCalls::Shutdown,
-    &SystemCalls::PowerOff, &SystemCalls::NoteFileWritten, &CheckedCalls::SetColourTable,
+    &SystemCalls::PowerOff, &SystemCalls::NoteFileWritten, &CheckedCalls::SetCdtVectorData,
     // From here on, the list has the functions of OPENR:: about devices.
     &RobotServices::OpenPrimitive, &RobotServices::ClosePrimitive, &CheckedCalls::ControlPrimitive,
     &RobotServices::EnableJointGain, &RobotServices::DisableJointGain, &RobotServices::SetJointGain,

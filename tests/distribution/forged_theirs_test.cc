@@ -130,7 +130,7 @@ TEST_F(ForgedTheirsTest, AServiceOfAnUnknownObject) {
 TEST_F(ForgedTheirsTest, AColourTableInTheRegionOfAnother) {
   const std::string bytes(kBytes, 'x');
   for (const uint32_t region : {region_here_, region_there_}) {
-    openr_wire_ToMaster to_master = Ask<&CheckedCalls::SetColourTable>(remote_->id, {region});
+    openr_wire_ToMaster to_master = Ask<&CheckedCalls::SetCdtVectorData>(remote_->id, {region});
     to_master.body._u.question.bytes = WireArena::View(bytes.data(), bytes.size());
     Deliver({to_master, Stopped()});
   }
