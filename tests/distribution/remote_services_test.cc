@@ -281,5 +281,22 @@ TEST_F(RemoteServicesTest, ClockAndVolume) {
   EXPECT_EQ(volume, ovolumeSW2);
 }
 
+// Master and worker may be of different builds if both have the same VERSION (openr_wire.idl), so a
+// function keeps its number as long as VERSION does not change.
+TEST(WorkerCallListTest, TheFunctionsHaveTheNumbersOfTheProtocol) {
+  EXPECT_EQ(WorkerCallList::NumberOf<&SystemCalls::OpenBox>(), 0u);
+  EXPECT_EQ(WorkerCallList::NumberOf<&SystemCalls::NoteFileWritten>(), 25u);
+  EXPECT_EQ(WorkerCallList::NumberOf<&CheckedCalls::SetCdtVectorData>(), 26u);
+  EXPECT_EQ(WorkerCallList::NumberOf<&RobotServices::OpenPrimitive>(), 27u);
+  EXPECT_EQ(WorkerCallList::NumberOf<&RobotServices::ClosePrimitive>(), 28u);
+  EXPECT_EQ(WorkerCallList::NumberOf<&CheckedCalls::ControlPrimitive>(), 29u);
+  EXPECT_EQ(WorkerCallList::NumberOf<&RobotServices::EnableJointGain>(), 30u);
+  EXPECT_EQ(WorkerCallList::NumberOf<&RobotServices::GetSensorValue>(), 38u);
+  EXPECT_EQ(WorkerCallList::NumberOf<&RobotServices::DivideSyncKey>(), 41u);
+  EXPECT_EQ(WorkerCallList::NumberOf<&RobotServices::SetMotorPower>(), 42u);
+  EXPECT_EQ(WorkerCallList::NumberOf<&RobotServices::UnobservePowerStatus>(), 47u);
+  EXPECT_EQ(WorkerCallList::NumberOf<&RobotServices::GetVolumeSwitch>(), 53u);
+}
+
 }  // namespace
 }  // namespace openr_host
