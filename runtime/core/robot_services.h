@@ -1,16 +1,23 @@
 // RobotServices: the interface between the OPENR:: functions, which objects call, and the simulated
 // robot.
 //
-// Every function has the meaning and the results of the function of the same name in OPENRAPI.h.
-// The base class is a robot without devices: its functions return oNOT_SUPPORTED, or the error for
-// a primitive or key that does not exist.  The functions are called in handlers of objects, and
-// memory that they allocate comes from the host's heap.
+// Every function of the table OPENR_ROBOT_CALLS has the meaning and the results of the function of
+// the same name in OPENRAPI.h.  The base class is a robot without devices: its functions return
+// oNOT_SUPPORTED, or the error for a primitive or key that does not exist.  The functions are
+// called in handlers of objects, and memory that they allocate comes from the host's heap.
 #pragma once
 
 #include <OPENR/OPENRAPI.h>
 
 #include <cstdint>
 #include <optional>
+
+#include "runtime/core/robot_calls.h"
+
+// Declares the function of one row of OPENR_ROBOT_CALLS in a class derived from RobotServices.
+// OPENR_ROBOT_CALLS(OPENR_OVERRIDE_CALL, OPENR_OVERRIDE_CALL) in the class declares all of them.
+#define OPENR_OVERRIDE_CALL(name, parameters, arguments, without_devices) \
+  OStatus name parameters override;
 
 namespace openr_host {
 
@@ -20,42 +27,12 @@ class RobotServices {
  public:
   virtual ~RobotServices() = default;
 
-  virtual OStatus OpenPrimitive(const char* locator, OPrimitiveID* id);
-  virtual OStatus ClosePrimitive(OPrimitiveID id);
-  virtual OStatus ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param,
-                                   size_t param_size, void* result, size_t result_size);
+  // ---- The functions of the table in robot_calls.h, such as GetVolumeSwitch()
 
-  // The parameter `gains` of the functions below has the six numbers of a joint's PID control: P,
-  // I, D gain, then P, I, D shift.  A gain acts like gain x 2^(shift - 16) (robot.md 8).
-  virtual OStatus EnableJointGain(OPrimitiveID id);
-  virtual OStatus DisableJointGain(OPrimitiveID id);
-  virtual OStatus SetJointGain(OPrimitiveID id, const word gains[6]);
-  virtual OStatus GetJointGain(OPrimitiveID id, word gains[6]);
-  virtual OStatus RegisterDefaultJointGain(OPrimitiveID id, const word gains[6]);
-  virtual OStatus SetDefaultJointGain(OPrimitiveID id);
-  virtual OStatus GetDefaultJointGain(OPrimitiveID id, word gains[6]);
-
-  virtual OStatus GetJointValue(OPrimitiveID id, OJointValue* value);
-  virtual OStatus GetSensorValue(OPrimitiveID id, OSensorValue* value);
-
-  virtual OStatus NewSyncKey(OVRSyncKey* key);
-  virtual OStatus CancelSyncKey(OVRSyncKey key);
-  virtual OStatus DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2);
-  virtual OStatus SetCdtVectorData(MemoryRegionID id);
-
-  virtual OStatus SetMotorPower(OPower power);
-  virtual OStatus GetBootCondition(OBootCondition* condition);
-  virtual OStatus Shutdown(const OBootCondition& condition);
-  virtual OStatus GetPowerStatus(OPowerStatus* status);
-  virtual OStatus ObservePowerStatus(const OPowerStatus& notify, const OServiceEntry& entry);
-  virtual OStatus UnobservePowerStatus(const OServiceEntry& entry);
-
-  virtual OStatus SetTime(const OTime& time);
-  virtual OStatus GetTime(OTime* time);
-  virtual OStatus SetTimeDifference(sbyte hours);
-  virtual OStatus GetTimeDifference(sbyte* hours);
-  virtual OStatus SetVolumeSwitch(OVolumeSwitch volume);
-  virtual OStatus GetVolumeSwitch(OVolumeSwitch* volume);
+#define OPENR_DECLARE_CALL(name, parameters, arguments, without_devices) \
+  virtual OStatus name parameters;
+  OPENR_ROBOT_CALLS(OPENR_DECLARE_CALL, OPENR_DECLARE_CALL)
+#undef OPENR_DECLARE_CALL
 
   // ---- Functions that the runtime calls, and that objects cannot call
 
