@@ -16,37 +16,13 @@ class RemoteServices : public RobotServices {
   RemoteServices(MasterLink* master, const RegionTable* regions)
       : master_(master), regions_(regions) {}
 
-  OStatus OpenPrimitive(const char* locator, OPrimitiveID* id) override;
-  OStatus ClosePrimitive(OPrimitiveID id) override;
-  OStatus ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param,
-                           size_t param_size, void* result, size_t result_size) override;
-  OStatus EnableJointGain(OPrimitiveID id) override;
-  OStatus DisableJointGain(OPrimitiveID id) override;
-  OStatus SetJointGain(OPrimitiveID id, const word gains[6]) override;
-  OStatus GetJointGain(OPrimitiveID id, word gains[6]) override;
-  OStatus RegisterDefaultJointGain(OPrimitiveID id, const word gains[6]) override;
-  OStatus SetDefaultJointGain(OPrimitiveID id) override;
-  OStatus GetDefaultJointGain(OPrimitiveID id, word gains[6]) override;
-  OStatus GetJointValue(OPrimitiveID id, OJointValue* value) override;
-  OStatus GetSensorValue(OPrimitiveID id, OSensorValue* value) override;
-  OStatus NewSyncKey(OVRSyncKey* key) override;
-  OStatus CancelSyncKey(OVRSyncKey key) override;
-  OStatus DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2) override;
-  OStatus SetCdtVectorData(MemoryRegionID id) override;
-  OStatus SetMotorPower(OPower power) override;
-  OStatus GetBootCondition(OBootCondition* condition) override;
-  OStatus Shutdown(const OBootCondition& condition) override;
-  OStatus GetPowerStatus(OPowerStatus* status) override;
-  OStatus ObservePowerStatus(const OPowerStatus& notify, const OServiceEntry& entry) override;
-  OStatus UnobservePowerStatus(const OServiceEntry& entry) override;
-  OStatus SetTime(const OTime& time) override;
-  OStatus GetTime(OTime* time) override;
-  OStatus SetTimeDifference(sbyte hours) override;
-  OStatus GetTimeDifference(sbyte* hours) override;
-  OStatus SetVolumeSwitch(OVolumeSwitch volume) override;
-  OStatus GetVolumeSwitch(OVolumeSwitch* volume) override;
+  OPENR_ROBOT_CALLS(OPENR_OVERRIDE_CALL, OPENR_OVERRIDE_CALL)
 
  private:
+  // Asks the master to call `kFunction` of the robot's services, and returns the result.
+  template <auto kFunction, typename... Arguments>
+  OStatus Ask(const Arguments&... arguments);
+
   MasterLink* const master_;
   const RegionTable* const regions_;
 };

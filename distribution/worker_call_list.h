@@ -1,8 +1,9 @@
 // The functions of the master that a worker can call, by their numbers in samples.
 //
-// A new function of SystemCalls or RobotServices needs a line here and a function in WorkerCalls or
-// RemoteServices; call_codec.h converts its arguments and its result.  The order of the list is
-// part of the protocol, so a change of the order needs a new openr_wire::VERSION.
+// The functions of SystemCalls are listed here, and those of RobotServices in the table
+// OPENR_ROBOT_CALLS; call_codec.h converts their arguments and their results.  A new function of
+// SystemCalls needs a line here and a function in WorkerCalls.  The order of the list is part of
+// the protocol, so a change of the order needs a new openr_wire::VERSION.
 #pragma once
 
 #include <cstdint>
@@ -57,6 +58,11 @@ struct CallList {
   }
 };
 
+// Each of these macros becomes a comma and a function, so no comma stands before the table.
+#define OPENR_CALL_ROBOT(name, parameters, arguments, without_devices) , &RobotServices::name
+#define OPENR_CALL_WITH_MEMORY(name, parameters, arguments, without_devices) , &CheckedCalls::name
+
+// clang-format off
 using WorkerCallList = CallList<
     &SystemCalls::OpenBox, &SystemCalls::CloseBox, &SystemCalls::SetQueueMax,
     &SystemCalls::AddTimedEvent, &SystemCalls::AddReplyEvent, &SystemCalls::CancelEvent,
@@ -66,18 +72,11 @@ using WorkerCallList = CallList<
     &SystemCalls::PinRegion, &SystemCalls::UnpinRegion, &SystemCalls::AllowAccess,
     &SystemCalls::Attach, &SystemCalls::Detach, &SystemCalls::CheckAccess,
     &SystemCalls::NoteMapping, &CheckedCalls::AddFindingAbout, &SystemCalls::Shutdown,
-    &SystemCalls::PowerOff, &SystemCalls::NoteFileWritten, &CheckedCalls::SetCdtVectorData,
-    // From here on, the list has the functions of OPENR:: about devices.
-    &RobotServices::OpenPrimitive, &RobotServices::ClosePrimitive, &CheckedCalls::ControlPrimitive,
-    &RobotServices::EnableJointGain, &RobotServices::DisableJointGain, &RobotServices::SetJointGain,
-    &RobotServices::GetJointGain, &RobotServices::RegisterDefaultJointGain,
-    &RobotServices::SetDefaultJointGain, &RobotServices::GetDefaultJointGain,
-    &RobotServices::GetJointValue, &RobotServices::GetSensorValue, &RobotServices::NewSyncKey,
-    &RobotServices::CancelSyncKey, &RobotServices::DivideSyncKey, &RobotServices::SetMotorPower,
-    &RobotServices::GetBootCondition, &RobotServices::Shutdown, &RobotServices::GetPowerStatus,
-    &RobotServices::ObservePowerStatus, &RobotServices::UnobservePowerStatus,
-    &RobotServices::SetTime, &RobotServices::GetTime, &RobotServices::SetTimeDifference,
-    &RobotServices::GetTimeDifference, &RobotServices::SetVolumeSwitch,
-    &RobotServices::GetVolumeSwitch>;
+    &SystemCalls::PowerOff, &SystemCalls::NoteFileWritten
+    OPENR_ROBOT_CALLS(OPENR_CALL_ROBOT, OPENR_CALL_WITH_MEMORY)>;
+// clang-format on
+
+#undef OPENR_CALL_ROBOT
+#undef OPENR_CALL_WITH_MEMORY
 
 }  // namespace openr_host
