@@ -90,7 +90,7 @@ OStatus ProxyServices::RefuseCall(const char* function) {
   return oNOT_SUPPORTED;
 }
 
-RobotServices& ProxyServices::LocalInstead(const char* function) {
+RobotServices& ProxyServices::ServicesFor(const char* function) {
   system_->AddFinding(
       Severity::kWarning,
       fmt::format(
@@ -186,24 +186,6 @@ OStatus ProxyServices::GetPowerStatus(OPowerStatus* status) {
   if (!Ask(kPowerManager, kPowerStatusSelector, "", kPowerStatusBytes, &reply)) return oFAIL;
   Copy(reply.substr(4), status);
   return oSUCCESS;
-}
-
-OStatus ProxyServices::GetBootCondition(OBootCondition* condition) {
-  return LocalInstead("GetBootCondition").GetBootCondition(condition);
-}
-OStatus ProxyServices::SetTime(const OTime& time) { return LocalInstead("SetTime").SetTime(time); }
-OStatus ProxyServices::GetTime(OTime* time) { return LocalInstead("GetTime").GetTime(time); }
-OStatus ProxyServices::SetTimeDifference(sbyte hours) {
-  return LocalInstead("SetTimeDifference").SetTimeDifference(hours);
-}
-OStatus ProxyServices::GetTimeDifference(sbyte* hours) {
-  return LocalInstead("GetTimeDifference").GetTimeDifference(hours);
-}
-OStatus ProxyServices::SetVolumeSwitch(OVolumeSwitch volume) {
-  return LocalInstead("SetVolumeSwitch").SetVolumeSwitch(volume);
-}
-OStatus ProxyServices::GetVolumeSwitch(OVolumeSwitch* volume) {
-  return LocalInstead("GetVolumeSwitch").GetVolumeSwitch(volume);
 }
 
 // Shuts down the robot of this run, which stands for the PC, and not the robot to which calls go.

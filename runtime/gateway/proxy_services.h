@@ -9,14 +9,14 @@
 #include <string>
 
 #include "runtime/core/message.h"
-#include "runtime/core/robot_services.h"
+#include "runtime/gateway/forwarding_services.h"
 #include "runtime/gateway/system_messages.h"
 
 namespace openr_host {
 
 class System;
 
-class ProxyServices : public RobotServices {
+class ProxyServices : public ForwardingServices {
  public:
   // Sends calls as messages to entry `selector` of the object `gateway`, which passes them to the
   // robot (proxy_client.h).  `local`, the services of this run's own robot, executes the functions
@@ -42,17 +42,10 @@ class ProxyServices : public RobotServices {
   OStatus DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2) override;
   OStatus SetCdtVectorData(MemoryRegionID id) override;
   OStatus SetMotorPower(OPower power) override;
-  OStatus GetBootCondition(OBootCondition* condition) override;
   OStatus Shutdown(const OBootCondition& condition) override;
   OStatus GetPowerStatus(OPowerStatus* status) override;
   OStatus ObservePowerStatus(const OPowerStatus& notify, const OServiceEntry& entry) override;
   OStatus UnobservePowerStatus(const OServiceEntry& entry) override;
-  OStatus SetTime(const OTime& time) override;
-  OStatus GetTime(OTime* time) override;
-  OStatus SetTimeDifference(sbyte hours) override;
-  OStatus GetTimeDifference(sbyte* hours) override;
-  OStatus SetVolumeSwitch(OVolumeSwitch volume) override;
-  OStatus GetVolumeSwitch(OVolumeSwitch* volume) override;
   void Reseed(uint64_t seed) override { local_->Reseed(seed); }
   void HashState(Hasher* hasher) const override { local_->HashState(hasher); }
 
@@ -70,7 +63,7 @@ class ProxyServices : public RobotServices {
   OStatus RefuseCall(const char* function);
   // Warns that `function` is not sent to the robot because its message is unknown, and returns the
   // services of this run's own robot, which execute it instead.
-  RobotServices& LocalInstead(const char* function);
+  RobotServices& ServicesFor(const char* function) override;
 
   System* const system_;
   const ObjectId gateway_;

@@ -1,0 +1,23 @@
+// ForwardingServices: passes each call to other services of this process.
+//
+// A derived class overrides the functions that it executes itself, and chooses the services for all
+// other functions.
+#pragma once
+
+#include "runtime/core/robot_services.h"
+
+namespace openr_host {
+
+class ForwardingServices : public RobotServices {
+ public:
+#define OPENR_FORWARD(name, parameters, arguments, without_devices) \
+  OStatus name parameters override { return ServicesFor(#name).name arguments; }
+  OPENR_ROBOT_CALLS(OPENR_FORWARD, OPENR_FORWARD)
+#undef OPENR_FORWARD
+
+ private:
+  // Returns the services that execute this call of the function with the name `function`.
+  virtual RobotServices& ServicesFor(const char* function) = 0;
+};
+
+}  // namespace openr_host
