@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/base/rng.h"
+#include "runtime/core/connection.h"
 #include "runtime/core/console_input.h"
 #include "runtime/core/cpu.h"
 #include "runtime/core/current.h"
@@ -36,9 +35,11 @@
 #include "runtime/core/region_shares.h"
 #include "runtime/core/region_table.h"
 #include "runtime/core/requests.h"
+#include "runtime/core/robot.h"
 #include "runtime/core/run_end.h"
 #include "runtime/core/schedule.h"
 #include "runtime/core/system_calls.h"
+#include "runtime/core/system_options.h"
 #include "runtime/core/time_events.h"
 #include "runtime/core/trace.h"
 
@@ -50,88 +51,7 @@ class GuardPages;
 class Hasher;
 class MemoryStick;
 class ObjectManager;
-class RobotServices;
 class RunFolder;
-
-// Length of a frame, the step in which the robot's sensors and joints work: 8 ms.
-constexpr int64_t kFrameUs = 8000;
-
-// RAM of the robot, for the system and all objects (field-notes.md 3.10).
-constexpr size_t kRobotMemoryBytes = size_t{32} << 20;
-
-struct SystemOptions {
-  // The seed of everything that is random.  With 1, messages have the order of a run without a
-  // schedule (schedule.h); with any other seed, the order is drawn from the orders that the robot
-  // allows.
-  uint64_t seed = 1;
-  // If true, mistakes of programs that stop a real robot stop the robot here too.  If false, they
-  // only become findings, which are lines in the report of the run.  If true, objects also receive
-  // read-only copies of data (guard_pages.h), because on a real robot writing to received data is
-  // such a mistake.
-  bool strict = false;
-  // A function that receives what objects print.  If it is null, they print to standard output.
-  std::function<void(std::string_view text)> console = {};
-  // The largest priority number of the OSYSLOG lines that are printed (1 error, 2 warning, 3 info).
-  // Debug lines are always printed.
-  uint32_t log_level = 3;
-  // The number of messages that may be delivered at one instant of virtual time; each further
-  // message takes 1 us.  Otherwise objects that answer each other without waiting would stop the
-  // clock.
-  int64_t free_deliveries = 10'000;
-  // Wall clock in nanoseconds, which measures Object::handler_ns_max.  If it is null, nothing is
-  // measured.  Nothing else may depend on this clock, because it differs from run to run.
-  int64_t (*wall_clock_ns)() = nullptr;
-  // The model of how much processor time handlers take (cpu.h).  If it is null, they take no time.
-  std::shared_ptr<CostModel> cost = {};
-  // If true, Object::stack_max is measured for images (objects that were loaded from files).
-  bool measure_stacks = false;
-  // If true, objects receive read-only copies of data, which are unmapped when the object asserts
-  // ready (guard_pages.h).  So every later access is a fault.  If a subject changes data before
-  // they are received, an error finding is added.  The copies cost some microseconds per
-  // notification.
-  bool guard_regions = false;
-  // If true, the heaps of images record where each block was allocated, for ReportLeaks()
-  // (leaks.h).
-  bool find_leaks = false;
-  // Describes in words the content of `message`, which an object handles now.  Findings get this
-  // text (Finding::said).  If this function is null, findings have no such text.
-  std::string (*say)(const System& system, const Message& message) = nullptr;
-  // Makes the SystemCalls of this System, the functions that handlers call.  If this function is
-  // null, the System makes LocalCalls.
-  std::function<std::unique_ptr<SystemCalls>(System*)> make_calls = {};
-};
-
-// A connection between a subject and an observer that a line of CONNECT.CFG, or code, has made.
-struct Connection {
-  int robot = 0;
-  std::string subject;  // full name of the subject's service: "RCServer.Move.MoveCommand.S"
-  std::string observer;
-  std::string where;  // the place of the connection's line, for messages to users: "CONNECT.CFG:4"
-};
-
-// A robot: its model, its Memory Stick, its devices, and what its objects have registered.
-struct Robot {
-  int index = 0;
-  std::string design;                       // model of the robot: "ERS-210"
-  std::shared_ptr<MemoryStick> stick;       // null if the robot has no stick
-  std::unique_ptr<RobotServices> services;  // the robot's simulated devices (robot_services.h)
-  // The object and selector of each registered service.  The key is the service's name.
-  std::map<std::string, std::pair<ObjectId, uint32_t>> directory;
-  // The path of a file for each keyword in DESIGNDB.CFG.  The key is the keyword.
-  std::map<std::string, std::string> design_data;
-  // The object of each name that was given to Register() (MCOOP.h).
-  std::map<std::string, ObjectId> names;
-  MemoryBudget memory;      // memory that its objects use; limited only with SystemOptions::strict
-  uint64_t stick_hash = 0;  // hash of the stick's content when LoadStick() was called
-  bool powered_off = false;
-  // The reason for the shutdown or the power-off; no value while the robot is on.
-  std::optional<RunEnd> end;
-  int64_t booted_us = 0;  // virtual time of the robot's last boot
-  int boots = 1;          // number of times the robot has booted
-  // A function that adds the robot's system objects and loads its stick once more, for a boot after
-  // a shutdown.  Returns false if the robot does not boot.  Null if the robot cannot boot again.
-  std::function<bool()> load_again;
-};
 
 class System {
  public:
