@@ -5,6 +5,7 @@
 
 #include "bench/bench.h"
 #include "openr/simulation/simulation.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {

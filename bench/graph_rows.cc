@@ -8,6 +8,7 @@
 
 #include "bench/bench.h"
 #include "openr/simulation/simulation.h"
+#include "runtime/core/system.h"
 #include "virtualrobot/ode/ode_reference.h"
 
 namespace openr_host {

@@ -19,6 +19,7 @@
 #include "openr/simulation/simulation.h"
 #include "runtime/base/temp_folder.h"
 #include "runtime/core/code_object.h"
+#include "runtime/core/system.h"
 
 extern char** environ;
 

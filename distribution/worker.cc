@@ -15,6 +15,7 @@
 #include "runtime/base/wall_clock.h"
 #include "runtime/core/connection_state.h"
 #include "runtime/core/deferred_end.h"
+#include "runtime/core/system.h"
 #include "runtime/ipstack/ant_message.h"
 #include "runtime/ipstack/ip_stack.h"
 

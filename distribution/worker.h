@@ -21,9 +21,12 @@
 #include "distribution/bus.h"
 #include "distribution/marshaller.h"
 #include "distribution/master_link.h"
-#include "runtime/core/system.h"
+#include "runtime/core/message.h"
 
 namespace openr_host {
+
+class Object;
+class System;
 
 struct WorkerOptions {
   BusOptions bus;

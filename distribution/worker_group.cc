@@ -13,6 +13,7 @@
 #include "runtime/base/assert.h"
 #include "runtime/base/spelling.h"
 #include "runtime/base/wall_clock.h"
+#include "runtime/core/system.h"
 #include "runtime/ipstack/ip_stack.h"
 #include "runtime/stick/memory_stick.h"
 

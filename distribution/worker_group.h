@@ -16,9 +16,11 @@
 #include "distribution/remote_object.h"
 #include "distribution/remote_process.h"
 #include "runtime/core/load_stick.h"
-#include "runtime/core/system.h"
 
 namespace openr_host {
+
+class System;
+struct RunEnd;
 
 struct WorkerGroupOptions {
   BusOptions bus;

@@ -14,6 +14,7 @@
 #include "distribution/worker_group.h"
 #include "runtime/base/assert.h"
 #include "runtime/base/wall_clock.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {

@@ -14,6 +14,7 @@
 #include "distribution/worker_call_list.h"
 #include "runtime/base/assert.h"
 #include "runtime/core/deferred_end.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {

@@ -9,6 +9,7 @@
 #include "distribution/remote_services.h"
 #include "distribution/worker.h"
 #include "runtime/core/load_image.h"
+#include "runtime/core/system.h"
 #include "runtime/ipstack/ip_stack.h"
 #include "runtime/ipstack/loopback_network.h"
 #include "runtime/stick/memory_stick.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "runtime/base/duration.h"
-#include "runtime/core/system.h"
+#include "runtime/core/robot.h"
 
 namespace openr_host {
 

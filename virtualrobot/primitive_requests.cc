@@ -3,7 +3,6 @@
 
 #include <cstring>
 
-#include "runtime/core/system.h"
 #include "virtualrobot/virtual_robot.h"
 
 namespace openr_host {

@@ -6,7 +6,7 @@
 
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
-#include "runtime/core/system.h"
+#include "runtime/core/robot.h"
 #include "virtualrobot/frame_number.h"
 
 namespace openr_host {

@@ -30,6 +30,7 @@
 #include "openr/run/report.h"
 #include "openr/run/runner.h"
 #include "runtime/base/duration.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {

@@ -10,6 +10,7 @@
 #include "openr/inspect/recorder.h"
 #include "openr/run/interrupt.h"
 #include "openr/simulation/run_stick.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {

@@ -41,6 +41,7 @@
 #include "openr/simulation/sanitizer_start.h"
 #include "runtime/base/duration.h"
 #include "runtime/base/wall_clock.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {

@@ -24,6 +24,7 @@
 #include "openr/run/report.h"
 #include "openr/simulation/run_stick.h"
 #include "openr/simulation/sanitizer_start.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {

@@ -27,6 +27,7 @@
 #include "openr/inspect/replayer.h"
 #include "openr/inspect/stepper.h"
 #include "openr/run/report.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {

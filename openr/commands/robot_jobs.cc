@@ -31,6 +31,7 @@
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "runtime/base/wall_clock.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {

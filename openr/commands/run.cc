@@ -50,6 +50,7 @@
 #include "openr/simulation/simulation.h"
 #include "openr/timeline/timeline.h"
 #include "runtime/core/lost_bytes.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {

@@ -22,6 +22,7 @@
 #include "openr/run/known_runner.h"
 #include "openr/simulation/known_run.h"
 #include "openr/simulation/simulation.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 

@@ -7,6 +7,7 @@
 
 #include "cli/csv_field.h"
 #include "openr/simulation/simulation.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {

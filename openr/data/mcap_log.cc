@@ -16,6 +16,7 @@
 #include "openr/decode/decode_message.h"
 #include "openr/render/png_file.h"
 #include "openr/simulation/simulation.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {

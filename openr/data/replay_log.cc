@@ -6,6 +6,7 @@
 #include "openr/ending/ending.h"
 #include "openr/inspect/replayer.h"
 #include "openr/timeline/timeline.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 

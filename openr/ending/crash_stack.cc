@@ -10,8 +10,8 @@
 
 #include "openr/ending/code_lookup.h"
 #include "runtime/core/imported_calls.h"
+#include "runtime/core/object.h"
 #include "runtime/core/robot_fault.h"
-#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {

@@ -11,7 +11,8 @@
 #include "openr/ending/signal_text.h"
 #include "runtime/core/current.h"
 #include "runtime/core/deferred_end.h"
-#include "runtime/core/system.h"
+#include "runtime/core/object.h"
+#include "runtime/core/run_end.h"
 
 namespace openr_host {
 namespace {

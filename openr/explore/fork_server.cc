@@ -23,6 +23,7 @@
 #include "openr/ending/ending.h"
 #include "openr/ending/watchdog.h"
 #include "runtime/base/assert.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {

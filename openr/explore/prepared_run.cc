@@ -7,6 +7,7 @@
 #include "openr/explore/fault_line.h"
 #include "openr/simulation/cost_file.h"
 #include "runtime/base/assert.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 

@@ -9,6 +9,7 @@
 #include "openr/explore/property_file.h"
 #include "runtime/base/spelling.h"
 #include "runtime/core/stalls.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {

@@ -17,6 +17,7 @@
 #include "runtime/base/read_file.h"
 #include "runtime/base/spelling.h"
 #include "runtime/config/line_file.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "runtime/base/spelling.h"
+#include "runtime/core/system.h"
 #include "virtualrobot/det_math.h"
 #include "virtualrobot/kinematics.h"
 

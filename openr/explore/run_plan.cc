@@ -16,6 +16,7 @@
 #include "openr/explore/explore_cost.h"
 #include "openr/simulation/activity.h"
 #include "runtime/core/stalls.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "runtime/base/spelling.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "openr/inspect/recorded_network.h"
 #include "runtime/base/assert.h"
+#include "runtime/core/system.h"
 #include "runtime/stick/memory_stick.h"
 
 namespace openr_host {

@@ -17,6 +17,7 @@
 #include "openr/simulation/run_stick.h"
 #include "openr/simulation/sanitizer_start.h"
 #include "runtime/base/spelling.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {

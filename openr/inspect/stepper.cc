@@ -29,6 +29,7 @@
 #include "openr/inspect/trace_text.h"
 #include "runtime/base/duration.h"
 #include "runtime/base/spelling.h"
+#include "runtime/core/system.h"
 #include "virtualrobot/det_math.h"
 
 namespace openr_host {

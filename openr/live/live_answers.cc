@@ -25,6 +25,7 @@
 #include "runtime/core/api.h"
 #include "runtime/core/connection_state.h"
 #include "runtime/core/stalls.h"
+#include "runtime/core/system.h"
 #include "virtualrobot/det_math.h"
 
 namespace openr_host {

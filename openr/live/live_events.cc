@@ -17,6 +17,7 @@
 #include "openr/simulation/simulation.h"
 #include "runtime/base/wall_clock.h"
 #include "runtime/core/connection_state.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {

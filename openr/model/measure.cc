@@ -4,7 +4,6 @@
 #include <cmath>
 #include <memory>
 
-#include "runtime/core/system.h"
 #include "virtualrobot/body_mover.h"
 #include "virtualrobot/det_math.h"
 #include "virtualrobot/energy.h"

@@ -22,6 +22,7 @@
 #include "openr/simulation/simulation.h"
 #include "runtime/base/assert.h"
 #include "runtime/base/wall_clock.h"
+#include "runtime/core/system.h"
 #include "runtime/stick/memory_stick.h"
 
 namespace openr_host {

@@ -20,6 +20,7 @@
 #include "openr/simulation/known_run.h"
 #include "openr/simulation/run_stick.h"
 #include "openr/simulation/simulation.h"
+#include "runtime/core/system.h"
 #include "runtime/stick/memory_stick.h"
 
 namespace openr_host {

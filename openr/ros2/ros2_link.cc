@@ -7,6 +7,7 @@
 
 #include "cli/counted.h"
 #include "openr/ros2/joint_command.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {

@@ -15,6 +15,7 @@
 #include "openr/simulation/simulation.h"
 #include "runtime/core/api.h"
 #include "runtime/core/current.h"
+#include "runtime/core/system.h"
 #include "virtualrobot/det_math.h"
 #include "virtualrobot/kinematics.h"
 

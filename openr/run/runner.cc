@@ -21,6 +21,7 @@
 #include "runtime/core/leaks.h"
 #include "runtime/core/stack_report.h"
 #include "runtime/core/stalls.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {

@@ -14,6 +14,7 @@
 #include "openr/run/report.h"
 #include "openr/run/run_step.h"
 #include "runtime/core/stack_report.h"
+#include "runtime/core/system.h"
 #include "runtime/stick/memory_stick.h"
 
 namespace openr_host {

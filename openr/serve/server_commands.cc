@@ -15,6 +15,7 @@
 #include "openr/simulation/network_setup.h"
 #include "openr/simulation/sanitizer_start.h"
 #include "runtime/config/diagnostic.h"
+#include "runtime/core/system.h"
 #include "virtualrobot/det_math.h"
 
 namespace openr_host {

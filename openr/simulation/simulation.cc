@@ -19,6 +19,7 @@
 #include "runtime/base/wall_clock.h"
 #include "runtime/core/configured_cost.h"
 #include "runtime/core/load_stick.h"
+#include "runtime/core/system.h"
 #include "runtime/gateway/tcp_gateway.h"
 #include "runtime/ipstack/ip_stack.h"
 #include "runtime/stick/memory_stick.h"

@@ -13,7 +13,6 @@
 #include "openr/simulation/assemble_robot.h"
 #include "runtime/config/address_config.h"
 #include "runtime/core/load_stick.h"
-#include "runtime/core/system.h"
 #include "virtualrobot/model/robot_model.h"
 #include "virtualrobot/virtual_robot.h"
 #include "virtualrobot/world.h"
@@ -21,9 +20,11 @@
 namespace openr_host {
 
 class ConfiguredCost;
+class CostModel;
 class Network;
 class PhysicsWorld;
 class SharedFrame;
+class System;
 
 struct SimulationOptions {
   // The folder of the Memory Stick, in which OPEN-R/ lies.  "" is the default stick, which came

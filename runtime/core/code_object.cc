@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "runtime/base/assert.h"
-#include "runtime/core/system.h"
+#include "runtime/core/current.h"
 
 namespace openr_host {
 

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "runtime/base/hasher.h"
-#include "runtime/core/system.h"
 #include "runtime/gateway/tcp_gateway.h"
 
 namespace openr_host {

@@ -8,6 +8,7 @@
 
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
+#include "runtime/core/system.h"
 #include "runtime/gateway/tcp_gateway.h"
 
 namespace openr_host {

@@ -10,8 +10,9 @@
 #include <deque>
 #include <map>
 #include <string>
+#include <string_view>
 
-#include "runtime/core/system.h"
+#include "runtime/core/requests.h"
 #include "runtime/gateway/gateway_channel.h"
 #include "runtime/gateway/proxy_wire.h"
 

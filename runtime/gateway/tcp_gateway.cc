@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "runtime/base/hasher.h"
+#include "runtime/core/system.h"
 #include "runtime/gateway/proxy_client.h"
 #include "runtime/gateway/proxy_server.h"
 #include "runtime/gateway/proxy_services.h"

@@ -19,12 +19,12 @@
 #include "runtime/config/gateway_config.h"
 #include "runtime/core/code_object.h"
 #include "runtime/core/load_stick.h"
-#include "runtime/core/system.h"
 #include "runtime/gateway/gateway_channel.h"
 
 namespace openr_host {
 
 class ProxyClient;
+class System;
 
 class TcpGateway : public CodeObject {
  public:

@@ -7,6 +7,7 @@
 
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
+#include "runtime/core/system.h"
 #include "runtime/ipstack/ant_message.h"
 #include "runtime/ipstack/ip_stack.h"
 

@@ -10,6 +10,7 @@
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "runtime/core/api.h"
+#include "runtime/core/system.h"
 #include "runtime/ipstack/ant_message.h"
 #include "runtime/ipstack/dns_endpoint.h"
 #include "runtime/ipstack/tcp_endpoint.h"

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "runtime/core/message.h"
-#include "runtime/core/system.h"
+#include "runtime/core/requests.h"
 
 namespace openr_host {
 

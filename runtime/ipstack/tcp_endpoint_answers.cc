@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "runtime/base/hasher.h"
+#include "runtime/core/system.h"
 #include "runtime/ipstack/ip_stack.h"
 #include "runtime/ipstack/tcp_endpoint.h"
 

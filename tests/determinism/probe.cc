@@ -16,6 +16,7 @@
 #include <string_view>
 
 #include "openr/simulation/simulation.h"
+#include "runtime/core/system.h"
 #include "tests/determinism/picture_hash.h"
 
 namespace {

@@ -4,6 +4,7 @@
 
 #include "distribution/worker_group.h"
 #include "openr/simulation/simulation.h"
+#include "runtime/core/system.h"
 #include "tests/distribution/kill_process.h"
 #include "tests/distribution/sticks.h"
 #include "tests/distribution/wait_until.h"

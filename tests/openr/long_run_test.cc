@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "openr/simulation/simulation.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {

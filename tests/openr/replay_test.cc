@@ -14,6 +14,7 @@
 #include "openr/inspect/replayer.h"
 #include "openr/inspect/trace_text.h"
 #include "runtime/base/hasher.h"
+#include "runtime/core/system.h"
 #include "tests/openr/program_run.h"
 
 namespace openr_host {

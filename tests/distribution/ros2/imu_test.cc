@@ -6,6 +6,7 @@
 #include "openr/ros2/joint_client.h"
 #include "openr/ros2/robot_topics.h"
 #include "openr/simulation/simulation.h"
+#include "runtime/core/system.h"
 #include "tests/distribution/ros2/ros2_run.h"
 
 namespace openr_host {
