@@ -36,6 +36,11 @@ std::optional<HandlerStop> RemoteFreeRun::WaitForStop(RemoteObject* object) {
   if (running_.empty()) last_heard_ms_ = WallClockMs();
   const bool is_new = running_.emplace(object->id, box).second;
   ASSERT(is_new, "{} runs a handler already", object->name);
+  // Makes callers of the object ignore time-outs in virtual time, because this time says nothing
+  // about the wall time that the worker needs.  Leaves out DoStop and DoDestroy, because the end of
+  // a run has a time limit that no worker may extend.
+  const uint32_t selector = object->handler.running->selector;
+  object->wait.is_untimed = selector != oentrySTOP && selector != oentryDESTROY;
   bool timed_out = false;
   resources_->system()->requests().Await(box, -1, wait_reason_, &timed_out);
   if (connection_->IsOver(session)) return std::nullopt;
@@ -120,10 +125,12 @@ void RemoteFreeRun::HandleSample(const openr_wire_ToMaster& to_master) {
   if (found == running_.end()) connection_->Refuse("the end of a handler that was not begun");
   stops_[object] = effects_->ApplyStop(to_master);
   resources_->Wake(object, found->second);
+  resources_->ObjectOf(object)->wait.is_untimed = false;
   running_.erase(object);
 }
 
 void RemoteFreeRun::ForgetHandlers() {
+  for (const auto& [id, box] : running_) resources_->ObjectOf(id)->wait.is_untimed = false;
   running_.clear();
   stops_.clear();
   is_silent_ = false;

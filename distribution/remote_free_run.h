@@ -32,10 +32,6 @@ class RemoteFreeRun {
   // objects run meanwhile.  Returns nullopt if the worker was lost.
   std::optional<HandlerStop> WaitForStop(RemoteObject* object);
 
-  // Returns whether a handler of the object runs in the worker at this time.  A handler that waits
-  // for a reply does not count.
-  bool IsAtWork(ObjectId object) const { return running_.contains(object); }
-
   // Returns the number of messages that are lost with the worker, because the master sends several
   // messages to the worker without waiting.  Notifications and ready messages are not counted,
   // because their data go back to the senders.  The message whose handler crashed the worker is not

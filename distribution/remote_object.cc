@@ -18,6 +18,7 @@ std::unique_ptr<RemoteObject> RemoteObject::NewInstance() const {
   fresh->name = name;
   fresh->path = path;
   fresh->boxes.last = boxes.last;
+  fresh->is_lost = is_lost;
   fresh->undelivered_count = undelivered_count;
   return fresh;
 }
@@ -80,17 +81,6 @@ std::vector<StandingReady> RemoteObject::StandingReadies() const {
 }
 
 void RemoteObject::ReturnRegion(RCRegion* region) { process_->ReturnRegion(region); }
-
-bool RemoteObject::IsLost() const { return process_->is_lost(); }
-
-// Returns whether a handler of the object runs in its worker in a free run, in which the master
-// does not wait for handlers.  If so, the caller ignores a time-out in virtual time, because this
-// time says nothing about the wall time that the worker needs.  Returns false for DoStop and
-// DoDestroy, because the end of a run has a time limit that no worker may extend.
-bool RemoteObject::IsAtWorkElsewhere() const {
-  return process_->IsAtWork(id) && handler.running->selector != oentrySTOP &&
-         handler.running->selector != oentryDESTROY;
-}
 
 void RemoteObject::HandleUndelivered(const Message& message) {
   ++undelivered_count;

@@ -63,8 +63,6 @@ class RemoteObject : public Object {
   // Does what Object::HandleUndelivered() does, and sends an empty reply if the sender of `message`
   // waits for a reply.
   void HandleUndelivered(const Message& message) override;
-  bool IsLost() const override;
-  bool IsAtWorkElsewhere() const override;
   bool HasEntry(uint32_t selector) const override { return selectors_.contains(selector); }
   bool Dispatch(uint32_t selector, void* payload) override;
   void HashState(Hasher* hasher) const override;

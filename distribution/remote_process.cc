@@ -39,10 +39,15 @@ std::string RemoteProcess::FetchState(ObjectId object) {
   return StringOf(state.subjects);
 }
 
-void RemoteProcess::ReleaseAll() {
-  // Counts the worker as lost first.  The calls below post messages to the master's stand-ins for
-  // the worker's objects, and the stand-ins must not send these messages to the worker.
+void RemoteProcess::SetLost() {
   connection_.set_lost();
+  resources_.SetLost(true);
+}
+
+void RemoteProcess::ReleaseAll() {
+  // Calls SetLost() first.  The calls below post messages to the master's stand-ins for the
+  // worker's objects, and the stand-ins must not send these messages to the worker.
+  SetLost();
   resources_.ReleaseAll();
   free_run_.ForgetHandlers();
   connection_.slot().Abandon();
@@ -51,6 +56,7 @@ void RemoteProcess::ReleaseAll() {
 void RemoteProcess::Rejoin(const std::map<ObjectId, RemoteObject*>& objects) {
   resources_.Replace(objects);
   connection_.Rejoin();
+  resources_.SetLost(false);
   free_run_.ForgetLoss();
 }
 

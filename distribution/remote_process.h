@@ -44,8 +44,6 @@ class RemoteProcess {
   // ---- Functions that the stand-ins for the worker's objects call
 
   bool is_lost() const { return connection_.is_lost(); }
-  // Returns whether, in a free run, a handler of the object runs in the worker at this time.
-  bool IsAtWork(ObjectId object) const { return free_run_.IsAtWork(object); }
   void ReturnRegion(RCRegion* region) { resources_.ReturnRegion(region); }
   void HandleUndelivered(const Message& message) { resources_.HandleUndelivered(message); }
 
@@ -56,8 +54,9 @@ class RemoteProcess {
 
   // ---- Loss and restart of the worker
 
-  // Counts the worker as lost in a run that ends, so that nothing has to be released.
-  void set_lost() { connection_.set_lost(); }
+  // Counts the worker as lost, also in the stand-ins for its objects (Object::is_lost).  Releases
+  // nothing, which is enough in a run that ends.
+  void SetLost();
   // Counts the worker as lost and releases everything that belongs to it while the run goes on.
   // Regions that were sent to the worker go back to their subjects.  Also ends the waits of all
   // handlers of stand-ins, the objects in the master that represent the worker's objects.

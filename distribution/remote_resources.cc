@@ -23,6 +23,10 @@ void RemoteResources::Begin(System* system) {
 
 void RemoteResources::Add(RemoteObject* object) { objects_[object->id] = object; }
 
+void RemoteResources::SetLost(bool is_lost) const {
+  for (const auto& [id, object] : objects_) object->is_lost = is_lost;
+}
+
 RemoteObject* RemoteResources::ObjectOf(ObjectId id) const {
   const auto found = objects_.find(id);
   if (found == objects_.end()) connection_->Refuse("a request of an object that is not its own");

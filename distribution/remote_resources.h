@@ -47,6 +47,8 @@ class RemoteResources {
   void Add(RemoteObject* object);
   // Sets the new stand-ins of a restarted worker, which have replaced the old ones.
   void Replace(const std::map<ObjectId, RemoteObject*>& objects) { objects_ = objects; }
+  // Records in the stand-ins whether the worker is lost (Object::is_lost).
+  void SetLost(bool is_lost) const;
   // Returns the stand-in of an object of which the worker has sent something.  Throws ProcessLost
   // if the worker has no such object.
   RemoteObject* ObjectOf(ObjectId id) const;

@@ -263,7 +263,7 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
   // at any time.  Only a crash is still reported, because its cause is a handler and not the
   // signal.
   if (IsInterrupted() && loss != RemoteObject::Loss::kCrashed) {
-    process.set_lost();
+    process.SetLost();
     return StopRun(
         {EndKind::kSignal, "Ctrl-C or SIGTERM came again while a process was waited for"});
   }
@@ -273,7 +273,7 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
   // If the loss was noticed after the run, only reports it, because nothing has to be cleaned up or
   // restarted.
   if (loss == RemoteObject::Loss::kAtEnd) {
-    process.set_lost();
+    process.SetLost();
     system_->AddFindingAbout(about, Severity::kError, why);
     return;
   }
@@ -288,7 +288,7 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
     if (options_.restarts > 0)
       text += fmt::format("; it was started again {} times", options_.restarts);
     system_->AddFindingAbout(about, Severity::kError, fmt::format("{}; the run stops here", text));
-    process.set_lost();
+    process.SetLost();
     return StopRun({EndKind::kLostProcess, text});
   }
   // Names the process in the message only after a crash, because for other losses the text `why`

@@ -1,6 +1,7 @@
 #include "runtime/core/object.h"
 
 #include <OPENR/OPENR.h>
+#include <OPENR/RCRegion.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -80,6 +81,10 @@ std::vector<StandingReady> Object::StandingReadies() const {
 void Object::HandleUndelivered(const Message& message) {
   if (message.kind != PayloadKind::kReady) ++dropped_count;
   if (message.kind == PayloadKind::kNotify) RefuseNotification(this, message);
+}
+
+void Object::ReturnRegion(RCRegion* region) {
+  if (!is_leaving && !subjects.empty()) region->RemoveReference();
 }
 
 void Object::ReturnHeld() {

@@ -58,6 +58,9 @@ struct WaitState {
   int64_t since_us = 0;  // virtual time when the wait began
   // The text that tells users what the handler waits for: "the answer of IPStack (Send)".
   std::string why;
+  // True if the wait takes wall time, so that virtual time does not tell how long it takes.
+  // Requests::Call() to this object then ignores time-outs, which are in virtual time.
+  bool is_untimed = false;
 };
 
 // Receives the reply when an object calls an entry of its own.  An object does this if one of its
@@ -129,10 +132,10 @@ class Object {
   // replaced, their readies are sent again to its successor.
   virtual std::vector<StandingReady> StandingReadies() const;
 
-  // Gives up a region that a subject of this object had sent to an observer and that the observer
-  // cannot give back with a ready.  Called while this object is being replaced.  Has an effect only
-  // in the master process, for an object whose code is in a worker process.
-  virtual void ReturnRegion(RCRegion*) {}
+  // Takes back a region that a subject of this object had sent to an observer and that the observer
+  // cannot give back with a ready.  An object that is being replaced (`is_leaving`) does nothing,
+  // because its regions end with it.
+  virtual void ReturnRegion(RCRegion* region);
 
   // Counts a `message` to this object that will not be delivered.  If `message` is a notification,
   // gives the regions of this notification back to the subject.
@@ -141,14 +144,6 @@ class Object {
   // Puts the messages that the object could not handle yet back at the front of the queue, because
   // they are older than all messages due now.
   void ReturnHeld();
-
-  // Returns whether the object's code was in a worker process that has ended.  The end of that
-  // process is already a finding, so the failures that follow from it are not reported.
-  virtual bool IsLost() const { return false; }
-
-  // Returns whether a handler of the object runs in another process now.  Such a handler takes wall
-  // time, so virtual time does not tell how long it takes.
-  virtual bool IsAtWorkElsewhere() const { return false; }
 
   // Returns whether `address` is an instruction of the object's image.
   virtual bool HasCode(const void*) const { return false; }
@@ -166,6 +161,10 @@ class Object {
   const int robot;
   bool is_system = false;   // whether the object is a part of the robot and not of the application
   bool is_leaving = false;  // whether another object is about to replace this object
+  // True if the code of the object is gone while the run goes on, so that no handler of the object
+  // runs until ObjectTable::Return() replaces the object.  The loss is already a finding, so the
+  // failures that follow from it are not reported.
+  bool is_lost = false;
   // True if no code is loaded for the object with this id, because the robot was switched off.
   // When the robot boots, the new object with the same path gets this id again.  If this object has
   // no path, the new object with the same name gets the id.

@@ -309,11 +309,11 @@ bool ObjectManager::MayBeLost(int robot, const std::string& service) const {
   bool has_lost = false;
   for (const auto& object : system().objects()) {
     if (object == nullptr || object->robot != robot) continue;
-    has_lost = has_lost || object->IsLost();
-    if (object->name + '.' == prefix) return object->IsLost();
+    has_lost = has_lost || object->is_lost;
+    if (object->name + '.' == prefix) return object->is_lost;
   }
   for (const auto& [name, entry] : system().robot(robot).directory) {
-    if (name.starts_with(prefix)) return system().object(entry.first)->IsLost();
+    if (name.starts_with(prefix)) return system().object(entry.first)->is_lost;
   }
   return has_lost;
 }
@@ -368,9 +368,9 @@ void ObjectManager::Connect(const Connection& connection) {
   // so that it keeps its readies for the subject.
   const auto is_subject_lost = [&] {
     return subject == directory.end() ? MayBeLost(connection.robot, connection.subject)
-                                      : system().object(subject->second.first)->IsLost();
+                                      : system().object(subject->second.first)->is_lost;
   };
-  const auto is_observer_lost = [&] { return system().object(observer->second.first)->IsLost(); };
+  const auto is_observer_lost = [&] { return system().object(observer->second.first)->is_lost; };
   const bool was_subject_lost = is_subject_lost();
   if (is_observer_lost() || (subject == directory.end() && !was_subject_lost)) return;
   OConnectMessage message;

@@ -131,16 +131,7 @@ void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
   message->kind = PayloadKind::kReady;
   if (system->Post(std::move(message)) == sSUCCESS) return;
   const CurrentScope there(system, sender);
-  // True if the subject is in this process.  Otherwise `sender` stands for an object in a worker
-  // process and has no subjects here: the subject in the worker releases the regions.
-  const bool is_here = !sender->subjects.empty();
-  for (RCRegion* const region : regions) {
-    if (is_here) {
-      region->RemoveReference();
-    } else {
-      sender->ReturnRegion(region);
-    }
-  }
+  for (RCRegion* const region : regions) sender->ReturnRegion(region);
 }
 
 void RefuseNotification(Object* object, const Message& message) {

@@ -69,11 +69,11 @@ int32_t Requests::Call(ObjectId target, uint32_t selector, const void* data, siz
   if (error != sSUCCESS) return error;
   const std::string why =
       fmt::format("the answer of {} ({})", callee->name, callee->EntryName(selector));
-  // Repeats a wait that has timed out while the callee's handler runs in another process.  The
-  // time-out is in virtual time, and such a handler takes wall time but no virtual time.
+  // Repeats a wait that has timed out while the callee waits for something that takes wall time but
+  // no virtual time.  The time-out is in virtual time.
   for (;;) {
     const int32_t result = Wait(box, reply, reply_size, nullptr, timeout_us, why);
-    if (result != sTIMEOUT || !system_->object(target)->IsAtWorkElsewhere()) return result;
+    if (result != sTIMEOUT || !system_->object(target)->wait.is_untimed) return result;
   }
 }
 

@@ -33,7 +33,7 @@ class LostObserverTest : public ::testing::Test {
   LostObserverTest() {
     system_.AddRobot("ERS-210", nullptr);
     sender_ = system_.AddObject<SubjectProbe>(0, "sender");
-    process_.set_lost();
+    process_.SetLost();
     auto remote = std::make_unique<RemoteObject>(
         &system_, system_.object_table().NextId(), 0, &process_,
         [](const RemoteObject*, RemoteObject::Loss, const std::string&) {});

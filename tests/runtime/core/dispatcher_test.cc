@@ -145,6 +145,27 @@ TEST_F(DispatcherTest, ACallGivesUpAfterItsTimeout) {
   EXPECT_EQ(log.back(), "gave up @500");
 }
 
+TEST_F(DispatcherTest, ACallIgnoresItsTimeoutWhileTheCalleeWaitsForWallTime) {
+  Recorder* caller = Add("caller");
+  Recorder* callee = Add("callee");
+  ReplyTicket ticket;
+  callee->on_message = [&](int) { ticket = system.requests().TakeTicket(); };
+  callee->host().wait.is_untimed = true;
+  int32_t error = sFAIL;
+  caller->on_message = [&](int value) {
+    error = system.requests().Call(callee->host().id, callee->entry, &value, sizeof value, nullptr,
+                                   0, 500);
+    log.push_back(fmt::format("answer @{}", system.now_us()));
+  };
+  Post(caller, 1);
+  system.RunFor(2000);
+  EXPECT_EQ(log, (Log{"caller:1@0", "callee:1@0"}));
+  RunAs(callee, [&] { system.requests().Reply(ticket, nullptr, 0); });
+  system.RunFor(1);
+  EXPECT_EQ(error, sSUCCESS);
+  EXPECT_EQ(log.back(), "answer @2000");
+}
+
 TEST_F(DispatcherTest, AHandlerCanBeAbandonedAndItsObjectGoesOn) {
   Recorder* a = Add("a");
   a->on_message = [&](int value) {

@@ -381,6 +381,13 @@ TEST_F(ReadyNotifyTest, AnUnknownServiceIsReportedWithTheNearestNameAndTheOtherL
       << system.findings().all()[0].text;
 }
 
+TEST_F(ReadyNotifyTest, AServiceThatALostObjectHasNotRegisteredIsNotReported) {
+  Wire("Sender.Outt.Number.S", "Receiver.In.Number.O");
+  sender->host().is_lost = true;
+  Boot();
+  EXPECT_TRUE(system.findings().all().empty());
+}
+
 TEST_F(ReadyNotifyTest, ManySubjectsMayFeedOneObserverWithReadinessOfTheirOwn) {
   SubjectProbe* other = system.AddObject<SubjectProbe>(0, "other", "Other.Out.Number.S");
   Wire("Other.Out.Number.S", "Receiver.In.Number.O");
