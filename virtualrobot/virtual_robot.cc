@@ -230,10 +230,10 @@ OStatus VirtualRobot::Shutdown(const OBootCondition& condition) {
   }
   const std::string who = t_current.object == nullptr ? "an object" : t_current.object->name;
   if (parts_.power.pause()) {
-    parts_.system.NoteEnd(parts_.robot_index,
+    parts_.system.robot_table().NoteEnd(parts_.robot_index,
                           {EndKind::kPause, who + " shut the robot down after the pause button"});
   } else if (parts_.power.is_battery_low()) {
-    parts_.system.NoteEnd(
+    parts_.system.robot_table().NoteEnd(
         parts_.robot_index,
         {EndKind::kBattery, fmt::format("{} shut the robot down with {} % left in its "
                                         "battery; --battery 100% keeps it full",

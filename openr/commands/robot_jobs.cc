@@ -295,7 +295,7 @@ void RobotJobs::RunAll() {
 // Returns one report that stands for all robots when they do not boot, because the report would be
 // the same for each of them.
 Json RobotJobs::ReportOfNoBoot() {
-  simulation_.system().NoteRunEnd(
+  simulation_.system().robot_table().NoteRunEnd(
       {EndKind::kNoBoot, simulation_.loaded()
                              ? "--strict refuses what the findings name; no object was started"
                              : "the robots do not boot; the findings say why"});

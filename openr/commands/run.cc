@@ -274,7 +274,7 @@ void CommandedRun::NoteThatItDoesNotBoot(bool is_refused) {
     if (interrupts_.count() > 0)
       end = {EndKind::kSignal, "Ctrl-C or SIGTERM came while a process was waited for"};
   }
-  system().NoteRunEnd(end);
+  system().robot_table().NoteRunEnd(end);
 }
 
 // Returns the name by which `openr poke` finds this run: the value of --run-name; without it

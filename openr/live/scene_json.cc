@@ -157,7 +157,7 @@ void AppendPose(const Eigen::Isometry3d& pose, std::string* text) {
 Json ValuesOf(System* system, int number, VirtualRobot* robot) {
   const RobotModel& model = robot->model();
   const bool is_off = system->robot(number).powered_off;
-  const OffRobots& off_robots = system->off_robots();
+  const OffRobots& off_robots = system->robot_table().off_robots();
   Json joints = Json::array(), gains = Json::array(), sensors = Json::array();
   for (size_t i = 0; i < model.joints.size(); ++i) {
     const JointDevice& joint = robot->devices().joints[i];

@@ -185,7 +185,7 @@ void NoteTheEnding(const Ending& ending, Simulation* simulation) {
   System& system = simulation->system();
   const CurrentScope scope(&system, ending.object);
   system.AddFinding(Severity::kError, std::string(ending.finding.text()));
-  system.NoteRunEnd(EndOf(ending));
+  system.robot_table().NoteRunEnd(EndOf(ending));
 }
 
 void TellHandled(const Ending& ending) {

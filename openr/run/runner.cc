@@ -67,7 +67,7 @@ std::optional<RunEnd> Runner::WhyOver() const {
   }
   if (plan_.for_us && now_us >= *plan_.for_us)
     return RunEnd{EndKind::kTime, fmt::format("--for {} is over", plan_.for_text)};
-  const bool waits_for_boot = !system.off_robots().empty();
+  const bool waits_for_boot = !system.robot_table().off_robots().empty();
   if (plan_.until_idle && system.booted() && !waits_for_boot &&
       now_us - last_activity_us_ >= kIdleUs)
     return RunEnd{EndKind::kIdle, "no object has sent anything for 1 s (--until-idle)"};
@@ -147,10 +147,10 @@ void Runner::AnnounceBoots() {
         std::exchange(announced.boots, system.robot(robot).boots) != system.robot(robot).boots;
     if (has_booted && !system.robot(robot).powered_off)
       plan_.say(fmt::format("{} has booted again; all its images are new loads", name));
-    const bool is_off = system.off_robots().Contains(robot);
+    const bool is_off = system.robot_table().off_robots().Contains(robot);
     if (std::exchange(announced.is_off, is_off) == is_off || !is_off) continue;
     plan_.say(fmt::format("{} is off, and boots again at t={:.3f} s", name,
-                          static_cast<double>(system.off_robots().BootUs(robot)) / 1e6));
+                          static_cast<double>(system.robot_table().off_robots().BootUs(robot)) / 1e6));
   }
 }
 
@@ -179,7 +179,7 @@ void Runner::HandleInterrupt() {
     shutdown_posted_ = true;
     plan_.say("no object handles the pause button; shutting down");
     for (int robot = 0; robot < system.robot_count(); ++robot) {
-      system.NoteEnd(robot, {EndKind::kPause,
+      system.robot_table().NoteEnd(robot, {EndKind::kPause,
                              "no object shut the robot down within 1 s after the pause button, so "
                              "openr did"});
     }
@@ -263,7 +263,7 @@ bool Runner::Run() {
     if (std::exchange(is_new_branch_, false)) pacer.Restart();
     HandleInterrupt();
   }
-  if (end) system.NoteRunEnd(*end);
+  if (end) system.robot_table().NoteRunEnd(*end);
   system.trace().RemoveSink(activity_sink_);
   Finish();
   wall_time_ns_ += WallClockNs() - std::exchange(begin_ns_, 0);

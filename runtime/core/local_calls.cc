@@ -154,9 +154,13 @@ void LocalCalls::AddFinding(const Object* about, Severity severity, std::string_
   system_->RecordFinding(about, severity, std::string(text));
 }
 
-void LocalCalls::Shutdown(int robot, const RunEnd& why) { system_->BeginShutdown(robot, why); }
+void LocalCalls::Shutdown(int robot, const RunEnd& why) {
+  system_->robot_table().BeginShutdown(robot, why);
+}
 
-void LocalCalls::PowerOff(int robot, const RunEnd& why) { system_->CutPower(robot, why); }
+void LocalCalls::PowerOff(int robot, const RunEnd& why) {
+  system_->robot_table().CutPower(robot, why);
+}
 
 bool LocalCalls::NoteFileWritten(std::string_view path) {
   if (MemoryStick* const stick = RobotOfCaller(system_).stick.get()) stick->NoteWritten(path);

@@ -166,7 +166,7 @@ void ObjectManager::RunBootAgain(int robot) {
   // boot.  No unknown service stays unreported because of this: unreported_ has only services of
   // lost processes, and a robot with objects in other processes does not boot again.
   unreported_.clear();
-  if (!system().LoadAgain(robot)) return;
+  if (!system().robot_table().LoadAgain(robot)) return;
   KeepBack(robot);
   RunBoot(robot, findings_before);
 }

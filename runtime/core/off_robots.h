@@ -33,7 +33,7 @@ class OffRobots {
   int64_t NextUs() const;
   // For each robot that is off and whose frame ends now: moves the robot's body, and posts the
   // robot's boot if it is due.  The object manager may execute a posted boot later.  So a robot
-  // stays in robots_ until it really boots: System::LoadAgain() calls Remove().
+  // stays in robots_ until it really boots: RobotTable::LoadAgain() calls Remove().
   void DoDue();
 
   void HashState(Hasher* hasher) const;

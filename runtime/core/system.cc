@@ -84,17 +84,11 @@ System::System(SystemOptions options)
 System::~System() = default;
 
 int System::AddRobot(const std::string& design, std::shared_ptr<MemoryStick> stick) {
-  auto robot = std::make_unique<Robot>();
-  robot->index = robot_count();
-  robot->design = design;
-  robot->stick = std::move(stick);
-  if (options_.strict) robot->memory.limit_bytes = kRobotMemoryBytes;
-  robot->services = std::make_unique<RobotServices>();
-  robots_.push_back(std::move(robot));
+  const int index = robot_table_.Add(design, std::move(stick));
   if (options_.cost) cpus_.push_back(std::make_unique<Cpu>(this));
   CheckDeliveries();
   CheckPosts();
-  return robot_count() - 1;
+  return index;
 }
 
 void System::CheckPosts() {
@@ -124,29 +118,10 @@ void System::PostTask(std::function<void()> task) { manager_->PostTask(std::move
 
 void System::Shutdown(int robot, const RunEnd& why) { calls_->Shutdown(robot, why); }
 
-void System::BeginShutdown(int index, const RunEnd& why) {
-  // If the robot is off already and waits for its boot timer, ends this wait, so that the robot
-  // stays off.  Its objects need not be stopped, because none of them runs.
-  if (off_robots_.Remove(index)) {
-    robot(index).end = why;
-    return NoteWhetherAllAreOff(why);
-  }
-  NoteEnd(index, why);
-  manager_->PostShutdown(index);
-}
-
-void System::NoteEnd(int index, const RunEnd& why) {
-  if (index < robot_count() && !robot(index).end) robot(index).end = why;
-}
-
-void System::NoteRunEnd(const RunEnd& why) {
-  if (!end_) end_ = why;
-}
-
 void System::Reseed(uint64_t seed) {
   ASSERT(last_number_ == 0, "a run that has begun has drawn its numbers");
   options_.seed = seed;
-  for (const auto& robot : robots_) robot->services->Reseed(seed);
+  for (const auto& robot : robot_table_.all()) robot->services->Reseed(seed);
 }
 
 void System::Shutdown(const RunEnd& why) {
@@ -156,62 +131,6 @@ void System::Shutdown(const RunEnd& why) {
 }
 
 void System::PowerOff(int robot, const RunEnd& why) { calls_->PowerOff(robot, why); }
-
-void System::CutPower(int index, const RunEnd& why) {
-  const bool is_shutdown = why.kind == EndKind::kPowerOff;  // a shutdown has set Robot::end already
-  // Replaces the reason (Robot::end) of a shutdown that has begun, but not the reason of a robot
-  // that is off.
-  if (index < robot_count() && !is_shutdown && !robot(index).powered_off) robot(index).end = why;
-  NoteEnd(index, why);
-  for (const auto& object : objects()) {
-    // Leaves the object manager on, because it serves all robots of the System.
-    if (object == nullptr || object->robot != index || object.get() == &manager_->host()) continue;
-    object->delivery.set_off(true);
-  }
-  if (index >= robot_count()) return NoteWhetherAllAreOff(why);
-  robot(index).powered_off = true;
-  off_robots_.Remove(index);
-  if (is_shutdown) WaitForBoot(&robot(index));
-  NoteWhetherAllAreOff(*robot(index).end);
-}
-
-// Lets `robot`, which has just shut down, wait for its next boot if a boot timer runs.
-void System::WaitForBoot(Robot* robot) {
-  const std::optional<int64_t> off_us = robot->services->TimeOffUs();
-  if (!off_us || robot->load_again == nullptr) return;
-  robot->services->SwitchOff();
-  off_robots_.Add(robot->index, now_us_ + *off_us);
-}
-
-// Ends the run with the reason `why` if all robots are off and stay off.
-void System::NoteWhetherAllAreOff(const RunEnd& why) {
-  powered_off_ = std::all_of(robots_.begin(), robots_.end(), [this](const auto& dog) {
-    return dog->powered_off && !off_robots_.Contains(dog->index);
-  });
-  if (!powered_off_) return;
-  NoteRunEnd(why);
-  dispatcher_->Stop();
-}
-
-bool System::LoadAgain(int index) {
-  // Does not boot the robot if it was switched off for good after its boot was posted.
-  if (!off_robots_.Remove(index)) return false;
-  Robot& dog = robot(index);
-  table_.RemoveAllOf(index);
-  std::erase_if(connections_, [index](const auto& each) { return each.robot == index; });
-  dog.design_data.clear();
-  dog.end.reset();
-  dog.booted_us = now_us_;
-  ++dog.boots;
-  const bool boots = dog.load_again();
-  if (boots) {
-    dog.powered_off = false;
-  } else {
-    dog.end = {EndKind::kNoBoot, "the robot does not boot again; the findings say why"};
-    NoteWhetherAllAreOff(*dog.end);
-  }
-  return boots;
-}
 
 bool System::Step() {
   const uint64_t before = trace_.count();
@@ -315,7 +234,7 @@ void System::Readmit(OwnedMessage message) {
 }
 
 int64_t System::NextInstant() const {
-  int64_t end_us = std::min({time_events_.NextUs(), inputs_.NextUs(), off_robots_.NextUs()});
+  int64_t end_us = std::min({time_events_.NextUs(), inputs_.NextUs(), robot_table_.off_robots().NextUs()});
   for (const auto& cpu : cpus_) end_us = std::min(end_us, cpu->EndUs());
   return end_us;
 }
@@ -325,7 +244,7 @@ void System::DoWhatIsDue() {
     if (cpu->EndUs() == now_us_) cpu->End(now_us_);
   }
   inputs_.DoDue();
-  off_robots_.DoDue();
+  robot_table_.off_robots().DoDue();
   time_events_.PostDue();
 }
 
@@ -403,12 +322,12 @@ uint64_t System::state_hash() {
   }
   for (const auto& cpu : cpus_) cpu->HashState(&hasher);
   inputs_.HashState(&hasher);
-  off_robots_.HashState(&hasher);
+  robot_table_.off_robots().HashState(&hasher);
   console_input_.HashState(&hasher);
   time_events_.HashState(&hasher);
   if (options_.cost) options_.cost->HashState(&hasher);
   regions_.HashState(&hasher);
-  for (const auto& robot : robots_) {
+  for (const auto& robot : robot_table_.all()) {
     hasher.Add(robot->powered_off);
     if (robot->boots > 1) hasher.Add(robot->booted_us);
     hasher.Add(robot->stick_hash);

@@ -31,11 +31,11 @@
 #include "runtime/core/message.h"
 #include "runtime/core/object.h"
 #include "runtime/core/object_table.h"
-#include "runtime/core/off_robots.h"
 #include "runtime/core/region_shares.h"
 #include "runtime/core/region_table.h"
 #include "runtime/core/requests.h"
 #include "runtime/core/robot.h"
+#include "runtime/core/robot_table.h"
 #include "runtime/core/run_end.h"
 #include "runtime/core/schedule.h"
 #include "runtime/core/system_calls.h"
@@ -65,9 +65,9 @@ class System {
   // Adds a robot of the model `design` and returns its index.  `stick` is null if the robot has no
   // stick.
   int AddRobot(const std::string& design, std::shared_ptr<MemoryStick> stick);
-  const Robot& robot(int index) const { return *robots_.at(static_cast<size_t>(index)); }
-  Robot& robot(int index) { return *robots_.at(static_cast<size_t>(index)); }
-  int robot_count() const { return static_cast<int>(robots_.size()); }
+  const Robot& robot(int index) const { return robot_table_.Get(index); }
+  Robot& robot(int index) { return robot_table_.Get(index); }
+  int robot_count() const { return robot_table_.count(); }
 
   // Makes an object of class T, a CodeObject, with the arguments given.  The constructor of T runs
   // with the new object as the current object (current.h).
@@ -79,8 +79,8 @@ class System {
   RunFolder* run_folder();
 
   // Adds a connection that the boot will make.  REQUIRES: before Boot(), or in Robot::load_again.
-  void Connect(Connection connection) { connections_.push_back(std::move(connection)); }
-  const std::vector<Connection>& connections() const { return connections_; }
+  void Connect(Connection connection) { robot_table_.Connect(std::move(connection)); }
+  const std::vector<Connection>& connections() const { return robot_table_.connections(); }
 
   // Sets the state of all random generators to that of a System with this seed.  Does not change
   // the order of messages, which SystemOptions::seed or set_schedule() has decided before.
@@ -97,29 +97,15 @@ class System {
 
   // Posts the shutdown of one robot: DoStop of its objects, then DoDestroy, then the robot is off.
   void Shutdown(int robot, const RunEnd& why = {});
-  void Shutdown(const RunEnd& why = {});             // shuts down all robots
-  bool booted() const { return booted_; }            // whether the last DoStart has returned
-  bool powered_off() const { return powered_off_; }  // whether all robots are off for good
+  void Shutdown(const RunEnd& why = {});   // shuts down all robots
+  bool booted() const { return booted_; }  // whether the last DoStart has returned
+  // Returns whether all robots are off for good.
+  bool powered_off() const { return robot_table_.are_all_off(); }
   // Switches one robot off at once, as OPENR::Fatal() does.  Messages to its objects are dropped
   // from now on.
   void PowerOff(int robot, const RunEnd& why = {});
-  // Does the work of Shutdown(), which only passes the request to calls().  In a worker process,
-  // calls() sends the request to the master process.  In the master process, calls() is LocalCalls,
-  // which calls this function.  If the robot is off and waits for its boot timer, it stays off.
-  void BeginShutdown(int index, const RunEnd& why);
-  // Switches the power of the robot off.  PowerOff() only passes the request to calls(), which
-  // calls this function.
-  void CutPower(int robot, const RunEnd& why);
-
-  // Records the reason why a robot goes off.  The first reason is kept; only a PowerOff() during a
-  // shutdown replaces the reason of the shutdown.  Shutdown() and PowerOff() call this function
-  // themselves.
-  void NoteEnd(int robot, const RunEnd& why);
-  // Records `why` as the reason for the end of the run, unless a reason was recorded before.
-  void NoteRunEnd(const RunEnd& why);
-  // Returns why the run has ended: the reason given to NoteRunEnd(), or, when all robots are off,
-  // the reason of the robot that went off last.  Has no value while the run goes on.
-  const std::optional<RunEnd>& end() const { return end_; }
+  // Returns why the run has ended; see RobotTable::end().
+  const std::optional<RunEnd>& end() const { return robot_table_.end(); }
 
   // ---- Running a System ----
 
@@ -223,7 +209,8 @@ class System {
   ConsoleInput& console_input() { return console_input_; }
   TimeEvents& time_events() { return time_events_; }
   Requests& requests() { return requests_; }
-  const OffRobots& off_robots() const { return off_robots_; }
+  RobotTable& robot_table() { return robot_table_; }
+  const RobotTable& robot_table() const { return robot_table_; }
 
   // ---- State of the run ----
 
@@ -282,13 +269,6 @@ class System {
   friend class Dispatcher;
   friend class ObjectManager;
 
-  // Removes the objects, services, connections and names of robot number `index`, which is off, and
-  // loads them again.  If the robot does not boot, returns false and leaves the robot off for the
-  // rest of the run.
-  bool LoadAgain(int index);
-  void WaitForBoot(Robot* robot);
-  void NoteWhetherAllAreOff(const RunEnd& why);
-
   CodeObject* FinishCodeObject(Object* host, std::unique_ptr<CodeObject> code);
   Object* NewCodeHost(int robot, const std::string& name);
 
@@ -328,8 +308,6 @@ class System {
   int64_t crowding_delay_us_ = 0;
   uint64_t last_number_ = 0;
   bool booted_ = false;
-  bool powered_off_ = false;
-  std::optional<RunEnd> end_;
 
   MessageQueue queue_;  // destroyed after the members below, which may own its messages
   RegionTable regions_;
@@ -342,10 +320,8 @@ class System {
   ConsoleInput console_input_{this};
   TimeEvents time_events_{this};
   Requests requests_{this};
-  OffRobots off_robots_{this};
   std::unique_ptr<RunFolder> run_folder_;
-  std::vector<std::unique_ptr<Robot>> robots_;
-  std::vector<Connection> connections_;
+  RobotTable robot_table_{this};
   std::unique_ptr<Dispatcher> dispatcher_;
   std::vector<std::unique_ptr<Cpu>> cpus_;  // by index of the robot; empty without a cost model
   std::unique_ptr<SeedSchedule> seed_schedule_;

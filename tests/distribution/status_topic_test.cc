@@ -102,7 +102,7 @@ TEST(MonitorTest, TheFinalStatusRepeatsTheLastRates) {
     return !said.empty();
   });
   EXPECT_GT(said[0].messages_per_s, 0);
-  system.NoteRunEnd({EndKind::kTime, "--for 1ms is over"});
+  system.robot_table().NoteRunEnd({EndKind::kTime, "--for 1ms is over"});
   monitor.End();
   const std::vector<RunStatus> at_end = reader.Take();
   ASSERT_EQ(at_end.size(), 1u);

@@ -69,17 +69,17 @@ TEST_F(RebootTest, TheDogSinksAndStandsUpAgain) {
   EXPECT_EQ(StateOf("JointMover"), "accepting-commands");
   EXPECT_EQ(dog().power().boot_condition.bitmap, obcbPAUSE_SW);
   Reboot();
-  ASSERT_TRUE(system().off_robots().Contains(0));
+  ASSERT_TRUE(system().robot_table().off_robots().Contains(0));
   EXPECT_FALSE(system().powered_off());
   EXPECT_FALSE(dog().power().motor_power());
   for (const LedDevice& led : dog().devices().leds) EXPECT_EQ(led.intensity, 0);
 
-  system().RunUntil(system().off_robots().BootUs(0) - 8'000);
+  system().RunUntil(system().robot_table().off_robots().BootUs(0) - 8'000);
   EXPECT_LT(HeightM(), 0.7 * standing_m);  // the body obeys physics while nothing runs
   const uint64_t messages = system().message_count();
   system().RunFor(16'000);
   EXPECT_GT(system().message_count(), messages);
-  EXPECT_FALSE(system().off_robots().Contains(0));
+  EXPECT_FALSE(system().robot_table().off_robots().Contains(0));
   EXPECT_EQ(dog().power().boot_condition.bitmap, obcbBOOT_TIMER);
   EXPECT_LT(dog().frame(), 3);
 
@@ -102,8 +102,8 @@ TEST_F(RebootTest, ASecondTimedRestartIsNotedBecauseOneRobotDidItOnlyOnce) {
   for (const int timer_s : {0, 2, 0, 2}) {
     EXPECT_FALSE(is_noted()) << timer_s;
     Reboot(0, timer_s);
-    system().RunUntil(system().off_robots().BootUs(0) + 1'000'000);
-    EXPECT_FALSE(system().off_robots().Contains(0));
+    system().RunUntil(system().robot_table().off_robots().BootUs(0) + 1'000'000);
+    EXPECT_FALSE(system().robot_table().off_robots().Contains(0));
   }
   EXPECT_TRUE(is_noted());
 }
@@ -119,7 +119,7 @@ TEST_F(RebootTest, QuantitiesOfObjectsAreThoseOfTheNewObjects) {
   const double before = number();
   Reboot();
   EXPECT_GE(number(), before);  // an object that is off keeps its numbers, DoStop is counted
-  system().RunUntil(system().off_robots().BootUs(0) + kStandUs);
+  system().RunUntil(system().robot_table().off_robots().BootUs(0) + kStandUs);
   EXPECT_EQ(std::get<std::string>(state(view.run())), "accepting-commands");
   EXPECT_GT(number(), before);
 }
@@ -134,7 +134,7 @@ TEST_F(RebootTest, QuantitiesOfAnObjectThatIsGoneAreMissing) {
   const Object* const controller = system().FindObject(0, "Controller");
   ASSERT_NE(controller, nullptr);
   std::filesystem::remove(folder_.path() + controller->path.substr(3));
-  system().RunUntil(system().off_robots().BootUs(0) + kStandUs);
+  system().RunUntil(system().robot_table().off_robots().BootUs(0) + kStandUs);
   EXPECT_EQ(std::get<std::string>(state(view.run())), "absent");
   EXPECT_TRUE(std::isnan(std::get<double>(messages(view.run()))));
 }
@@ -162,7 +162,7 @@ TEST_F(RebootTest, TheTimerOfAShutdownIsWaitedFor) {
   Start();
   const int64_t now_us = system().now_us();
   Reboot(0, 30);
-  EXPECT_NEAR(static_cast<double>(system().off_robots().BootUs(0)),
+  EXPECT_NEAR(static_cast<double>(system().robot_table().off_robots().BootUs(0)),
               static_cast<double>(now_us + VirtualRobot::kBootUs + 30'000'000), 100);
 }
 
@@ -174,7 +174,7 @@ TEST_F(RebootTest, TheSourceOfPicturesGoesOn) {
   EXPECT_EQ(dog().TakePicture(&before), "");
   const int64_t frame = dog().frame();
   Reboot();
-  system().RunUntil(system().off_robots().BootUs(0));
+  system().RunUntil(system().robot_table().off_robots().BootUs(0));
   while (dog().frame() < frame) system().RunFor(kFrameUs);
   EXPECT_EQ(dog().frame(), frame);
   EXPECT_EQ(dog().TakePicture(&after), "");

@@ -1,0 +1,104 @@
+#include "runtime/core/robot_table.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "runtime/core/dispatcher.h"
+#include "runtime/core/object_manager.h"
+#include "runtime/core/robot_services.h"
+#include "runtime/core/system.h"
+
+namespace openr_host {
+
+RobotTable::RobotTable(System* system) : system_(system), off_robots_(system) {}
+
+RobotTable::~RobotTable() = default;
+
+int RobotTable::Add(const std::string& design, std::shared_ptr<MemoryStick> stick) {
+  auto robot = std::make_unique<Robot>();
+  robot->index = count();
+  robot->design = design;
+  robot->stick = std::move(stick);
+  if (system_->options().strict) robot->memory.limit_bytes = kRobotMemoryBytes;
+  robot->services = std::make_unique<RobotServices>();
+  robots_.push_back(std::move(robot));
+  return count() - 1;
+}
+
+void RobotTable::BeginShutdown(int index, const RunEnd& why) {
+  // If the robot is off already and waits for its boot timer, ends this wait, so that the robot
+  // stays off.  Its objects need not be stopped, because none of them runs.
+  if (off_robots_.Remove(index)) {
+    Get(index).end = why;
+    return NoteWhetherAllAreOff(why);
+  }
+  NoteEnd(index, why);
+  system_->manager().PostShutdown(index);
+}
+
+void RobotTable::CutPower(int index, const RunEnd& why) {
+  const bool is_shutdown = why.kind == EndKind::kPowerOff;  // a shutdown has set Robot::end already
+  // Replaces the reason (Robot::end) of a shutdown that has begun, but not the reason of a robot
+  // that is off.
+  if (index < count() && !is_shutdown && !Get(index).powered_off) Get(index).end = why;
+  NoteEnd(index, why);
+  for (const auto& object : system_->objects()) {
+    // Leaves the object manager on, because it serves all robots of the System.
+    if (object == nullptr || object->robot != index || object.get() == &system_->manager().host())
+      continue;
+    object->delivery.set_off(true);
+  }
+  if (index >= count()) return NoteWhetherAllAreOff(why);
+  Get(index).powered_off = true;
+  off_robots_.Remove(index);
+  if (is_shutdown) WaitForBoot(&Get(index));
+  NoteWhetherAllAreOff(*Get(index).end);
+}
+
+// Lets `robot`, which has just shut down, wait for its next boot if a boot timer runs.
+void RobotTable::WaitForBoot(Robot* robot) {
+  const std::optional<int64_t> off_us = robot->services->TimeOffUs();
+  if (!off_us || robot->load_again == nullptr) return;
+  robot->services->SwitchOff();
+  off_robots_.Add(robot->index, system_->now_us() + *off_us);
+}
+
+// Ends the run with the reason `why` if all robots are off and stay off.
+void RobotTable::NoteWhetherAllAreOff(const RunEnd& why) {
+  are_all_off_ = std::all_of(robots_.begin(), robots_.end(), [this](const auto& dog) {
+    return dog->powered_off && !off_robots_.Contains(dog->index);
+  });
+  if (!are_all_off_) return;
+  NoteRunEnd(why);
+  system_->dispatcher().Stop();
+}
+
+bool RobotTable::LoadAgain(int index) {
+  // Does not boot the robot if it was switched off for good after its boot was posted.
+  if (!off_robots_.Remove(index)) return false;
+  Robot& dog = Get(index);
+  system_->object_table().RemoveAllOf(index);
+  std::erase_if(connections_, [index](const auto& each) { return each.robot == index; });
+  dog.design_data.clear();
+  dog.end.reset();
+  dog.booted_us = system_->now_us();
+  ++dog.boots;
+  const bool boots = dog.load_again();
+  if (boots) {
+    dog.powered_off = false;
+  } else {
+    dog.end = {EndKind::kNoBoot, "the robot does not boot again; the findings say why"};
+    NoteWhetherAllAreOff(*dog.end);
+  }
+  return boots;
+}
+
+void RobotTable::NoteEnd(int index, const RunEnd& why) {
+  if (index < count() && !Get(index).end) Get(index).end = why;
+}
+
+void RobotTable::NoteRunEnd(const RunEnd& why) {
+  if (!end_) end_ = why;
+}
+
+}  // namespace openr_host
