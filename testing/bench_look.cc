@@ -6,6 +6,7 @@
 #include "openr/decode/decode_message.h"
 #include "openr/simulation/standing.h"
 #include "runtime/base/spelling.h"
+#include "runtime/core/stalls.h"
 #include "testing/bench.h"
 #include "virtualrobot/det_math.h"
 #include "virtualrobot/kinematics.h"
@@ -50,7 +51,7 @@ std::string Bench::Story() const {
   std::string text = fmt::format("t={:.6f} s.  ", static_cast<double>(now_us()) * 1e-6);
   const std::string last = history_.Text();
   text += last.empty() ? "No message so far.\n" : "Last messages:\n" + last;
-  const std::vector<std::string> waits = system_->WhoWaits();
+  const std::vector<std::string> waits = WhoWaits(*system_);
   if (!waits.empty()) text += "Who waits:\n";
   for (const std::string& line : waits) text += "  " + line + "\n";
   const std::string held = doors_.Text();

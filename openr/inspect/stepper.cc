@@ -29,6 +29,7 @@
 #include "openr/inspect/trace_text.h"
 #include "runtime/base/duration.h"
 #include "runtime/base/spelling.h"
+#include "runtime/core/stalls.h"
 #include "runtime/core/system.h"
 #include "virtualrobot/det_math.h"
 
@@ -442,7 +443,7 @@ void Stepper::Print(const std::string& what) {
   if (what == "queue") {
     PrintQueue();
   } else if (what == "waiting") {
-    const std::vector<std::string> waits = system.WhoWaits();
+    const std::vector<std::string> waits = WhoWaits(system);
     for (const std::string& line : waits) fmt::print("{}\n", line);
     if (waits.empty()) fmt::print("nobody\n");
   } else if (what == "objects") {

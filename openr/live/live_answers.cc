@@ -80,7 +80,7 @@ Json AnswerInputs(const Asked& asked) {
 Json AnswerStatus(const Asked& asked) {
   System& system = asked.system();
   Json waits = Json::array();
-  for (const std::string& line : system.WhoWaits()) waits.push_back(line);
+  for (const std::string& line : WhoWaits(system)) waits.push_back(line);
   Json ports = Json::array();
   for (int i = 0; i < system.robot_count(); ++i) ports.push_back(asked.simulation()->RcPort(i));
   return {{"time_s", TimeOf(asked)},

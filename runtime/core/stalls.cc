@@ -76,6 +76,12 @@ std::vector<Stall> FindStalls(const System& system, int64_t least_us) {
   return stalls;
 }
 
+std::vector<std::string> WhoWaits(const System& system) {
+  std::vector<std::string> lines;
+  for (Stall& stall : FindStalls(system, 0)) lines.push_back(std::move(stall.text));
+  return lines;
+}
+
 void ReportStalls(System* system, bool is_silent) {
   for (const Stall& stall : FindStalls(*system, kStallUs)) {
     if (stall.may_be_done && !is_silent) continue;

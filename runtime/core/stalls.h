@@ -43,6 +43,10 @@ constexpr int64_t kStallUs = 1'000'000;
 // again.
 std::vector<Stall> FindStalls(const System& system, int64_t least_us);
 
+// Returns a line for each object that waits: "JointMover waits for the answer of IPStack since
+// t=1.248 s".
+std::vector<std::string> WhoWaits(const System& system);
+
 // Adds a finding for every stall that has lasted for kStallUs or longer: a note if the observer has
 // probably stopped on purpose (`is_chosen`), otherwise a warning.  `is_silent` says whether no
 // object sends messages any more; only then are stalls reported that may be no mistake

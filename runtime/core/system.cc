@@ -20,7 +20,6 @@
 #include "runtime/core/local_calls.h"
 #include "runtime/core/object_manager.h"
 #include "runtime/core/robot_services.h"
-#include "runtime/core/stalls.h"
 #include "runtime/core/system_verbs.h"
 #include "runtime/stick/memory_stick.h"
 
@@ -277,12 +276,6 @@ void System::RecordFinding(const Object* object, Severity severity, std::string 
   Finding* const added = findings_.Add(std::move(finding));
   if (added != nullptr && running != nullptr && options_.say != nullptr)
     added->said = options_.say(*this, *running);
-}
-
-std::vector<std::string> System::WhoWaits() const {
-  std::vector<std::string> lines;
-  for (Stall& stall : FindStalls(*this, 0)) lines.push_back(std::move(stall.text));
-  return lines;
 }
 
 void System::Print(std::string_view text) {

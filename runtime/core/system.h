@@ -258,10 +258,6 @@ class System {
   // Adds a finding to findings() of this process.  Called by LocalCalls::AddFinding().
   void RecordFinding(const Object* object, Severity severity, std::string text);
 
-  // Returns a line for each object that waits: "JointMover waits for the answer of IPStack since
-  // t=1.248 s".
-  std::vector<std::string> WhoWaits() const;
-
   // Prints text of an object or of the system to SystemOptions::console.
   void Print(std::string_view text);
 

@@ -1,4 +1,5 @@
 // core.md 8.1 (terminal) and 10.1 23, field-notes.md section 6: objects that read the console.
+#include "runtime/core/stalls.h"
 #include "runtime/core/system_verbs.h"
 #include "tests/conformance/conform_fixture.h"
 
@@ -22,7 +23,7 @@ TEST_F(ConsoleConformance, AReaderWaitsAloneUntilALineIsThere) {
   Hear("assert");
   Tell("ready?");  // waits behind the reader
   EXPECT_EQ(Said(), "");
-  EXPECT_EQ(system->WhoWaits().size(), 1u);
+  EXPECT_EQ(WhoWaits(*system).size(), 1u);
   TypeText(system.get(), 0, "some words\n");
   system->RunFor(8000);
   EXPECT_EQ(Said(), "some words\nT gets 'some words'\nT ready 1 refs 0\nT any 1 ready 1 all 1\n");

@@ -2,6 +2,7 @@
 // developer is told.
 #include <gmock/gmock.h>
 
+#include "runtime/core/stalls.h"
 #include "tests/conformance/conform_fixture.h"
 
 namespace openr_host {
@@ -14,7 +15,7 @@ TEST_F(MistakesConformance, AnObserverThatNeverAssertsIsNamed) {
   Start();
   Tell("send 1");
   system->RunFor(2'000'000);
-  EXPECT_THAT(system->WhoWaits(),
+  EXPECT_THAT(WhoWaits(*system),
               testing::ElementsAre(testing::StartsWith("teller waits for ready of hearer")));
 }
 

@@ -12,6 +12,7 @@
 #include "openr/simulation/assemble_robot.h"
 #include "openr/simulation/network_setup.h"
 #include "runtime/core/load_stick.h"
+#include "runtime/core/stalls.h"
 #include "runtime/core/system.h"
 #include "runtime/ipstack/ip_stack.h"
 #include "runtime/stick/memory_stick.h"
@@ -126,7 +127,7 @@ uint64_t CountPosts() {
 // Whether the dog stands in spite of it; if not, somebody must say why.
 void ExpectStandingOrAWord(Bench& bench) {
   if (bench.system().booted() && bench.state("JointMover") == "accepting-commands") return;
-  const bool word = bench.system().findings().HasError() || !bench.system().WhoWaits().empty() ||
+  const bool word = bench.system().findings().HasError() || !WhoWaits(bench.system()).empty() ||
                     bench.console().find("failed. sError") != std::string::npos;
   EXPECT_TRUE(word) << bench.Story() << bench.Findings() << bench.console();
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "runtime/core/stalls.h"
 #include "tests/runtime/core/recorder.h"
 
 namespace openr_host {
@@ -99,7 +100,7 @@ TEST_F(DispatcherTest, ACallWaitsForItsAnswerAndBlocksOnlyTheCaller) {
   Post(third, 3);
   system.RunFor(100);
   EXPECT_EQ(log, (Log{"caller:1@0", "third:3@0", "callee:7@0"}));
-  EXPECT_EQ(system.WhoWaits(),
+  EXPECT_EQ(WhoWaits(system),
             (Log{"caller waits for the answer of callee (Entry) since t=0.000 s"}));
   const int answer = 42;
   RunAs(callee,

@@ -5,6 +5,7 @@
 #include <IPEndpointMsg.h>
 
 #include "runtime/base/hasher.h"
+#include "runtime/core/stalls.h"
 #include "tests/runtime/ipstack/net_probe.h"
 
 namespace openr_host {
@@ -88,7 +89,7 @@ TEST_F(IpStackTest, CallBlocksOnlyItsCaller) {
     returned = true;
   });
   EXPECT_FALSE(returned);
-  EXPECT_EQ(system.WhoWaits(),
+  EXPECT_EQ(WhoWaits(system),
             std::vector<std::string>{
                 "probe waits for the answer of IPStack (TCP Listen) since t=0.001 s"});
   other->Do([&] { other_ran = true; });
