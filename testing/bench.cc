@@ -19,6 +19,7 @@
 #include "runtime/config/connect_config.h"
 #include "runtime/config/service_name.h"
 #include "runtime/core/code_object.h"
+#include "runtime/core/dispatcher.h"
 #include "runtime/core/image_file.h"
 #include "runtime/core/load_image.h"
 #include "runtime/core/load_stick.h"
@@ -93,7 +94,7 @@ Bench::Bench(BenchOptions options, Place place)
   story_teller_ =
       std::make_unique<StoryTeller>([this] { return Story(); }, options_.handler_limit.count());
   system_->set_schedule(&schedule_);
-  system_->set_gate(&doors_);
+  system_->dispatcher().set_gate(&doors_);
   system_->trace().AddSink([this](const TraceRecord&, const Message& message) { See(message); });
   AddDog();
   if (!options_.stick.empty()) LoadStick();

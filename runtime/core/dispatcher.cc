@@ -181,8 +181,8 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
   }
   // A gate (schedule.h), which a test has set, may keep the message and put it back into the queue
   // later.
-  if (system_->gate_ != nullptr) {
-    message = system_->gate_->Admit(std::move(message));
+  if (gate_ != nullptr) {
+    message = gate_->Admit(std::move(message));
     if (message == nullptr) return nullptr;
   }
   if (message->is_reply) {
@@ -196,9 +196,9 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
     cpu->Wait(object, std::move(message), system_->now_us_);
     return nullptr;
   }
-  system_->are_deliveries_free_ = system_->gate_ == nullptr && system_->cpus_.empty() &&
-                                  system_->options_.wall_clock_ns == nullptr &&
-                                  !system_->manager_->KeepsBack();
+  are_deliveries_free_ = gate_ == nullptr && system_->cpus_.empty() &&
+                         system_->options_.wall_clock_ns == nullptr &&
+                         !system_->manager_->KeepsBack();
   return message;
 }
 
@@ -233,7 +233,7 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
           reinterpret_cast<const void*>(third + kCacheLine * static_cast<unsigned>(i)));
   }
   Object* const object = system_->table_.GetKnown(message->target);
-  const bool is_plain = object->is_plain && system_->are_deliveries_free_ && !message->is_reply;
+  const bool is_plain = object->is_plain && are_deliveries_free_ && !message->is_reply;
   if (!is_plain) [[unlikely]]
     return DeliverChecked(object, OwnedMessage(message));
   BeginDelivery(object, message);

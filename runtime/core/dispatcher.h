@@ -16,6 +16,7 @@
 
 namespace openr_host {
 
+class Gate;
 class Object;
 class System;
 
@@ -50,6 +51,21 @@ class Dispatcher {
   // Does the work of System::AbandonHandler(): ends the running handler without returning to it.
   [[noreturn]] void Abandon();
 
+  // Sets the gate (schedule.h), which decides for each message whether it may be delivered now.
+  // Gates are for tests and tools that explore orders of messages.  The dispatcher does not own the
+  // gate, so the gate must exist as long as messages are delivered.  If `gate` is null, there is no
+  // gate.
+  void set_gate(Gate* gate) {
+    gate_ = gate;
+    CheckDeliveries();
+  }
+  // Makes the dispatcher ask again, before it delivers a message, whether the receiver can handle
+  // the message now.  Called when something begins that may hold messages to any object back: a
+  // gate, a model of the processor, or the boot of an object.  Admit() makes the dispatcher stop
+  // asking when nothing can hold messages back any more and the time of handlers is not measured
+  // (SystemOptions::wall_clock_ns).
+  void CheckDeliveries() { are_deliveries_free_ = false; }
+
  private:
   static void FiberMain(void* dispatcher);
   void Loop();
@@ -74,6 +90,8 @@ class Dispatcher {
   void Recycle();
 
   System* const system_;
+  bool are_deliveries_free_ = false;  // false if CheckDeliveries() was called
+  Gate* gate_ = nullptr;
   // The stack of the thread that has called Run().
   MainFiber caller_;
   std::vector<std::unique_ptr<Fiber>> fibers_;

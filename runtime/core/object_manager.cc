@@ -10,6 +10,7 @@
 #include "runtime/base/spelling.h"
 #include "runtime/config/service_name.h"
 #include "runtime/core/api.h"
+#include "runtime/core/dispatcher.h"
 #include "runtime/core/image.h"
 #include "runtime/core/load_image.h"
 #include "runtime/core/system.h"
@@ -66,7 +67,7 @@ ObjectManager::ObjectManager() {
 // which messages are kept back, and for how long.
 void ObjectManager::KeepBack(int robot) {
   are_connected_ = false;
-  system().CheckDeliveries();
+  system().dispatcher().CheckDeliveries();
   for (const auto& object : system().objects()) {
     if (object == nullptr || object->is_system || object->is_absent) continue;
     if (robot == kAllRobots || object->robot == robot) starting_.emplace(object->id, false);
@@ -214,7 +215,7 @@ void ObjectManager::RunTask() {
 
 void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
   are_connected_ = false;
-  system().CheckDeliveries();
+  system().dispatcher().CheckDeliveries();
   for (const auto& object : fresh) starting_[object->id] = false;
   ObjectTable::Readies readies = system().object_table().Replace(std::move(fresh));
   // Sends to each new object the readies that observers had asserted to the old object, because

@@ -85,7 +85,7 @@ System::~System() = default;
 int System::AddRobot(const std::string& design, std::shared_ptr<MemoryStick> stick) {
   const int index = robot_table_.Add(design, std::move(stick));
   if (options_.cost) cpus_.push_back(std::make_unique<Cpu>(this));
-  CheckDeliveries();
+  dispatcher_->CheckDeliveries();
   CheckPosts();
   return index;
 }

@@ -177,29 +177,14 @@ class System {
   // a handler.
   [[noreturn]] void AbandonHandler();
 
-  // ---- Schedule and gate ----
-  //
-  // A schedule and a gate are for tests and tools that explore orders of messages.  The System does
-  // not own them, so they must exist as long as the System delivers messages.  A null pointer
-  // means that there is none.
-
-  // Replaces the schedule that the seed has chosen.  The schedule decides the order of messages.
-  // REQUIRES: before Boot().
+  // Replaces the schedule that the seed has chosen.  The schedule decides the order of messages; it
+  // is for tests and tools that explore orders.  The System does not own it, so it must exist as
+  // long as the System delivers messages.  If it is null, there is no schedule.  REQUIRES: before
+  // Boot().
   void set_schedule(Schedule* schedule) {
     schedule_ = schedule;
     CheckPosts();
   }
-  // Sets the gate, which decides for each message whether it may be delivered now.
-  void set_gate(Gate* gate) {
-    gate_ = gate;
-    CheckDeliveries();
-  }
-  // Makes the dispatcher ask again, before it delivers a message, whether the receiver can handle
-  // the message now.  Called when something begins that may hold messages to any object back: a
-  // gate, a model of the processor, or the boot of an object.  Dispatcher::Admit() makes the
-  // dispatcher stop asking when nothing can hold messages back any more and the time of handlers is
-  // not measured (SystemOptions::wall_clock_ns).
-  void CheckDeliveries() { are_deliveries_free_ = false; }
   // Puts into the queue again a message that a gate or the processor (cpu.h) has held.  The message
   // is due now and comes before all others of its class and priority.
   void Readmit(OwnedMessage message);
@@ -322,8 +307,6 @@ class System {
   std::vector<std::unique_ptr<Cpu>> cpus_;  // by index of the robot; empty without a cost model
   std::unique_ptr<SeedSchedule> seed_schedule_;
   Schedule* schedule_ = nullptr;
-  Gate* gate_ = nullptr;
-  bool are_deliveries_free_ = false;  // false if CheckDeliveries() was called
   ObjectManager* manager_ = nullptr;
   // The table is the last member, so it is destroyed first: objects use the other members until
   // they are destroyed.

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "runtime/core/cpu.h"
+#include "runtime/core/dispatcher.h"
 #include "tests/runtime/core/recorder.h"
 
 namespace openr_host {
@@ -152,7 +153,7 @@ class KeepFor : public Gate {
 TEST_F(ScheduleTest, AGateKeepsMessagesUntilTheyAreReadmitted) {
   KeepFor gate;
   gate.kept_for = objects["a"]->host().id;
-  system->set_gate(&gate);
+  system->dispatcher().set_gate(&gate);
   EXPECT_EQ(RunTies(), (Log{"b:1@0", "c:1@0", "b:2@0", "c:2@0"}));
   ASSERT_EQ(gate.kept.size(), 2u);
   gate.kept_for = kNoObject;
@@ -167,9 +168,9 @@ TEST_F(ScheduleTest, AGateOfARunThatHadNoneKeepsMessages) {
   log.clear();
   KeepFor gate;
   gate.kept_for = objects["a"]->host().id;
-  system->set_gate(&gate);
+  system->dispatcher().set_gate(&gate);
   EXPECT_EQ(RunTies(), (Log{"b:1@1000", "c:1@1000", "b:2@1000", "c:2@1000"}));
-  system->set_gate(nullptr);
+  system->dispatcher().set_gate(nullptr);
   log.clear();
   PostTo(objects["a"], 3);
   system->RunFor(1000);
