@@ -150,7 +150,7 @@ void Dispatcher::RunMeasured(Object* object) {
   ASSERT(object->waiting >= 0, "{} gets a message, none was counted as waiting", object->name);
   if (++delivered_ >= many_at_) [[unlikely]]
     NoteManyDeliveries(object);
-  system_->trace_.Deliver(*message, system_->now_us_);
+  system_->trace_.Deliver(*message, system_->now_us());
   ++object->message_count;
   ASSERT(object->handler.running == nullptr, "{} runs one handler at a time", object->name);
   // The message belongs to the object's state and not to a local variable, because this stack is
@@ -193,7 +193,7 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
   // handlers take no time there are no processors, so the handler runs at once.
   if (!system_->cpus_.empty() && !MayRun(object, *message)) {
     Cpu* const cpu = system_->cpus_[static_cast<size_t>(object->robot)].get();
-    cpu->Wait(object, std::move(message), system_->now_us_);
+    cpu->Wait(object, std::move(message), system_->now_us());
     return nullptr;
   }
   are_deliveries_free_ = gate_ == nullptr && system_->cpus_.empty() &&
@@ -269,10 +269,10 @@ void Dispatcher::ReportException(const Object& object, const std::string& what) 
 
 // Called when SystemOptions::free_deliveries messages or more were delivered at this instant of
 // virtual time.  Adds a finding that each further message takes 1 us, and sets
-// System::crowding_delay_us(), so that it does.
+// MessagePoster::crowding_delay_us(), so that it does.
 void Dispatcher::NoteManyDeliveries(const Object* object) {
   if (delivered_ > many_at_) {
-    system_->crowding_delay_us_ = 1;
+    system_->poster().set_crowding_delay_us(1);
     return;
   }
   system_->AddFindingAbout(object, Severity::kWarning,
@@ -288,8 +288,8 @@ void Dispatcher::Loop() {
       ToCaller();
       continue;
     }
-    MessageQueue& queue = system_->queue_;
-    if (OwnedMessage message = queue.Pop(system_->schedule_)) {
+    MessageQueue& queue = system_->queue();
+    if (OwnedMessage message = queue.Pop(system_->poster().schedule())) {
       Deliver(message.release());
       continue;
     }
@@ -307,14 +307,13 @@ void Dispatcher::Loop() {
 
 void Dispatcher::AdvanceTo(int64_t time_us) {
   // Does not reset the count of messages at one instant after a step of 1 us.  Such a step may come
-  // from System::crowding_delay_us_, which delays the messages of objects that answer each other
-  // without waiting.  After a reset these objects would count as normal ones again.
-  if (time_us > system_->now_us_ + 1) {
+  // from MessagePoster::crowding_delay_us(), which delays the messages of objects that answer each
+  // other without waiting.  After a reset these objects would count as normal ones again.
+  if (time_us > system_->now_us() + 1) {
     many_at_ = delivered_ + free_deliveries_;
-    system_->crowding_delay_us_ = 0;
+    system_->poster().set_crowding_delay_us(0);
   }
-  system_->queue_.Advance(time_us);
-  system_->now_us_ = time_us;
+  system_->queue().Advance(time_us);
 }
 
 // Gives `object` the processor for `message` and returns true.  Returns false if the processor is
@@ -323,16 +322,16 @@ bool Dispatcher::MayRun(Object* object, const Message& message) {
   if (object->is_system) return true;
   Cpu* const cpu = system_->cpus_[static_cast<size_t>(object->robot)].get();
   if (!cpu->IsFreeFor(*object)) return false;
-  cpu->Grant(object, system_->now_us_);
+  cpu->Grant(object, system_->now_us());
   const int64_t cost_us = system_->options_.cost->CostUs(*object, message.selector);
-  if (cost_us > 0) cpu->Begin(object, message.selector, cost_us, system_->now_us_);
+  if (cost_us > 0) cpu->Begin(object, message.selector, cost_us, system_->now_us());
   return true;
 }
 
 void Dispatcher::DeliverReply(Object* object, OwnedMessage message) {
   ++delivered_;
   ++many_at_;  // a reply does not count for NoteManyDeliveries()
-  system_->trace_.Deliver(*message, system_->now_us_);
+  system_->trace_.Deliver(*message, system_->now_us());
   const uint64_t box = message->reply_box;
   // The reply box may have been closed since `message` was posted: by CleanRBox(), or because the
   // reply came and `message` is the time-out.  Then no handler waits for `message`, so it is
@@ -362,7 +361,7 @@ OwnedMessage Dispatcher::WaitFor(uint64_t box) {
     const Current saved = t_current;
     object->delivery.set_blocked(running_);
     object->wait.box = box;
-    object->wait.since_us = system_->now_us_;
+    object->wait.since_us = system_->now_us();
     SwitchTo(TakeFiber());
     t_current = saved;
   }

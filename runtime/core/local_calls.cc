@@ -17,7 +17,8 @@ Robot& RobotOfCaller(System* system) { return system->robot(t_current.object->ro
 }  // namespace
 
 int32_t LocalCalls::Post(OwnedMessage&& message, int64_t delay_us) {
-  return system_->Enqueue(std::move(message), delay_us);
+  Object* const target = system_->object(message->target);
+  return system_->poster().Post(std::move(message), target, delay_us);
 }
 
 void LocalCalls::OpenBox(uint64_t box) {

@@ -113,6 +113,7 @@ class MessageQueue {
   // are due.
   int64_t NextTime() const { return later_.empty() ? INT64_MAX : later_.front().due_us; }
 
+  int64_t now_us() const { return now_us_; }  // the queue's clock
   // Sets the queue's clock to `time_us`.  REQUIRES: !HasDue(), time_us <= NextTime(), and `time_us`
   // is not before the clock.
   void Advance(int64_t time_us);

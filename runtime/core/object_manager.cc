@@ -259,7 +259,7 @@ void ObjectManager::SendToAll(Selector entry, OReason reason, bool system_object
   }
   // Lets the schedule choose the order of the DoStarts only, because the robot guarantees no such
   // order (core.md 1.5).
-  Schedule* const schedule = entry == oentrySTART ? system().schedule_ : nullptr;
+  Schedule* const schedule = entry == oentrySTART ? system().poster().schedule() : nullptr;
   while (!left.empty()) {
     const size_t next = schedule == nullptr || left.size() == 1
                             ? 0

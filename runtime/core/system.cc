@@ -59,6 +59,7 @@ System::System(SystemOptions options)
     : options_(std::move(options)),
       calls_are_local_(!options_.make_calls),
       calls_(options_.make_calls ? options_.make_calls(this) : std::make_unique<LocalCalls>(this)),
+      poster_(calls_are_local_, options_.seed),
       dispatcher_(std::make_unique<Dispatcher>(this)) {
   AllocateStandardOutput();
   assert_context = &RunContext;
@@ -73,25 +74,18 @@ System::System(SystemOptions options)
   manager_->host().limits.priority = 0;
   AddSystemVerbs(this);
   table_.OnEnd([this](ObjectId id) { time_events_.ForgetObject(id); });
-  if (options_.seed != SystemOptions().seed) {
-    seed_schedule_ = std::make_unique<SeedSchedule>(options_.seed);
-    schedule_ = seed_schedule_.get();
-  }
-  CheckPosts();
 }
 
 System::~System() = default;
 
 int System::AddRobot(const std::string& design, std::shared_ptr<MemoryStick> stick) {
   const int index = robot_table_.Add(design, std::move(stick));
-  if (options_.cost) cpus_.push_back(std::make_unique<Cpu>(this));
+  if (options_.cost) {
+    cpus_.push_back(std::make_unique<Cpu>(this));
+    poster_.NoteProcessors();
+  }
   dispatcher_->CheckDeliveries();
-  CheckPosts();
   return index;
-}
-
-void System::CheckPosts() {
-  are_posts_free_ = calls_are_local_ && schedule_ == nullptr && cpus_.empty();
 }
 
 Object* System::NewCodeHost(int robot, const std::string& name) {
@@ -118,7 +112,7 @@ void System::PostTask(std::function<void()> task) { manager_->PostTask(std::move
 void System::Shutdown(int robot, const RunEnd& why) { calls_->Shutdown(robot, why); }
 
 void System::Reseed(uint64_t seed) {
-  ASSERT(last_number_ == 0, "a run that has begun has drawn its numbers");
+  ASSERT(poster_.last_number() == 0, "a run that has begun has drawn its numbers");
   options_.seed = seed;
   for (const auto& robot : robot_table_.all()) robot->services->Reseed(seed);
 }
@@ -142,94 +136,24 @@ void System::RunOne(int64_t time_us) { dispatcher_->Run({.time_us = time_us, .me
 void System::RunMessages(uint64_t count) { dispatcher_->Run({.messages = count}); }
 
 void System::RunUntil(int64_t time_us) {
-  ASSERT(time_us >= now_us_, "{} us is in the past, now is {} us", time_us, now_us_);
+  ASSERT(time_us >= now_us(), "{} us is in the past, now is {} us", time_us, now_us());
   dispatcher_->Run({.time_us = time_us});
 }
 
 bool System::RunUntil(const std::function<bool()>& predicate, int64_t budget_us) {
   ASSERT(budget_us >= 0, "budget is {} us", budget_us);
-  dispatcher_->Run({.time_us = now_us_ + budget_us, .until = &predicate});
+  dispatcher_->Run({.time_us = now_us() + budget_us, .until = &predicate});
   return predicate();
 }
 
-// Refuses a message to an entry that the target does not have.  The usual cause is that the stub of
-// one of the two objects, the generated code with its entries, was made from a stub.cfg that does
-// not fit the object's sources.
-int32_t System::RefuseSelector(const Message& message, const Object& target) {
-  AddFindingAbout(&target, Severity::kError,
-                  fmt::format("MCOOPMailer::intraDeliver selector is out of range: sel={}, "
-                              "sError = {}; the sender's table and this object's stub do not "
-                              "belong together",
-                              message.selector, sEXCEEDEDSIZEOFENTRYTABLE));
-  return sEXCEEDEDSIZEOFENTRYTABLE;
-}
-
-// Refuses a message as if the queue of `target` were full, because the schedule (schedule.h)
-// demands that this post fails.
-int32_t System::RefuseAsFull(const Message& message, Object* target) {
-  AddFindingAbout(target, Severity::kWarning,
-                  fmt::format("sel={} ({}): the schedule refuses a message, as a full queue "
-                              "does, sError = 13",
-                              message.selector, target->EntryName(message.selector)));
-  ++target->dropped_count;
-  return sFULLMSGQENTRY;
-}
-
-// Reports that the queue of `target` is full.  Returns sSUCCESS if the message is accepted
-// nevertheless, as it is without --strict.
-int32_t System::ReportFullQueue(const Message& message, Object* target) {
-  AddFindingAbout(
-      target, options_.strict ? Severity::kError : Severity::kWarning,
-      fmt::format("MCOOPMailer::intraDeliver Exceed max size of queue: queueSize={}, "
-                  "sel={} ({}); the robot refuses the message, sError = 13",
-                  target->queue_max, message.selector, target->EntryName(message.selector)));
-  if (!options_.strict) return sSUCCESS;
-  ++target->dropped_count;
-  return sFULLMSGQENTRY;
-}
-
-// Posts a notification or a ready that EnqueueAtOnce() has not taken.
+// Posts a notification or a ready that MessagePoster::PostAtOnce() has not taken.
 [[gnu::noinline]] int32_t System::PostByCalls(Message* message) {
   return calls_->Post(OwnedMessage(message), 0);
 }
 
-int32_t System::Enqueue(OwnedMessage&& message, int64_t delay_us) {
-  Object* const target = object(message->target);
-  if (target == nullptr) return sINVALIDOID;
-  ASSERT(delay_us >= 0, "message to {} in {} us", target->name, delay_us);
-  // While the sender's handler still takes processor time, the message waits in the sender's
-  // outbox.  Cpu::End() posts it when that time is over.
-  if (Object* const self = t_current.object; self != nullptr && self->delivery.is_busy()) {
-    self->processor.outbox.push_back({std::move(message), delay_us});
-    return sSUCCESS;
-  }
-  if (!message->is_reply) {
-    if (message->selector >= target->entry_count && !target->HasEntry(message->selector))
-      return RefuseSelector(*message, *target);
-    // Returns whether the message is a call that a system object (a part of the robot) gets later,
-    // as the object itself or the System has ordered.  A schedule must not refuse such messages,
-    // because the system object would stop.
-    const auto is_clock = [&] {
-      return target->is_system && (message->sender == target->id || message->sender == kNoObject);
-    };
-    if (schedule_ != nullptr && !is_clock() && schedule_->Refuses(*message))
-      return RefuseAsFull(*message, target);
-    if (target->waiting >= target->queue_max) {
-      const int32_t error = ReportFullQueue(*message, target);
-      if (error != sSUCCESS) return error;
-    }
-    CountWaiting(target);
-  }
-  Number(message.get(), delay_us);
-  if (schedule_ != nullptr) message->due_us += schedule_->ExtraDelayUs(*message, now_us_, delay_us);
-  queue_.Push(std::move(message), target->limits.priority);
-  return sSUCCESS;
-}
-
 void System::Readmit(OwnedMessage message) {
-  message->due_us = now_us_;
-  const int priority = object(message->target)->limits.priority;
-  queue_.PushFront(std::move(message), priority);
+  const Object& target = *object(message->target);
+  poster_.Readmit(std::move(message), target);
 }
 
 int64_t System::NextInstant() const {
@@ -240,7 +164,7 @@ int64_t System::NextInstant() const {
 
 void System::DoWhatIsDue() {
   for (const auto& cpu : cpus_) {
-    if (cpu->EndUs() == now_us_) cpu->End(now_us_);
+    if (cpu->EndUs() == now_us()) cpu->End(now_us());
   }
   inputs_.DoDue();
   robot_table_.off_robots().DoDue();
@@ -258,7 +182,7 @@ void System::AddFindingAbout(const Object* object, Severity severity, std::strin
 }
 
 void System::AddFindingAboutRobot(int robot, Severity severity, std::string text) {
-  findings_.Add({severity, robot, "", 0, now_us_, std::move(text)});
+  findings_.Add({severity, robot, "", 0, now_us(), std::move(text)});
 }
 
 void System::RecordFinding(const Object* object, Severity severity, std::string text) {
@@ -269,7 +193,7 @@ void System::RecordFinding(const Object* object, Severity severity, std::string 
   finding.robot = object == nullptr ? 0 : object->robot;
   finding.object = object == nullptr ? "" : object->name;
   finding.message = running == nullptr ? 0 : running->number;
-  finding.time_us = now_us_;
+  finding.time_us = now_us();
   finding.text = std::move(text);
   // Describes the running message only for a new finding.  The description takes time, and some
   // findings are added again in every frame.
@@ -289,10 +213,10 @@ void System::Print(std::string_view text) {
 
 uint64_t System::state_hash() {
   Hasher hasher;
-  hasher.Add(now_us_);
-  hasher.Add(last_number_);
+  hasher.Add(now_us());
+  hasher.Add(poster_.last_number());
   hasher.Add(options_.seed);
-  queue_.ForEach([&](const Message& message) {
+  poster_.queue().ForEach([&](const Message& message) {
     uint32_t size = 0;
     const uint64_t payload = PayloadHash(message, &size);
     hasher.Add(message.due_us);

@@ -11,7 +11,6 @@
 //   system.RunFor(30'000'000);
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -29,6 +28,7 @@
 #include "runtime/core/host_addresses.h"
 #include "runtime/core/inputs.h"
 #include "runtime/core/message.h"
+#include "runtime/core/message_poster.h"
 #include "runtime/core/object.h"
 #include "runtime/core/object_table.h"
 #include "runtime/core/region_shares.h"
@@ -109,7 +109,7 @@ class System {
 
   // ---- Running a System ----
 
-  int64_t now_us() const { return now_us_; }
+  int64_t now_us() const { return poster_.queue().now_us(); }
 
   // Moves the clock to the due time of the next message and delivers the message.  Returns false if
   // there is no message.
@@ -124,7 +124,7 @@ class System {
   // Delivers all messages that are due up to `time_us` and sets the clock to `time_us`.  Stops
   // early when all robots are off.  REQUIRES: time_us >= now_us().
   void RunUntil(int64_t time_us);
-  void RunFor(int64_t duration_us) { RunUntil(now_us_ + duration_us); }
+  void RunFor(int64_t duration_us) { RunUntil(now_us() + duration_us); }
 
   // Runs until `predicate`, which is called after every message, returns true.  Returns false if
   // `predicate` has not returned true after `budget_us` of virtual time.  REQUIRES: budget_us >= 0.
@@ -137,7 +137,7 @@ class System {
   [[gnu::always_inline]] OwnedMessage NewMessage(ObjectId target, uint32_t selector) {
     const Object* const sender = t_current.object;
     const Message* const cause = sender == nullptr ? nullptr : sender->handler.running.get();
-    OwnedMessage message = queue_.Allocate(
+    OwnedMessage message = poster_.queue().Allocate(
         sender == nullptr ? kNoObject : sender->id, cause == nullptr ? 0 : cause->number,
         sender == nullptr ? MessageClass::kObject : sender->post_class);
     message->target = target;
@@ -157,21 +157,15 @@ class System {
   // these two kinds.
   [[gnu::always_inline]] int32_t PostAtOnce(OwnedMessage message) {
     Message* const posted = message.release();
-    return EnqueueAtOnce(posted) ? sSUCCESS : PostByCalls(posted);
+    Object* const target = object(posted->target);
+    return poster_.PostAtOnce(posted, target) ? sSUCCESS : PostByCalls(posted);
   }
-  // Returns the time to add to the due time of a message that is posted now: 1 us if more messages
-  // were delivered at this instant than SystemOptions::free_deliveries, otherwise 0.
-  int64_t crowding_delay_us() const { return crowding_delay_us_; }
   // Reports `message` if an image posts it and it holds an address of this process.
   void CheckHostAddresses(const Message& message) {
     const Object* const sender = t_current.object;
     if (sender != nullptr && sender->is_image) [[unlikely]]
       ReportHostAddresses(message);
   }
-
-  // Queues a message in the queue of this process.  Called by LocalCalls::Post().  Returns an
-  // sError as Post() does.  REQUIRES: delay_us >= 0.
-  int32_t Enqueue(OwnedMessage&& message, int64_t delay_us);
 
   // Ends the running handler without returning to it, as exit() and Exit() do.  REQUIRES: called in
   // a handler.
@@ -181,10 +175,7 @@ class System {
   // is for tests and tools that explore orders.  The System does not own it, so it must exist as
   // long as the System delivers messages.  If it is null, there is no schedule.  REQUIRES: before
   // Boot().
-  void set_schedule(Schedule* schedule) {
-    schedule_ = schedule;
-    CheckPosts();
-  }
+  void set_schedule(Schedule* schedule) { poster_.set_schedule(schedule); }
   // Puts into the queue again a message that a gate or the processor (cpu.h) has held.  The message
   // is due now and comes before all others of its class and priority.
   void Readmit(OwnedMessage message);
@@ -215,7 +206,8 @@ class System {
   Trace& trace() { return trace_; }
   const Findings& findings() const { return findings_; }
   const SystemOptions& options() const { return options_; }
-  MessageQueue& queue() { return queue_; }
+  MessageQueue& queue() { return poster_.queue(); }
+  MessagePoster& poster() { return poster_; }
   SystemCalls& calls() { return *calls_; }
   // The next two functions call the functions of calls() with the same names.  If calls() is
   // LocalCalls, they do the work themselves, which saves a virtual call.
@@ -259,38 +251,18 @@ class System {
   // Handles the events for which NextInstant() returns a time and that are due now: ends of
   // processor time, time events, inputs and frames of robots that are off.
   void DoWhatIsDue();
-  int32_t RefuseSelector(const Message& message, const Object& target);
-  int32_t RefuseAsFull(const Message& message, Object* target);
-  int32_t ReportFullQueue(const Message& message, Object* target);
   void ReportHostAddresses(const Message& message);
-  // Gives `message`, which is posted now, its number and its due time.
-  void Number(Message* message, int64_t delay_us) {
-    message->number = ++last_number_;
-    message->due_us = now_us_ + delay_us + crowding_delay_us_;
-  }
-  // Counts a message that `target` will receive.
-  static void CountWaiting(Object* target) {
-    target->waiting_max = std::max(target->waiting_max, ++target->waiting);
-  }
-  bool EnqueueAtOnce(Message* message);
   int32_t PostByCalls(Message* message);
-  void CheckPosts();
 
   SystemOptions options_;
   // True if `calls_` is LocalCalls, that is, if the calls of handlers work on the tables of this
   // System.  The functions that run for every notification then do this work themselves, which
   // saves a virtual call.
   const bool calls_are_local_;
-  // True if nothing but the receiver of a message may refuse or delay the message: `calls_` is
-  // LocalCalls, and there is no schedule and no model of the processor.
-  bool are_posts_free_ = false;
   const std::unique_ptr<SystemCalls> calls_;
-  int64_t now_us_ = 0;
-  int64_t crowding_delay_us_ = 0;
-  uint64_t last_number_ = 0;
   bool booted_ = false;
 
-  MessageQueue queue_;  // destroyed after the members below, which may own its messages
+  MessagePoster poster_;  // destroyed after the members below, which may own its messages
   RegionTable regions_;
   RegionShares region_shares_{&regions_};
   std::unique_ptr<GuardPages> guard_pages_;
@@ -305,28 +277,11 @@ class System {
   RobotTable robot_table_{this};
   std::unique_ptr<Dispatcher> dispatcher_;
   std::vector<std::unique_ptr<Cpu>> cpus_;  // by index of the robot; empty without a cost model
-  std::unique_ptr<SeedSchedule> seed_schedule_;
-  Schedule* schedule_ = nullptr;
   ObjectManager* manager_ = nullptr;
   // The table is the last member, so it is destroyed first: objects use the other members until
   // they are destroyed.
   ObjectTable table_{this};
 };
-
-// Queues `message`, which is no reply, so that it is due now, and returns true.  Returns false and
-// does nothing if the message may have to be refused or delayed.
-[[gnu::always_inline]] inline bool System::EnqueueAtOnce(Message* message) {
-  Object* const target = object(message->target);
-  const bool is_common = are_posts_free_ && target != nullptr &&
-                         message->selector < target->entry_count &&
-                         target->waiting < target->queue_max;
-  if (!is_common) [[unlikely]]
-    return false;
-  CountWaiting(target);
-  Number(message, 0);
-  queue_.Push(OwnedMessage(message), target->limits.priority);
-  return true;
-}
 
 template <typename T, typename... Args>
 T* System::AddObject(int robot, const std::string& name, Args&&... args) {

@@ -299,7 +299,7 @@ void IpStack::KeepPolling() {
   // the frame and Post() adds crowding_delay_us() to the delay. crowding_delay_us() is 1 us while
   // very many messages are delivered at one instant; it makes time go on.
   const int64_t now_us = system().now_us();
-  const int64_t delay_us = kFrameUs - now_us % kFrameUs - system().crowding_delay_us();
+  const int64_t delay_us = kFrameUs - now_us % kFrameUs - system().poster().crowding_delay_us();
   system().Post(system().NewMessage(host().id, poll_entry_), delay_us);
   poll_posted_ = true;
 }

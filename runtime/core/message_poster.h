@@ -1,0 +1,98 @@
+// MessagePoster: posts messages.  It has the queue, refuses messages that the robot refuses, and
+// gives each message its number and its due time.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+
+#include "runtime/core/message.h"
+#include "runtime/core/object.h"
+#include "runtime/core/schedule.h"
+
+namespace openr_host {
+
+class MessagePoster {
+ public:
+  // `are_calls_local` tells whether the calls of handlers (System::calls()) are LocalCalls.  Chooses
+  // the schedule for `seed` (SystemOptions::seed).
+  MessagePoster(bool are_calls_local, uint64_t seed);
+  MessagePoster(const MessagePoster&) = delete;
+  MessagePoster& operator=(const MessagePoster&) = delete;
+
+  MessageQueue& queue() { return queue_; }
+  const MessageQueue& queue() const { return queue_; }
+
+  // Queues `message`, which is no reply, so that `target`, its receiver, gets it now, and returns
+  // true.  Returns false and does nothing if the message may have to be refused or delayed.
+  bool PostAtOnce(Message* message, Object* target);
+  // Queues `message` in the queue of this process.  `target` is its receiver; null if no object has
+  // the id of the receiver.  Called by LocalCalls::Post().  Returns an sError as System::Post()
+  // does.  REQUIRES: delay_us >= 0.
+  int32_t Post(OwnedMessage&& message, Object* target, int64_t delay_us);
+  // Puts into the queue again a message to `target` that a gate or the processor (cpu.h) has held.
+  // The message is due now and comes before all others of its class and priority.
+  void Readmit(OwnedMessage message, const Object& target);
+
+  // Replaces the schedule that the seed has chosen; see System::set_schedule().
+  void set_schedule(Schedule* schedule) {
+    schedule_ = schedule;
+    CheckPosts();
+  }
+  Schedule* schedule() const { return schedule_; }  // null if there is no schedule
+
+  // Records that the robots have processors (cpu.h).  A message that is posted while its sender's
+  // handler has the processor is queued later.
+  void NoteProcessors() {
+    has_processors_ = true;
+    CheckPosts();
+  }
+
+  // Returns the time to add to the due time of a message that is posted now: 1 us if more messages
+  // were delivered at this instant than SystemOptions::free_deliveries, otherwise 0.
+  int64_t crowding_delay_us() const { return crowding_delay_us_; }
+  void set_crowding_delay_us(int64_t delay_us) { crowding_delay_us_ = delay_us; }
+
+  // Returns the number of the message that was posted last; 0 if none was posted.
+  uint64_t last_number() const { return last_number_; }
+
+ private:
+  static int32_t RefuseSelector(const Message& message, const Object& target);
+  static int32_t RefuseAsFull(const Message& message, Object* target);
+  static int32_t ReportFullQueue(const Message& message, Object* target);
+  void CheckPosts();
+  // Gives `message`, which is posted now, its number and its due time.
+  void Number(Message* message, int64_t delay_us) {
+    message->number = ++last_number_;
+    message->due_us = queue_.now_us() + delay_us + crowding_delay_us_;
+  }
+  // Counts a message that `target` will receive.
+  static void CountWaiting(Object* target) {
+    target->waiting_max = std::max(target->waiting_max, ++target->waiting);
+  }
+
+  // True if nothing but the receiver of a message may refuse or delay the message: calls are local,
+  // and there is no schedule and no model of the processor.
+  bool are_posts_free_ = false;
+  const bool are_calls_local_;
+  bool has_processors_ = false;
+  uint64_t last_number_ = 0;
+  int64_t crowding_delay_us_ = 0;
+  std::unique_ptr<SeedSchedule> seed_schedule_;
+  Schedule* schedule_ = nullptr;
+  MessageQueue queue_;
+};
+
+[[gnu::always_inline]] inline bool MessagePoster::PostAtOnce(Message* message, Object* target) {
+  const bool is_common = are_posts_free_ && target != nullptr &&
+                         message->selector < target->entry_count &&
+                         target->waiting < target->queue_max;
+  if (!is_common) [[unlikely]]
+    return false;
+  CountWaiting(target);
+  Number(message, 0);
+  queue_.Push(OwnedMessage(message), target->limits.priority);
+  return true;
+}
+
+}  // namespace openr_host
