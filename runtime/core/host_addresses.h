@@ -10,10 +10,22 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "runtime/core/current.h"
+#include "runtime/core/message.h"
+#include "runtime/core/object.h"
+
 namespace openr_host {
 
 class HostAddresses {
  public:
+  // Reports `message` if an image posts it and it holds an address of this process.  The current
+  // object (t_current) posts the message.
+  void Check(const Message& message) {
+    const Object* const sender = t_current.object;
+    if (sender != nullptr && sender->is_image) [[unlikely]]
+      Report(message);
+  }
+
   // Returns the offset in `data` of the first 8 aligned bytes that are a host address.  Returns -1
   // if there is no such address, and always with AddressSanitizer or ThreadSanitizer.  REQUIRES:
   // `data` is aligned to 8.
@@ -27,6 +39,7 @@ class HostAddresses {
  private:
   static constexpr int kMissesMax = 64;
 
+  void Report(const Message& message);
   bool IsMapped(uint64_t address);
 
   int misses_ = 0;

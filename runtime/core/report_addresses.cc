@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "runtime/core/connection_state.h"
+#include "runtime/core/host_addresses.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {
@@ -31,8 +32,9 @@ std::string SenderOf(const Message& message, const Object& sender) {
 
 }  // namespace
 
-void System::ReportHostAddresses(const Message& message) {
-  if (object(message.target) == nullptr) return;
+void HostAddresses::Report(const Message& message) {
+  const Object& sender = *t_current.object;
+  if (sender.system->object(message.target) == nullptr) return;
   const ApiScope scope;
   int64_t offset = -1;
   int datum = 0;
@@ -40,18 +42,17 @@ void System::ReportHostAddresses(const Message& message) {
     const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
     for (; datum < notify.numOfData; ++datum) {
       const RCRegion* const region = notify.data[datum].srcRCR;
-      offset = host_addresses_.FindIn(region->Base(), notify.data[datum].size);
+      offset = FindIn(region->Base(), notify.data[datum].size);
       if (offset >= 0) break;
     }
   } else if (message.kind == PayloadKind::kBytes) {
-    offset = host_addresses_.FindIn(message.payload, message.size);
+    offset = FindIn(message.payload, message.size);
   }
   if (offset < 0) return;
-  const Object& sender = *t_current.object;
   std::string where = fmt::format("{} sends an address of this process at offset {}",
                                   SenderOf(message, sender), offset);
   if (datum > 0) where += fmt::format(" of datum {}", datum);
-  AddFinding(
+  sender.system->AddFinding(
       Severity::kWarning,
       where + "; each run has another one there, and other hashes (docs/cli.md, Equal runs)");
 }

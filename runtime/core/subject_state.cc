@@ -102,7 +102,7 @@ void ReportDeasserted(const SubjectState& subject, ObserverLink* link) {
     uint32_t bytes = 0;
     message->payload_hash = PayloadHash(*message, &bytes);
   }
-  system->CheckHostAddresses(*message);
+  system->host_addresses().Check(*message);
   if (system->PostAtOnce(std::move(message)) != sSUCCESS) [[unlikely]]
     return false;
   link->waiting_since_us = -1;

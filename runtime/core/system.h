@@ -149,22 +149,16 @@ class System {
   // sINVALIDOID, or sFULLMSGQENTRY if the receiver's queue is full (only with
   // SystemOptions::strict) or if the schedule (schedule.h) makes the post fail.
   int32_t Post(OwnedMessage&& message, int64_t delay_us = 0) {
-    CheckHostAddresses(*message);
+    host_addresses_.Check(*message);
     return calls_->Post(std::move(message), delay_us);
   }
   // Posts a notification or a ready as Post() does, but does not search it for addresses of the
-  // host (CheckHostAddresses()).  This function is inline, because most messages of a run are of
+  // host (HostAddresses::Check()).  This function is inline, because most messages of a run are of
   // these two kinds.
   [[gnu::always_inline]] int32_t PostAtOnce(OwnedMessage message) {
     Message* const posted = message.release();
     Object* const target = object(posted->target);
     return poster_.PostAtOnce(posted, target) ? sSUCCESS : PostByCalls(posted);
-  }
-  // Reports `message` if an image posts it and it holds an address of this process.
-  void CheckHostAddresses(const Message& message) {
-    const Object* const sender = t_current.object;
-    if (sender != nullptr && sender->is_image) [[unlikely]]
-      ReportHostAddresses(message);
   }
 
   // Ends the running handler without returning to it, as exit() and Exit() do.  REQUIRES: called in
@@ -199,6 +193,7 @@ class System {
   RegionTable& regions() { return regions_; }
   const RegionTable& regions() const { return regions_; }
   RegionShares& region_shares() { return region_shares_; }
+  HostAddresses& host_addresses() { return host_addresses_; }
   GuardPages* guard_pages() { return guard_pages_.get(); }  // null if received data are not copied
   // Returns how long a frame of the robot's devices lasts in virtual time: kFrameUs, or the length
   // that the cost model gives.
@@ -251,7 +246,6 @@ class System {
   // Handles the events for which NextInstant() returns a time and that are due now: ends of
   // processor time, time events, inputs and frames of robots that are off.
   void DoWhatIsDue();
-  void ReportHostAddresses(const Message& message);
   int32_t PostByCalls(Message* message);
 
   SystemOptions options_;
