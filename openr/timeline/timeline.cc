@@ -7,6 +7,7 @@
 #include "openr/decode/decode_message.h"
 #include "openr/timeline/ctf_writer.h"
 #include "runtime/base/wall_clock.h"
+#include "runtime/core/dispatcher.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {
@@ -57,9 +58,9 @@ void Timeline::NameObject(const Object* object) {
 // without a cost file, for a message to a system object (a part of the robot), and for a reply,
 // because these take no processor time.
 std::optional<double> Timeline::CostOf(const Object& object, const Message& message) const {
-  if (system_->cpus().empty() || object.is_system || message.is_reply) return {};
+  if (system_->dispatcher().cpus().empty() || object.is_system || message.is_reply) return {};
   if (!object.delivery.is_busy()) return 0;
-  const Cpu& cpu = *system_->cpus()[static_cast<size_t>(object.robot)];
+  const Cpu& cpu = *system_->dispatcher().cpus()[static_cast<size_t>(object.robot)];
   return static_cast<double>(cpu.EndUs() - system_->now_us());
 }
 
@@ -99,7 +100,7 @@ void Timeline::EndSlice() {
   // Without a cost file, draws the handlers of one instant one after the other, because this
   // computer ran them one after the other.  With a cost file, each robot has a processor of its own
   // with virtual times.
-  if (system_->cpus().empty()) {
+  if (system_->dispatcher().cpus().empty()) {
     slice.at_us = std::max(slice.at_us, free_us_);
     free_us_ = slice.at_us + slice.length_us;
   }

@@ -1,11 +1,13 @@
 #include "runtime/core/dispatcher.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <exception>
 #include <utility>
 
 #include "runtime/base/assert.h"
 #include "runtime/base/upper_registers.h"
+#include "runtime/core/cpu.h"
 #include "runtime/core/image.h"
 #include "runtime/core/object_manager.h"
 #include "runtime/core/stack_report.h"
@@ -22,6 +24,8 @@ Dispatcher::Dispatcher(System* system)
       many_at_(free_deliveries_) {}
 
 Dispatcher::~Dispatcher() = default;
+
+void Dispatcher::AddProcessor() { cpus_.push_back(std::make_unique<Cpu>(system_)); }
 
 uint64_t Dispatcher::Run(const Limits& limits) {
   ASSERT(running_ == nullptr, "a handler must not run the system it belongs to");
@@ -105,7 +109,7 @@ bool Dispatcher::MayContinue() const {
 void Dispatcher::FinishImage(Object* object) {
   if (t_current.watch != nullptr) std::exchange(t_current.watch, nullptr)->End();
   auto* const image = static_cast<ImageObject*>(object);
-  if (system_->options_.measure_stacks) NoteStackUse(object, image->StackUsed());
+  if (system_->options().measure_stacks) NoteStackUse(object, image->StackUsed());
   image->CheckNumbers(object->handler.running->selector);
   t_current.image_code = false;
 }
@@ -131,7 +135,7 @@ void Dispatcher::RunMeasured(Object* object) {
   ArithmeticWatch watch;
   // Reads the clock of the host, `clock`, before the image becomes the current object.  While an
   // image is the current object, this clock would return the time of the robot.
-  const auto clock = system_->options_.wall_clock_ns;
+  const auto clock = system_->options().wall_clock_ns;
   const int64_t begin_ns = clock == nullptr ? 0 : clock();
   const bool is_watched = object->is_image && ArithmeticWatch::Catches();
   t_current = {system_, object, object->is_image, is_watched ? &watch : nullptr};
@@ -150,7 +154,7 @@ void Dispatcher::RunMeasured(Object* object) {
   ASSERT(object->waiting >= 0, "{} gets a message, none was counted as waiting", object->name);
   if (++delivered_ >= many_at_) [[unlikely]]
     NoteManyDeliveries(object);
-  system_->trace_.Deliver(*message, system_->now_us());
+  system_->trace().Deliver(*message, system_->now_us());
   ++object->message_count;
   ASSERT(object->handler.running == nullptr, "{} runs one handler at a time", object->name);
   // The message belongs to the object's state and not to a local variable, because this stack is
@@ -175,7 +179,7 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
   // still has the processor, or the receiver is still in its boot.  A reply is never held, because
   // the handler that waits needs it.
   const bool is_in_handler = object->delivery.blocked() != nullptr || object->delivery.is_busy();
-  if (!message->is_reply && (is_in_handler || system_->manager_->IsTooEarly(*message))) {
+  if (!message->is_reply && (is_in_handler || system_->manager().IsTooEarly(*message))) {
     object->delivery.Hold(std::move(message));
     return nullptr;
   }
@@ -191,14 +195,14 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
   }
   // Gives the receiver the processor, or lets the message wait for the processor.  In a run whose
   // handlers take no time there are no processors, so the handler runs at once.
-  if (!system_->cpus_.empty() && !MayRun(object, *message)) {
-    Cpu* const cpu = system_->cpus_[static_cast<size_t>(object->robot)].get();
+  if (!cpus_.empty() && !MayRun(object, *message)) {
+    Cpu* const cpu = cpus_[static_cast<size_t>(object->robot)].get();
     cpu->Wait(object, std::move(message), system_->now_us());
     return nullptr;
   }
-  are_deliveries_free_ = gate_ == nullptr && system_->cpus_.empty() &&
-                         system_->options_.wall_clock_ns == nullptr &&
-                         !system_->manager_->KeepsBack();
+  are_deliveries_free_ = gate_ == nullptr && cpus_.empty() &&
+                         system_->options().wall_clock_ns == nullptr &&
+                         !system_->manager().KeepsBack();
   return message;
 }
 
@@ -209,7 +213,7 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
   if (message == nullptr) return;
   const bool begins = message->selector == oentryINIT;
   BeginDelivery(object, message.release());
-  if (begins) system_->manager_->Begins(object->id);
+  if (begins) system_->manager().Begins(object->id);
   RunMeasured(object);
 }
 
@@ -222,7 +226,7 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
   const Message* const next = message->next;
   if (const Message* const second = next == nullptr ? nullptr : next->next) {
     constexpr int kCacheLine = 64;
-    const Object* const object = system_->table_.GetKnown(second->target);
+    const Object* const object = system_->object_table().GetKnown(second->target);
     __builtin_prefetch(object);
     __builtin_prefetch(&object->entry_count);
     // Computes the addresses as numbers and not as pointers, because the pointer is null if there
@@ -232,7 +236,7 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
       __builtin_prefetch(
           reinterpret_cast<const void*>(third + kCacheLine * static_cast<unsigned>(i)));
   }
-  Object* const object = system_->table_.GetKnown(message->target);
+  Object* const object = system_->object_table().GetKnown(message->target);
   const bool is_plain = object->is_plain && are_deliveries_free_ && !message->is_reply;
   if (!is_plain) [[unlikely]]
     return DeliverChecked(object, OwnedMessage(message));
@@ -294,15 +298,38 @@ void Dispatcher::Loop() {
       continue;
     }
     // Moves the clock to the next message or other event, because no message is due now.
-    const int64_t next_us = std::min(queue.NextTime(), system_->NextInstant());
+    const int64_t next_us = std::min(queue.NextTime(), NextInstant());
     if (next_us <= limits_.time_us && next_us != INT64_MAX) {
       AdvanceTo(next_us);
-      system_->DoWhatIsDue();
+      DoWhatIsDue();
       continue;
     }
     if (limits_.time_us != INT64_MAX) AdvanceTo(limits_.time_us);
     ToCaller();
   }
+}
+
+// Returns the time of the next event that is no message: the end of a handler's processor time, a
+// time event, an input, or the end of a frame of a robot that is off.  This function and the next
+// one are not inline, because they run only when no message is due and would make Loop(), through
+// which every message passes, larger.
+[[gnu::noinline]] int64_t Dispatcher::NextInstant() const {
+  int64_t end_us = std::min({system_->time_events().NextUs(), system_->inputs().NextUs(),
+                             system_->robot_table().off_robots().NextUs()});
+  for (const auto& cpu : cpus_) end_us = std::min(end_us, cpu->EndUs());
+  return end_us;
+}
+
+// Handles the events for which NextInstant() returns a time and that are due now: ends of processor
+// time, time events, inputs and frames of robots that are off.
+[[gnu::noinline]] void Dispatcher::DoWhatIsDue() {
+  const int64_t now_us = system_->now_us();
+  for (const auto& cpu : cpus_) {
+    if (cpu->EndUs() == now_us) cpu->End(now_us);
+  }
+  system_->inputs().DoDue();
+  system_->robot_table().off_robots().DoDue();
+  system_->time_events().PostDue();
 }
 
 void Dispatcher::AdvanceTo(int64_t time_us) {
@@ -320,10 +347,10 @@ void Dispatcher::AdvanceTo(int64_t time_us) {
 // not free.
 bool Dispatcher::MayRun(Object* object, const Message& message) {
   if (object->is_system) return true;
-  Cpu* const cpu = system_->cpus_[static_cast<size_t>(object->robot)].get();
+  Cpu* const cpu = cpus_[static_cast<size_t>(object->robot)].get();
   if (!cpu->IsFreeFor(*object)) return false;
   cpu->Grant(object, system_->now_us());
-  const int64_t cost_us = system_->options_.cost->CostUs(*object, message.selector);
+  const int64_t cost_us = system_->options().cost->CostUs(*object, message.selector);
   if (cost_us > 0) cpu->Begin(object, message.selector, cost_us, system_->now_us());
   return true;
 }
@@ -331,7 +358,7 @@ bool Dispatcher::MayRun(Object* object, const Message& message) {
 void Dispatcher::DeliverReply(Object* object, OwnedMessage message) {
   ++delivered_;
   ++many_at_;  // a reply does not count for NoteManyDeliveries()
-  system_->trace_.Deliver(*message, system_->now_us());
+  system_->trace().Deliver(*message, system_->now_us());
   const uint64_t box = message->reply_box;
   // The reply box may have been closed since `message` was posted: by CleanRBox(), or because the
   // reply came and `message` is the time-out.  Then no handler waits for `message`, so it is
@@ -342,7 +369,7 @@ void Dispatcher::DeliverReply(Object* object, OwnedMessage message) {
   // for it in a later call.  If the object has ordered messages for the arrival of this reply
   // (reply events), they are posted now.
   if (object->delivery.blocked() == nullptr || object->wait.box != box) {
-    system_->time_events_.ReplyArrived(object->id, box);
+    system_->time_events().ReplyArrived(object->id, box);
     return;
   }
   Fiber* const waiting = object->delivery.blocked();

@@ -16,6 +16,7 @@
 
 namespace openr_host {
 
+class Cpu;
 class Gate;
 class Object;
 class System;
@@ -51,6 +52,12 @@ class Dispatcher {
   // Does the work of System::AbandonHandler(): ends the running handler without returning to it.
   [[noreturn]] void Abandon();
 
+  // Adds the processor (cpu.h) of the next robot.  Called only if there is a cost model.
+  void AddProcessor();
+  // Returns the processors of all robots, by index of the robot.  Without a cost model the result
+  // is empty.
+  const std::vector<std::unique_ptr<Cpu>>& cpus() const { return cpus_; }
+
   // Sets the gate (schedule.h), which decides for each message whether it may be delivered now.
   // Gates are for tests and tools that explore orders of messages.  The dispatcher does not own the
   // gate, so the gate must exist as long as messages are delivered.  If `gate` is null, there is no
@@ -72,6 +79,8 @@ class Dispatcher {
   bool MayContinue() const;
   void ToCaller();
   void AdvanceTo(int64_t time_us);
+  int64_t NextInstant() const;
+  void DoWhatIsDue();
   void Deliver(Message* message);
   void DeliverChecked(Object* object, OwnedMessage message);
   OwnedMessage Admit(Object* object, OwnedMessage message);
@@ -110,6 +119,7 @@ class Dispatcher {
   // NoteManyDeliveries() is called for each message as soon as delivered_, the number of all
   // delivered messages, has this value.
   uint64_t many_at_;
+  std::vector<std::unique_ptr<Cpu>> cpus_;  // by index of the robot; empty without a cost model
 };
 
 }  // namespace openr_host

@@ -8,6 +8,8 @@
 #include "runtime/base/assert.h"
 #include "runtime/core/api.h"
 #include "runtime/core/connection_state.h"
+#include "runtime/core/cpu.h"
+#include "runtime/core/dispatcher.h"
 #include "runtime/core/lost_bytes.h"
 #include "runtime/core/object_manager.h"
 #include "runtime/core/system.h"
@@ -182,7 +184,7 @@ std::vector<OwnedMessage> ObjectTable::TakeMessagesTo(Object* object) {
   std::vector<OwnedMessage> messages;
   while (!object->delivery.held().empty()) messages.push_back(object->delivery.TakeNewestHeld());
   std::reverse(messages.begin(), messages.end());
-  for (const auto& cpu : system_->cpus()) {
+  for (const auto& cpu : system_->dispatcher().cpus()) {
     for (OwnedMessage& message : cpu->TakeMessagesTo(object->id))
       messages.push_back(std::move(message));
   }

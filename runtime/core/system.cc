@@ -81,7 +81,7 @@ System::~System() = default;
 int System::AddRobot(const std::string& design, std::shared_ptr<MemoryStick> stick) {
   const int index = robot_table_.Add(design, std::move(stick));
   if (options_.cost) {
-    cpus_.push_back(std::make_unique<Cpu>(this));
+    dispatcher_->AddProcessor();
     poster_.NoteProcessors();
   }
   dispatcher_->CheckDeliveries();
@@ -156,21 +156,6 @@ void System::Readmit(OwnedMessage message) {
   poster_.Readmit(std::move(message), target);
 }
 
-int64_t System::NextInstant() const {
-  int64_t end_us = std::min({time_events_.NextUs(), inputs_.NextUs(), robot_table_.off_robots().NextUs()});
-  for (const auto& cpu : cpus_) end_us = std::min(end_us, cpu->EndUs());
-  return end_us;
-}
-
-void System::DoWhatIsDue() {
-  for (const auto& cpu : cpus_) {
-    if (cpu->EndUs() == now_us()) cpu->End(now_us());
-  }
-  inputs_.DoDue();
-  robot_table_.off_robots().DoDue();
-  time_events_.PostDue();
-}
-
 void System::AbandonHandler() { dispatcher_->Abandon(); }
 
 void System::AddFinding(Severity severity, std::string text) {
@@ -237,7 +222,7 @@ uint64_t System::state_hash() {
       // (posted by a handler whose processor time is not over) has no number of its own yet.
       hasher.Add(outgoing.message->cause);
   }
-  for (const auto& cpu : cpus_) cpu->HashState(&hasher);
+  for (const auto& cpu : dispatcher_->cpus()) cpu->HashState(&hasher);
   inputs_.HashState(&hasher);
   robot_table_.off_robots().HashState(&hasher);
   console_input_.HashState(&hasher);

@@ -214,9 +214,6 @@ class System {
   }
   Dispatcher& dispatcher() { return *dispatcher_; }
   ObjectManager& manager() { return *manager_; }
-  // Returns the processors of all robots, by index of the robot.  Without a cost model the result
-  // is empty.
-  const std::vector<std::unique_ptr<Cpu>>& cpus() const { return cpus_; }
 
   uint64_t trace_hash() const { return trace_.hash(); }
   uint64_t state_hash();
@@ -234,18 +231,11 @@ class System {
   void Print(std::string_view text);
 
  private:
-  friend class Dispatcher;
   friend class ObjectManager;
 
   CodeObject* FinishCodeObject(Object* host, std::unique_ptr<CodeObject> code);
   Object* NewCodeHost(int robot, const std::string& name);
 
-  // Returns the time of the next event that is no message: the end of a handler's processor time, a
-  // time event, an input, or the end of a frame of a robot that is off.
-  int64_t NextInstant() const;
-  // Handles the events for which NextInstant() returns a time and that are due now: ends of
-  // processor time, time events, inputs and frames of robots that are off.
-  void DoWhatIsDue();
   int32_t PostByCalls(Message* message);
 
   SystemOptions options_;
@@ -270,7 +260,6 @@ class System {
   std::unique_ptr<RunFolder> run_folder_;
   RobotTable robot_table_{this};
   std::unique_ptr<Dispatcher> dispatcher_;
-  std::vector<std::unique_ptr<Cpu>> cpus_;  // by index of the robot; empty without a cost model
   ObjectManager* manager_ = nullptr;
   // The table is the last member, so it is destroyed first: objects use the other members until
   // they are destroyed.
