@@ -3,6 +3,8 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
+#include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -10,16 +12,52 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace openr_host {
+#include "cli/exit_code.h"
 
-ProcessCopy StartCopy(const std::function<void(int answers)>& work) {
+namespace openr_host {
+namespace {
+
+void Flush(Flushed flushed) {
+  switch (flushed) {
+    case Flushed::kNone:
+      return;
+    case Flushed::kOwn:
+      std::fflush(stdout);
+      std::fflush(stderr);
+      return;
+    case Flushed::kAll:
+      std::fflush(nullptr);
+      return;
+  }
+}
+
+}  // namespace
+
+pid_t CopyProcess(Flushed flushed, Orphan orphan) {
+  Flush(flushed);
+  const pid_t original = getpid();
+  const pid_t copy = fork();
+  if (copy == 0 && orphan == Orphan::kIsKilled) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    // Ends the copy here if the original has ended before prctl(), because the kernel does not kill
+    // the copy then.
+    if (getppid() != original) _exit(0);
+  }
+  return copy;
+}
+
+void EndCopy() {
+  std::fflush(nullptr);
+  _exit(0);
+}
+
+ProcessCopy StartCopy(Orphan orphan, const std::function<void(int answers)>& work) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) {
     throw std::runtime_error(
         fmt::format("no pipe to a copy of this process: {}", std::strerror(errno)));
   }
-  std::fflush(nullptr);
-  const pid_t child = fork();
+  const pid_t child = CopyProcess(Flushed::kAll, orphan);
   if (child < 0) {
     const int error = errno;
     close(ends[0]);
@@ -29,8 +67,7 @@ ProcessCopy StartCopy(const std::function<void(int answers)>& work) {
   if (child == 0) {
     close(ends[0]);
     work(ends[1]);
-    std::fflush(nullptr);
-    _exit(0);  // not exit(), because only the original process must run exit handlers
+    EndCopy();
   }
   close(ends[1]);
   return {child, ends[0]};
@@ -60,5 +97,12 @@ int WaitForEnd(pid_t child) {
   }
   return status;
 }
+
+void WaitForAllCopies() {
+  while (waitpid(-1, nullptr, 0) > 0 || errno == EINTR) {
+  }
+}
+
+int ExitCodeOf(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : kExitWrong; }
 
 }  // namespace openr_host

@@ -1,4 +1,23 @@
-// Starts copies of this process with fork().  They send their answers through a pipe.
+// Copies of this process: fork() without another program.  All copies that the product makes are
+// made by CopyProcess(), so that the following holds for each of them.
+//
+// - Memory and threads: the copy has all memory of the original, with its fibers and objects, but
+//   only the thread that makes it.  So the original must have one thread, unless the copy calls
+//   only functions that are allowed after fork() in a process with several threads.
+// - Descriptors: the copy has all descriptors of the original, also those that are to be closed by
+//   the start of another program.  The copy must close the ends of pipes and sockets by which
+//   others see that the original has ended.
+// - Streams: text in the buffer of a stream would be written by both processes.  The argument
+//   `flushed` says which streams the original writes out before it makes the copy.
+// - Signals: handlers, and signals that are ignored or blocked, are as in the original.
+// - End of the original: the argument `orphan` says what happens to the copy.
+// - End of the copy: the copy ends by EndCopy(), or by _exit() if its buffered text is to be
+//   dropped.  It does not call exit(), because only the original must run exit handlers.  The
+//   copies of openr join --restart do, because each is a whole worker, and the original has made
+//   nothing. The original waits for the end of the copy (WaitForEnd() or WaitForAllCopies()),
+//   because the copy stays as a zombie until then.
+//
+// To start another program, use ProgramStart (runtime/base/program_start.h).
 #pragma once
 
 #include <sys/types.h>
@@ -9,26 +28,53 @@
 
 namespace openr_host {
 
+// The streams whose buffered text is written out before a copy is made.
+enum class Flushed {
+  kNone,  // the buffers are empty, or the copy ends without writing them
+  kOwn,  // stdout and stderr, but no file of an object, because that would change what objects read
+  kAll,  // all streams
+};
+
+// Says what happens to a copy when its original ends.
+enum class Orphan {
+  kGoesOn,    // nothing
+  kIsKilled,  // the kernel kills the copy, also when the original has crashed
+};
+
+// Makes a copy of this process.  Returns in both processes: 0 in the copy, and in the original the
+// process id of the copy.  If the system gives no process, returns -1 and sets errno.
+pid_t CopyProcess(Flushed flushed, Orphan orphan);
+
+// Ends this process, which is a copy, with status 0: writes the text in the buffers of all streams,
+// and runs no exit handlers and no destructors.
+[[noreturn]] void EndCopy();
+
+// Waits for the end of the child process `child` and returns its status as waitpid() gives it.
+// REQUIRES: nothing else has waited for the end of `child`.
+int WaitForEnd(pid_t child);
+
+// Waits until this process has no child process.
+void WaitForAllCopies();
+
+// Returns the exit code in `status`, which waitpid() has given; kExitWrong if a signal has ended
+// the process.
+int ExitCodeOf(int status);
+
 struct ProcessCopy {
   pid_t pid = -1;
   int answers = -1;  // reading end of the pipe; the caller closes it
 };
 
-// Makes a copy of this process with fork().  The copy calls `work` with the writing end of the
-// pipe, and then ends with status 0.  Text in the buffers of the standard streams is written
-// before, so that the copy does not write it a second time.  Throws std::runtime_error when the
-// system gives no pipe or no process.
+// Makes a copy of this process that sends its answers through a pipe.  All streams are flushed
+// before.  The copy calls `work` with the writing end of the pipe, and then ends with status 0.
+// Throws std::runtime_error when the system gives no pipe or no process.
 // REQUIRES: the process has one thread.
-ProcessCopy StartCopy(const std::function<void(int answers)>& work);
+ProcessCopy StartCopy(Orphan orphan, const std::function<void(int answers)>& work);
 
 // Returns the text that is read from `descriptor` until its end or an error.  If `echo` is not
 // null, also writes the text to it as soon as it comes.  Calls `while_waiting`, if it is not null,
 // about every 200 ms.
 std::string ReadToEnd(int descriptor, std::FILE* echo = nullptr,
                       const std::function<void()>& while_waiting = {});
-
-// Waits for the end of the child process `child` and returns its status as waitpid() gives it.
-// REQUIRES: nothing else has waited for the end of `child`.
-int WaitForEnd(pid_t child);
 
 }  // namespace openr_host

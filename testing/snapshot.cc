@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -59,7 +57,6 @@ class ResultSender : public ::testing::ScopedFakeTestPartResultReporter {
 };
 
 void LiveAsCopy(const std::function<void()>& body, int pipe) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);  // the copy ends with its original
   const ResultSender sender(pipe);
   try {
     body();
@@ -100,8 +97,8 @@ void RunInCopy(const std::function<void()>& body, const Place& place) {
     Fail(place, fmt::format("This process has {} threads; only one can be copied", threads));
     return;
   }
-  const openr_host::ProcessCopy copy =
-      openr_host::StartCopy([&body](int pipe) { LiveAsCopy(body, pipe); });
+  const openr_host::ProcessCopy copy = openr_host::StartCopy(
+      openr_host::Orphan::kIsKilled, [&body](int pipe) { LiveAsCopy(body, pipe); });
   const std::string results = openr_host::ReadToEnd(copy.answers);
   close(copy.answers);
   const int status = openr_host::WaitForEnd(copy.pid);

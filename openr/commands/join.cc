@@ -224,12 +224,11 @@ int Join(JoinFlags flags, bool is_known = false, std::string* sanitized_stick = 
   return outcome.is_refused ? kRefused : kExitWrong;
 }
 
-// Runs a worker in this child process.  The kernel kills the process when its parent process ends.
-// Returns the exit code, which is kOffline after an exception.  If `is_known`, an earlier worker
-// has printed the same error already, so it is not printed again.  If the exit code is
-// kNeedsSanitizer, writes the path of the stick to the pipe `stick_pipe`.
+// Runs a worker in this child process.  Returns the exit code, which is kOffline after an
+// exception.  If `is_known`, an earlier worker has printed the same error already, so it is not
+// printed again.  If the exit code is kNeedsSanitizer, writes the path of the stick to the pipe
+// `stick_pipe`.
 int JoinHere(const JoinFlags& flags, bool is_known, int stick_pipe) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
   try {
     std::string stick;
     const int code = Join(flags, is_known, &stick);
@@ -250,8 +249,9 @@ int JoinInChild(const JoinFlags& flags, bool is_known, pid_t* child, std::string
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0)
     throw std::runtime_error(fmt::format("pipe: {}", strerror(errno)));
-  *child = fork();
+  *child = CopyProcess(Flushed::kNone, Orphan::kIsKilled);
   if (*child < 0) throw std::runtime_error(fmt::format("fork: {}", strerror(errno)));
+  // Calls exit() and not EndCopy(), because this copy is a whole worker and runs its exit handlers.
   if (*child == 0) exit(JoinHere(flags, is_known, ends[1]));
   close(ends[1]);
   g_child = *child;
@@ -278,7 +278,7 @@ int JoinAgainAndAgain(const JoinFlags& flags) {
     pid_t child = 0;
     std::string stick;
     const int status = JoinInChild(flags, is_offline, &child, &stick);
-    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : kExitWrong;
+    const int code = ExitCodeOf(status);
     if (code == kExitGood) return kExitGood;
     // Starts this process and not its child again with the library of AddressSanitizer, because
     // this process goes on to start workers.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -201,7 +200,6 @@ void RobotJobs::Print(std::string_view text) {
 // `answer`.
 void RobotJobs::RunInCopy(int robot, int answer) {
   robot_ = robot;
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
   const EndingAnswer ending_answer(-1);
   // Has a value if the finding about a crash must name the file of the crash record (CrashLog).
   std::optional<std::string> place;
@@ -244,7 +242,9 @@ ProcessCopy RobotJobs::Start(int robot) {
   sigaddset(&signals, SIGINT);
   sigaddset(&signals, SIGTERM);
   sigprocmask(SIG_BLOCK, &signals, &before);
-  const ProcessCopy copy = StartCopy([&](int answer) {
+  // The copy is killed with the original, because signals of the terminal do not reach its process
+  // group.
+  const ProcessCopy copy = StartCopy(Orphan::kIsKilled, [&](int answer) {
     // Gives the robot's process a process group of its own.  So Ctrl-C on the terminal reaches only
     // the process that the user has started.
     setpgid(0, 0);

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -199,8 +198,7 @@ void ExplorerProcesses::Start(const Job& job) {
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, channel) != 0) {
     throw std::runtime_error("no channel to a process of the explorer");
   }
-  std::fflush(nullptr);
-  const pid_t pid = fork();
+  const pid_t pid = CopyProcess(Flushed::kAll, Orphan::kGoesOn);
   if (pid < 0) throw std::runtime_error(fmt::format("cannot fork: {}", std::strerror(errno)));
   if (pid == 0) {
     close(channel[0]);
@@ -209,8 +207,7 @@ void ExplorerProcesses::Start(const Job& job) {
     for (const Child& other : children_) close(other.channel);
     if (job.outer_channel >= 0) close(job.outer_channel);
     job.Work(channel[1]);
-    std::fflush(nullptr);
-    _exit(0);
+    EndCopy();
   }
   close(channel[1]);
   Child child;

@@ -4,7 +4,6 @@
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -19,6 +18,7 @@
 #include <utility>
 
 #include "cli/counted.h"
+#include "cli/process_copy.h"
 #include "cli/progress_line.h"
 #include "cli/prompt.h"
 #include "cli/standard_streams.h"
@@ -92,7 +92,7 @@ class Stepper {
     AddToSnapshots(here);
     for (;;) {
       shared_->FlushText();
-      const pid_t copy = fork();
+      const pid_t copy = CopyProcess(Flushed::kNone, Orphan::kGoesOn);
       if (copy == 0) {
         BeginCopy(here);
         return true;
@@ -137,8 +137,7 @@ class Stepper {
   // one, or openr replay --step is over.  A child whose snapshot is no longer needed ends earlier;
   // its own child process then becomes a child of this process.
   void WaitForCopies() {
-    while (waitpid(-1, nullptr, 0) > 0 || errno == EINTR) {
-    }
+    WaitForAllCopies();
     if (shared_->runs)
       EndSession("the replay has ended here, as the run did; start again to step up to it");
   }

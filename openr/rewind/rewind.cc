@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <exception>
 #include <filesystem>
@@ -17,6 +15,7 @@
 #include <utility>
 
 #include "cli/json_text.h"
+#include "cli/process_copy.h"
 #include "openr/rewind/branch_network.h"
 #include "openr/rewind/message_pipe.h"
 #include "openr/simulation/simulation.h"
@@ -114,8 +113,8 @@ bool Rewind::AfterFrame(bool is_watched) {
   return false;
 }
 
-// Makes a checkpoint of the run by fork().  Returns false in the original run.  Returns again, with
-// true, in a branch: a copy of the run that goes on as a run of its own.
+// Makes a checkpoint of the run, a copy of this process.  Returns false in the original run.
+// Returns again, with true, in a branch: a copy of the run that goes on as a run of its own.
 bool Rewind::Take() {
   auto* const stick = dynamic_cast<FolderStick*>(system().robot(0).stick.get());
   ASSERT(stick != nullptr);
@@ -126,18 +125,12 @@ bool Rewind::Take() {
   }
   ProcessFiles files;
   const SocketPair sockets;
-  // Flushes our own streams, because a fork would print their buffered text a second time.  Does
-  // not flush the files of objects, because that would change what objects read.  A view, the copy
-  // that shows a past moment, opens the files of objects again with descriptors of its own
+  // Does not flush the files of objects, because that would change what objects read.  A view, the
+  // copy that shows a past moment, opens the files of objects again with descriptors of its own
   // (ProcessFiles).
-  std::fflush(stdout);
-  std::fflush(stderr);
-  const pid_t original = getpid();
-  const pid_t process = fork();
+  const pid_t process = CopyProcess(Flushed::kOwn, Orphan::kIsKilled);
   if (process == 0) {
     close(sockets.first);
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != original) _exit(0);
     Wait(sockets.second, saved, &files);
     return true;
   }
@@ -155,7 +148,7 @@ bool Rewind::Take() {
 void Rewind::Drop(Checkpoint* checkpoint) {
   close(checkpoint->socket);
   kill(checkpoint->process, SIGKILL);
-  waitpid(checkpoint->process, nullptr, 0);
+  WaitForEnd(checkpoint->process);
 }
 
 // Drops the checkpoints that are older than the span to which the run can go back.  Drops every
@@ -322,7 +315,7 @@ int Rewind::WaitForBranch(const std::function<int()>& interrupts) {
     passed = count;
     usleep(kIntervalUs);
   }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+  return ExitCodeOf(status);
 }
 
 }  // namespace openr_host

@@ -1,12 +1,9 @@
 // The part of Rewind that runs in the copies of a run: checkpoints, views and branches.
 #include <fmt/format.h>
 #include <signal.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <exception>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -14,6 +11,7 @@
 #include <utility>
 
 #include "cli/json_text.h"
+#include "cli/process_copy.h"
 #include "openr/rewind/branch_network.h"
 #include "openr/rewind/message_pipe.h"
 #include "openr/rewind/rewind.h"
@@ -27,14 +25,6 @@ namespace openr_host {
 namespace {
 
 using PlainJson = nlohmann::json;
-
-// Waits until the process `view` ends, and returns its exit code.
-int ExitCodeOf(pid_t view) {
-  int status = 0;
-  while (waitpid(view, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
-}
 
 }  // namespace
 
@@ -59,11 +49,8 @@ void Rewind::Wait(int socket, const SavedStick& stick, ProcessFiles* files) {
       SendMessage(socket, {{"error", "no view is open"}});
       continue;
     }
-    const pid_t checkpoint = getpid();
-    const pid_t view = fork();
+    const pid_t view = CopyProcess(Flushed::kNone, Orphan::kIsKilled);
     if (view == 0) {
-      prctl(PR_SET_PDEATHSIG, SIGKILL);
-      if (getppid() != checkpoint) _exit(0);
       if (RunView(socket, stick, files, *request)) return;
       folder_.reset();
       _exit(0);
@@ -72,7 +59,7 @@ void Rewind::Wait(int socket, const SavedStick& stick, ProcessFiles* files) {
       SendMessage(socket, {{"error", "the process cannot be copied"}});
       continue;
     }
-    exit_code = ExitCodeOf(view);
+    exit_code = ExitCodeOf(WaitForEnd(view));
   }
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <sys/wait.h>
 
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -12,6 +11,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/json_text.h"
+#include "cli/process_copy.h"
 #include "openr/live/live_events.h"
 #include "openr/run/report.h"
 #include "openr/serve/command_table.h"
@@ -58,8 +58,7 @@ int RunServer::Serve() {
     if (!problem.empty()) std::fprintf(stderr, "openr serve: %s\n", problem.c_str());
     if (!problem.empty()) exit_code = kExitWrong;
   }
-  while (waitpid(-1, nullptr, 0) > 0 || errno == EINTR) {
-  }
+  WaitForAllCopies();
   return exit_code;
 }
 

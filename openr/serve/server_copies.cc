@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
+#include "cli/process_copy.h"
 #include "openr/live/live_answers.h"
 #include "openr/motion/mtn_csv.h"
 #include "openr/motion/mtn_writer.h"
@@ -124,9 +124,7 @@ RunServer::Answer RunServer::DoFork(const Request& request) {
     if (!record.empty() && !run_->is_recorded())
       throw std::runtime_error("the run has no recording that could go on in " + record);
     ReadyPipe ready;
-    std::fflush(stdout);
-    std::fflush(stderr);
-    const pid_t copy = fork();
+    const pid_t copy = CopyProcess(Flushed::kOwn, Orphan::kGoesOn);
     if (copy < 0) throw std::runtime_error(std::strerror(errno));
     if (copy == 0) return BecomeCopy(socket, record, [&](const std::string& t) { ready.Tell(t); });
     const std::string problem = ready.Hear();

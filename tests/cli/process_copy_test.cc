@@ -1,0 +1,85 @@
+#include "cli/process_copy.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <string>
+
+#include "cli/exit_code.h"
+#include "runtime/base/read_file.h"
+#include "runtime/base/temp_folder.h"
+
+namespace openr_host {
+namespace {
+
+// Returns the content of a file that has got one line from a stream, if the process is copied while
+// the line is in the stream's buffer.
+std::string FileAfterCopy(Flushed flushed) {
+  const TempFolder folder;
+  const std::string path = folder.path() + "/text";
+  std::FILE* const file = std::fopen(path.c_str(), "we");
+  std::fputs("a line\n", file);
+  std::fflush(stdout);  // the copy writes all buffers at its end
+  const pid_t copy = CopyProcess(flushed, Orphan::kGoesOn);
+  if (copy == 0) EndCopy();
+  WaitForEnd(copy);
+  std::fclose(file);
+  return ReadFileOrThrow(path);
+}
+
+TEST(ProcessCopyTest, FlushedTextIsWrittenOnce) {
+  EXPECT_EQ(FileAfterCopy(Flushed::kAll), "a line\n");
+}
+
+TEST(ProcessCopyTest, FilesOfOthersAreNotFlushedWithOurOwnStreams) {
+  EXPECT_EQ(FileAfterCopy(Flushed::kOwn), "a line\na line\n");
+  EXPECT_EQ(FileAfterCopy(Flushed::kNone), "a line\na line\n");
+}
+
+// A copy of a copy, whose original ends first, writes "alive" after 20 s if nothing has killed it.
+TEST(ProcessCopyTest, CopyIsKilledWhenItsOriginalEnds) {
+  const ProcessCopy middle = StartCopy(Orphan::kIsKilled, [](int answers) {
+    if (CopyProcess(Flushed::kNone, Orphan::kIsKilled) != 0) return;
+    sleep(20);
+    [[maybe_unused]] const ssize_t count = write(answers, "alive", 5);
+    _exit(0);
+  });
+  EXPECT_EQ(ReadToEnd(middle.answers), "");
+  close(middle.answers);
+  EXPECT_EQ(ExitCodeOf(WaitForEnd(middle.pid)), kExitGood);
+}
+
+TEST(ProcessCopyTest, CopyGoesOnWhenItsOriginalEnds) {
+  int gone[2];  // is closed when the original of the second copy has ended
+  ASSERT_EQ(pipe2(gone, O_CLOEXEC), 0);
+  const ProcessCopy middle = StartCopy(Orphan::kGoesOn, [&gone](int answers) {
+    if (CopyProcess(Flushed::kNone, Orphan::kGoesOn) != 0) return;
+    close(gone[1]);
+    ReadToEnd(gone[0]);
+    [[maybe_unused]] const ssize_t count = write(answers, "alive", 5);
+    _exit(0);
+  });
+  WaitForEnd(middle.pid);
+  close(gone[1]);
+  EXPECT_EQ(ReadToEnd(middle.answers), "alive");
+  close(gone[0]);
+  close(middle.answers);
+}
+
+TEST(ProcessCopyTest, ExitCodeAfterASignalIsThatOfAnError) {
+  const pid_t good = CopyProcess(Flushed::kAll, Orphan::kIsKilled);
+  if (good == 0) _exit(3);
+  EXPECT_EQ(ExitCodeOf(WaitForEnd(good)), 3);
+  const pid_t killed = CopyProcess(Flushed::kAll, Orphan::kIsKilled);
+  if (killed == 0) {
+    raise(SIGKILL);
+    _exit(0);
+  }
+  EXPECT_EQ(ExitCodeOf(WaitForEnd(killed)), kExitWrong);
+}
+
+}  // namespace
+}  // namespace openr_host
