@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,6 +16,7 @@
 #include "cli/output_file.h"
 #include "cli/process_copy.h"
 #include "runtime/base/assert.h"
+#include "runtime/base/program_start.h"
 
 extern char** environ;
 
@@ -41,26 +41,6 @@ std::vector<std::string> ChildEnvironment(const ProcessOptions& options) {
   std::vector<std::string> environment;
   for (const auto& [name, value] : values) environment.push_back(name + "=" + value);
   return environment;
-}
-
-std::vector<char*> Pointers(const std::vector<std::string>& texts) {
-  std::vector<char*> pointers;
-  for (const std::string& text : texts) pointers.push_back(const_cast<char*>(text.c_str()));
-  pointers.push_back(nullptr);
-  return pointers;
-}
-
-// Sets attributes that give a child process the default actions of SIGPIPE and SIGXFSZ.  This
-// program ignores both signals, and the child would inherit that, but other programs expect that
-// these signals end them.
-void MakeAttributes(posix_spawnattr_t* attributes) {
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGPIPE);
-  sigaddset(&signals, SIGXFSZ);
-  posix_spawnattr_init(attributes);
-  posix_spawnattr_setsigdefault(attributes, &signals);
-  posix_spawnattr_setflags(attributes, POSIX_SPAWN_SETSIGDEF);
 }
 
 // A pipe between this process and a child.  The destructor closes both ends.
@@ -94,24 +74,14 @@ class Pipe {
 // `options` ask for it.  Returns an errno, or 0.
 int Spawn(const std::vector<std::string>& arguments, const ProcessOptions& options, const Pipe& in,
           const Pipe& out, pid_t* child) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  if (options.has_no_input)
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  if (options.input) posix_spawn_file_actions_adddup2(&actions, in.reader(), STDIN_FILENO);
-  if (options.captures_out) posix_spawn_file_actions_adddup2(&actions, out.writer(), STDOUT_FILENO);
-  if (options.captures_error)
-    posix_spawn_file_actions_adddup2(&actions, out.writer(), STDERR_FILENO);
-  if (!options.folder.empty())
-    posix_spawn_file_actions_addchdir_np(&actions, options.folder.c_str());
-  const std::vector<std::string> environment = ChildEnvironment(options);
-  posix_spawnattr_t attributes;
-  MakeAttributes(&attributes);
-  const int error = posix_spawnp(child, arguments[0].c_str(), &actions, &attributes,
-                                 Pointers(arguments).data(), Pointers(environment).data());
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&actions);
-  return error;
+  ProgramStart program(arguments);
+  if (options.has_no_input) program.OpenNull(STDIN_FILENO, O_RDONLY);
+  if (options.input) program.Give(in.reader(), STDIN_FILENO);
+  if (options.captures_out) program.Give(out.writer(), STDOUT_FILENO);
+  if (options.captures_error) program.Give(out.writer(), STDERR_FILENO);
+  if (!options.folder.empty()) program.EnterFolder(options.folder);
+  program.SetEnvironment(ChildEnvironment(options));
+  return program.Start(child);
 }
 
 // Writes `text` to a child.  The child may end without reading it, so SIGPIPE is ignored during the

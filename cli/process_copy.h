@@ -12,9 +12,9 @@
 // - Signals: handlers, and signals that are ignored or blocked, are as in the original.
 // - End of the original: the argument `orphan` says what happens to the copy.
 // - End of the copy: the copy ends by EndCopy(), or by _exit() if its buffered text is to be
-//   dropped.  It does not call exit(), because only the original must run exit handlers.  The
-//   copies of openr join --restart do, because each is a whole worker, and the original has made
-//   nothing. The original waits for the end of the copy (WaitForEnd() or WaitForAllCopies()),
+//   dropped.  It does not call exit(), because only the original must run exit handlers.  An
+//   exception are the copies of openr join --restart, each of which is a whole worker.
+// - Exit status: the original waits for the end of the copy (WaitForEnd() or WaitForAllCopies()),
 //   because the copy stays as a zombie until then.
 //
 // To start another program, use ProgramStart (runtime/base/program_start.h).

@@ -3,48 +3,28 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
-#include <spawn.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <stdexcept>
 
-extern char** environ;
+#include "runtime/base/program_start.h"
 
 namespace openr_host {
 
 ChildProcess::ChildProcess(std::string name, const std::vector<std::string>& command,
                            bool is_interactive)
     : name_(std::move(name)) {
-  std::vector<char*> words;
-  words.reserve(command.size() + 1);
-  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
-  if (!is_interactive)
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  // Gives the child the default actions of SIGPIPE and SIGXFSZ.  This program ignores these
-  // signals, and a child would ignore them, too.  But other programs, such as debuggers, expect
-  // that SIGPIPE ends them.
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGPIPE);
-  sigaddset(&signals, SIGXFSZ);
-  posix_spawnattr_setsigdefault(&attributes, &signals);
-  short flags = POSIX_SPAWN_SETSIGDEF;
-  // Puts the child into a process group of its own.  The child then gets no Ctrl-C from the
-  // terminal, so this program decides when the child ends.
-  if (!is_interactive) flags |= POSIX_SPAWN_SETPGROUP;
-  posix_spawnattr_setpgroup(&attributes, 0);
-  posix_spawnattr_setflags(&attributes, flags);
-  const int error = posix_spawnp(&pid_, words[0], &actions, &attributes, words.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  posix_spawnattr_destroy(&attributes);
+  ProgramStart program(command);
+  program.Give(STDERR_FILENO, STDOUT_FILENO);
+  if (!is_interactive) {
+    program.OpenNull(STDIN_FILENO, O_RDONLY);
+    // Puts the child into a process group of its own.  The child then gets no Ctrl-C from the
+    // terminal, so this program decides when the child ends.
+    program.LeaveGroup();
+  }
+  const int error = program.Start(&pid_);
   if (error != 0)
     throw std::runtime_error(
         fmt::format("process '{}': {} cannot be started: {}", name_, command[0], strerror(error)));
