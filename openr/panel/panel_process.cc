@@ -2,8 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -14,6 +12,7 @@
 
 #include "cli/install_paths.h"
 #include "cli/process_copy.h"
+#include "runtime/base/program_start.h"
 
 namespace openr_host {
 namespace {
@@ -21,31 +20,6 @@ namespace {
 // Number that the reading end of a pipe gets as a descriptor of the panel's server.  The server
 // sees by this pipe when its run ends.
 constexpr int kPipeInServer = 3;
-
-// Makes this process the server of the panel, and does not return.  Calls only functions that are
-// allowed after fork().
-[[noreturn]] void BecomeServer(const char* program, int pipe, char* const* arguments) {
-  // Gives the server a terminal session of its own (see setsid(2)), so that Ctrl-C and the end of
-  // the run's terminal do not reach the server.
-  setsid();
-  sigset_t none;
-  sigemptyset(&none);
-  sigprocmask(SIG_SETMASK, &none, nullptr);
-  const int nowhere = open("/dev/null", O_RDWR);
-  dup2(nowhere, STDIN_FILENO);
-  dup2(nowhere, STDOUT_FILENO);
-  // Clears the close-on-exec flag of the pipe, so that the server can read it.  If the pipe already
-  // has the wanted descriptor, dup2() does nothing and so does not clear this flag.
-  if (pipe == kPipeInServer) {
-    fcntl(pipe, F_SETFD, 0);
-  } else {
-    dup2(pipe, kPipeInServer);
-  }
-  close_range(kPipeInServer + 1, ~0u, 0);
-  execv(program, arguments);
-  execv("/proc/self/exe", arguments);  // runs the program even if a new build has removed its file
-  _exit(127);
-}
 
 // Returns the command line `openr panel ...` with which a run starts the server of the panel.
 std::vector<std::string> WordsOf(const PanelOptions& options) {
@@ -73,28 +47,33 @@ PanelProcess::PanelProcess(const PanelOptions& options) {
     warn();
     return;
   }
-  std::vector<std::string> words = WordsOf(options);
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
+  ProgramStart server(WordsOf(options));
+  // Gives the server a terminal session of its own, so that Ctrl-C and the end of the run's
+  // terminal do not reach the server.
+  server.LeaveSession();
+  server.UnblockSignals();
+  server.OpenNull(STDIN_FILENO, O_RDWR);
+  server.Give(STDIN_FILENO, STDOUT_FILENO);
+  server.Give(ends[0], kPipeInServer);
+  server.CloseFrom(kPipeInServer + 1);
   const std::string program = ProgramFile();
-  const pid_t child = fork();
-  if (child == 0) {
-    // Forks again and ends, so that the server is not a child of the run.  So the run need not wait
-    // for the end of the server, and no zombie is left.
-    if (fork() == 0) {
-      close(ends[1]);
-      BecomeServer(program.c_str(), ends[0], arguments.data());
-    }
+  const std::string same = "/proc/self/exe";  // this program, even if a new build has removed it
+  // Starts the server in a copy of this process that ends at once, so that the server is not a
+  // child of the run.  So the run need not wait for the end of the server, and no zombie is left.
+  // The copy calls only functions that are allowed after fork().
+  const pid_t copy = CopyProcess(Flushed::kNone, Orphan::kGoesOn);
+  if (copy == 0) {
+    pid_t process = 0;
+    if (server.Start(program, &process) != 0) server.Start(same, &process);
     _exit(0);
   }
   close(ends[0]);
-  if (child < 0) {
+  if (copy < 0) {
     warn();
     close(ends[1]);
     return;
   }
-  WaitForEnd(child);
+  WaitForEnd(copy);
   pipe_ = ends[1];
 }
 
