@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cinttypes>
 #include <cstdint>
-#include <cstdio>
 
 #include "runtime/base/assert.h"
+#include "runtime/core/memory_map.h"
 
 #ifndef MAP_FIXED_NOREPLACE
 #define MAP_FIXED_NOREPLACE 0x100000
@@ -59,16 +58,10 @@ constexpr bool kIsPlanned = true;
 // tool uses these addresses, this process works without the address plan, and the kernel chooses
 // all addresses.
 bool IsEmpty(uintptr_t area) {
-  std::FILE* const maps = std::fopen("/proc/self/maps", "re");
-  if (maps == nullptr) return true;
+  MemoryMap map;
   bool is_empty = true;
-  char line[512];
-  while (is_empty && std::fgets(line, sizeof line, maps) != nullptr) {
-    uintptr_t begin = 0, end = 0;
-    if (std::sscanf(line, "%" SCNxPTR "-%" SCNxPTR, &begin, &end) != 2) continue;
-    is_empty = end <= area || begin >= area + kAreaBytes;
-  }
-  std::fclose(maps);
+  for (MappedRange range; is_empty && map.Next(&range);)
+    is_empty = range.end <= area || range.begin >= area + kAreaBytes;
   return is_empty;
 }
 

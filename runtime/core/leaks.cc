@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cinttypes>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <map>
 #include <string>
@@ -17,6 +15,7 @@
 #include "runtime/core/address_plan.h"
 #include "runtime/core/code_place.h"
 #include "runtime/core/connection_state.h"
+#include "runtime/core/memory_map.h"
 #include "runtime/core/object.h"
 #include "runtime/core/stack_memory.h"
 #include "runtime/core/system.h"
@@ -230,30 +229,29 @@ bool IsOfImage(const System& system, const char* address) {
   });
 }
 
+// Returns all ranges of writable memory of this process.  They are collected before the first is
+// searched, because the list needs memory itself, and so changes the ranges while it grows.
+std::vector<Range> WritableRanges(const char* stack) {
+  std::vector<Range> writable;
+  MemoryMap map;
+  for (MappedRange range; map.Next(&range);) {
+    if (!range.is_private_data) continue;
+    // Leaves out the part of the stack below `stack`, because this search itself uses this part and
+    // may keep addresses of blocks there.
+    const uintptr_t begin = range.is_main_stack
+                                ? std::max(range.begin, reinterpret_cast<uintptr_t>(stack))
+                                : range.begin;
+    writable.push_back({HiddenAddress(reinterpret_cast<const void*>(begin)), range.end - begin});
+  }
+  return writable;
+}
+
 // Searches all writable memory of this process for addresses of blocks and regions: the variables
 // of images, and all memory of the runtime.
 void LeakSearch::ReadHost(const char* stack) {
   std::sort(holes_.begin(), holes_.end(),
             [](const Range& a, const Range& b) { return IsLess(a.begin, b.begin); });
-  std::FILE* const maps = std::fopen("/proc/self/maps", "re");
-  if (maps == nullptr) return;
-  char line[4352];
-  // Collects all ranges of writable memory before the first is searched, because the list needs
-  // memory itself, and so changes the ranges while it grows.
-  std::vector<Range> writable;
-  while (std::fgets(line, sizeof line, maps) != nullptr) {
-    uintptr_t begin = 0, end = 0;
-    char rights[5] = "";
-    if (std::sscanf(line, "%" SCNxPTR "-%" SCNxPTR " %4s", &begin, &end, rights) != 3) continue;
-    if (std::strcmp(rights, "rw-p") != 0) continue;
-    // Leaves out the part of the stack below `stack`, because this search itself uses this part and
-    // may keep addresses of blocks there.
-    if (std::strstr(line, "[stack]") != nullptr)
-      begin = std::max(begin, reinterpret_cast<uintptr_t>(stack));
-    writable.push_back({HiddenAddress(reinterpret_cast<const void*>(begin)), end - begin});
-  }
-  std::fclose(maps);
-  for (const Range& range : writable) {
+  for (const Range& range : WritableRanges(stack)) {
     const char* const begin = range.begin.pointer();
     if (!IsPlanned(begin)) {
       ReadAround(begin, begin + range.bytes);

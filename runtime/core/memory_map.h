@@ -1,0 +1,34 @@
+// MemoryMap: the ranges of memory that this process has.
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+
+namespace openr_host {
+
+struct MappedRange {
+  uintptr_t begin = 0;
+  uintptr_t end = 0;             // the address behind the last byte
+  bool is_private_data = false;  // may be read and written, holds no code, is shared with nobody
+  bool is_main_stack = false;    // the stack of the process's first thread
+};
+
+// Reads the kernel's list of these ranges (/proc/self/maps, see proc(5)), in the order of their
+// addresses.
+//
+// Reads line by line and not with ReadFile(), whose text would change the ranges while it grows.
+class MemoryMap {
+ public:
+  MemoryMap();  // if the kernel's list cannot be opened, the MemoryMap is empty
+  ~MemoryMap();
+  MemoryMap(const MemoryMap&) = delete;
+  MemoryMap& operator=(const MemoryMap&) = delete;
+
+  // Sets `*range` to the next range.  Returns false at the end of the list.
+  bool Next(MappedRange* range);
+
+ private:
+  std::FILE* const list_;  // null: the list could not be opened
+};
+
+}  // namespace openr_host
