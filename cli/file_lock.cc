@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <sstream>
+
+#include "runtime/base/read_file.h"
 
 namespace openr_host {
 
@@ -13,16 +14,16 @@ namespace openr_host {
 // compared.
 std::string DescribeWriter(const struct stat& file) {
   const std::string inode = fmt::format(":{}", file.st_ino);
-  std::ifstream locks("/proc/locks");
+  std::istringstream locks(ReadFile("/proc/locks").value_or(""));
   for (std::string line; std::getline(locks, line);) {
     std::istringstream words(line);
     std::string number, kind, mode, access, place;
     int process = 0;
     if (!(words >> number >> kind >> mode >> access >> process >> place)) continue;
     if (kind != "FLOCK" || process <= 0 || !place.ends_with(inode)) continue;
-    std::ifstream name_file(fmt::format("/proc/{}/comm", process));
+    std::istringstream comm(ReadFile(fmt::format("/proc/{}/comm", process)).value_or(""));
     std::string name;
-    if (!std::getline(name_file, name)) return fmt::format("process {}", process);
+    if (!std::getline(comm, name)) return fmt::format("process {}", process);
     return fmt::format("process {} ({})", process, name);
   }
   return "another process";

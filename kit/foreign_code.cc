@@ -5,9 +5,9 @@
 
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 
 #include "kit/text_files.h"
+#include "runtime/base/read_file.h"
 
 namespace openr_host {
 namespace {
@@ -85,10 +85,10 @@ std::vector<Member> MembersOf(std::string_view archive) {
 }  // namespace
 
 std::string ForeignProcessorOf(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  char bytes[64];
-  stream.read(bytes, sizeof bytes);
-  const std::string_view begin(bytes, static_cast<size_t>(stream.gcount()));
+  constexpr size_t kBeginBytes = 64;
+  std::string begin;
+  FileReader reader(file);
+  if (!reader.is_open() || !reader.Read(kBeginBytes, &begin)) return "";
   if (!begin.starts_with(kArchiveMark)) return ForeignProcessorOfElf(begin);
   const std::string archive = ReadText(file).value_or("");
   for (const Member& member : MembersOf(archive)) {

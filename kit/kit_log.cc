@@ -7,8 +7,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "kit/sdk_paths.h"
+#include "runtime/base/read_file.h"
 
 namespace openr_host {
 namespace {
@@ -58,7 +60,7 @@ std::vector<std::string> From(size_t n, const std::vector<std::string>& words) {
 // Returns the number of compilations in the log `file`, including those of earlier builds.
 uint64_t CountCompiles(const std::string& file) {
   uint64_t count = 0;
-  std::ifstream stream(file);
+  std::istringstream stream(ReadFile(file).value_or(""));
   for (std::string line; std::getline(stream, line);)
     if (line.starts_with("compile\t")) ++count;
   return count;
@@ -116,7 +118,7 @@ void LogRepair(const KitLog::Repair& repair) { Append({"repair", repair.place, r
 
 KitLog ReadKitLog(const std::string& file) {
   KitLog log;
-  std::ifstream stream(file);
+  std::istringstream stream(ReadFile(file).value_or(""));
   for (std::string line; std::getline(stream, line);) {
     const std::vector<std::string> words = Split(line);
     if (words.size() >= 4 && words[0] == "image") {

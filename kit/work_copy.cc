@@ -5,7 +5,6 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <fstream>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -82,8 +81,8 @@ bool MakesHeaders(const fs::path& file) {
 
 WorkCopy::WorkCopy(fs::path work, std::string sdk_root)
     : work_(std::move(work)), sdk_root_(std::move(sdk_root)) {
-  std::ifstream stream(work_ / "copied.txt");
-  for (std::string line; std::getline(stream, line);) {
+  std::istringstream copied(ReadText(work_ / "copied.txt").value_or(""));
+  for (std::string line; std::getline(copied, line);) {
     std::istringstream words(line);
     Stamp stamp;
     std::string name;

@@ -10,8 +10,8 @@
 #include <cstring>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <utility>
 
 #include "cli/json_text.h"
@@ -20,6 +20,7 @@
 #include "openr/rewind/message_pipe.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/base/assert.h"
+#include "runtime/base/read_file.h"
 #include "runtime/base/wall_clock.h"
 #include "runtime/core/system.h"
 #include "runtime/stick/memory_stick.h"
@@ -48,10 +49,10 @@ constexpr int kViewTimeoutMs = 60'000;
 // Returns the memory of process `process` in bytes.  Memory that several processes share is divided
 // equally between them.
 size_t MemoryOf(pid_t process) {
-  std::ifstream file(fmt::format("/proc/{}/smaps_rollup", process));
-  for (std::string word; file >> word;) {
+  std::istringstream words(ReadFile(fmt::format("/proc/{}/smaps_rollup", process)).value_or(""));
+  for (std::string word; words >> word;) {
     size_t kilobytes = 0;
-    if (word == "Pss:" && file >> kilobytes) return kilobytes << 10;
+    if (word == "Pss:" && words >> kilobytes) return kilobytes << 10;
   }
   return 0;
 }

@@ -12,18 +12,23 @@
 namespace openr_host {
 namespace {
 
+// Reads at most `size` bytes from `descriptor`, and tries again if a signal has come.  Returns the
+// number of bytes: 0 at the end of the file, and -1 with errno set if reading fails.
+ssize_t ReadBlock(int descriptor, char* block, size_t size) {
+  for (;;) {
+    const ssize_t count = read(descriptor, block, size);
+    if (count >= 0 || errno != EINTR) return count;
+  }
+}
+
 // Reads the open file `descriptor` to its end and appends the bytes to `*bytes`.  Returns false
 // with errno set if reading fails.
 bool ReadRest(int descriptor, std::string* bytes) {
   char block[65536];
   for (;;) {
-    const ssize_t count = read(descriptor, block, sizeof block);
-    if (count == 0) return true;
-    if (count > 0) {
-      bytes->append(block, static_cast<size_t>(count));
-    } else if (errno != EINTR) {
-      return false;
-    }
+    const ssize_t count = ReadBlock(descriptor, block, sizeof block);
+    if (count <= 0) return count == 0;
+    bytes->append(block, static_cast<size_t>(count));
   }
 }
 
@@ -39,6 +44,26 @@ std::optional<std::string> ReadFile(const std::string& path) {
   errno = error;  // the errno of ReadRest(), for the caller: close() may have changed it
   if (!is_whole) return std::nullopt;
   return bytes;
+}
+
+FileReader::FileReader(const std::string& path)
+    : descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+
+FileReader::~FileReader() {
+  if (is_open()) close(descriptor_);
+}
+
+bool FileReader::Read(size_t bytes_max, std::string* piece) {
+  piece->resize(bytes_max);
+  size_t size = 0;
+  while (size < bytes_max) {
+    const ssize_t count = ReadBlock(descriptor_, piece->data() + size, bytes_max - size);
+    if (count < 0) return false;
+    if (count == 0) break;
+    size += static_cast<size_t>(count);
+  }
+  piece->resize(size);
+  return true;
 }
 
 std::string ReadFileOrThrow(const std::string& path) {

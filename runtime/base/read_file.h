@@ -1,6 +1,7 @@
-// Functions that read a whole file of the host.
+// Reads files of the host: whole, or piece by piece.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -13,5 +14,25 @@ std::optional<std::string> ReadFile(const std::string& path);
 // Returns the bytes of the file `path`.  If the file cannot be read, throws std::runtime_error with
 // the text "PATH: the system's reason".
 std::string ReadFileOrThrow(const std::string& path);
+
+// Reads a file from its beginning, piece by piece.  For a file that may be larger than the memory
+// of the host, or of which only the beginning is needed.
+class FileReader {
+ public:
+  // Opens the file `path`.  If that fails, is_open() is false, and errno is set.
+  explicit FileReader(const std::string& path);
+  ~FileReader();
+  FileReader(const FileReader&) = delete;
+  FileReader& operator=(const FileReader&) = delete;
+
+  bool is_open() const { return descriptor_ >= 0; }
+
+  // Replaces `*piece` by the next `bytes_max` bytes of the file, or by fewer if the file ends
+  // before.  Returns false with errno set if reading fails.  REQUIRES: is_open().
+  bool Read(size_t bytes_max, std::string* piece);
+
+ private:
+  const int descriptor_;
+};
 
 }  // namespace openr_host

@@ -11,7 +11,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -117,10 +117,10 @@ void MemoryStick::HashFile(std::string_view name, std::string_view otherwise, Ha
   constexpr size_t kPieceBytes = 1 << 20;
   const Location location = Locate(name);
   std::error_code error;
-  std::ifstream file;
+  std::optional<FileReader> file;
   if (location.error == 0 && std::filesystem::is_regular_file(location.path, error))
-    file.open(location.path, std::ios::binary);
-  if (!file.is_open()) {
+    file.emplace(location.path);
+  if (!file || !file->is_open()) {
     const int why = WhyUnread(name);
     // Throws an exception after an error of the host, such as too many open files.  If the file
     // were hashed as missing instead, two runs with the same stick would have different hashes.
@@ -134,12 +134,12 @@ void MemoryStick::HashFile(std::string_view name, std::string_view otherwise, Ha
   // Reads the file of the stick piece by piece, because it may be larger than the memory of the
   // host.
   std::string piece;
-  for (uint64_t left = size; left > 0 && file; left -= piece.size()) {
-    piece.resize(std::min<uint64_t>(left, kPieceBytes));
-    file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    piece.resize(static_cast<size_t>(file.gcount()));
+  for (uint64_t left = size; left > 0; left -= piece.size()) {
+    const size_t wanted = std::min<uint64_t>(left, kPieceBytes);
+    if (!file->Read(wanted, &piece) || piece.empty())
+      ThrowUnreadable(location.path, std::strerror(EIO));
     hasher->AddBytes(piece.data(), piece.size());
-    if (file.bad() || piece.empty()) ThrowUnreadable(location.path, std::strerror(EIO));
+    if (piece.size() < wanted) return;  // the file has become shorter meanwhile
   }
 }
 
