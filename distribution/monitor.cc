@@ -14,7 +14,7 @@
 namespace openr_host {
 namespace {
 
-constexpr auto kInterval = std::chrono::seconds(1);
+constexpr int64_t kIntervalNs = 1'000'000'000;
 constexpr double kIntervalMin_s = 1e-3;  // shortest time over which rates are computed
 
 // Copies the rates (speed of the virtual time, messages per second) of `before`, the previous
@@ -35,17 +35,16 @@ Monitor::Monitor(const System* system, Bus* bus, const WorkerGroup* workers)
     : system_(system), workers_(workers), run_(bus->run()), writer_(bus) {}
 
 void Monitor::PublishIfDue() {
-  const Clock::time_point now = Clock::now();
-  if (now - published_ >= kInterval) Publish(now, false);
+  const int64_t now_ns = WallClockNs();
+  if (now_ns - published_ns_ >= kIntervalNs) Publish(now_ns, false);
 }
 
-void Monitor::End() { Publish(Clock::now(), true); }
+void Monitor::End() { Publish(WallClockNs(), true); }
 
-void Monitor::Publish(Clock::time_point now, bool has_ended) {
-  const auto seconds = [](Clock::duration time) {
-    return std::chrono::duration<double>(time).count();
-  };
-  const double passed_s = std::max(seconds(now - std::exchange(published_, now)), kIntervalMin_s);
+void Monitor::Publish(int64_t now_ns, bool has_ended) {
+  const auto seconds = [](int64_t ns) { return static_cast<double>(ns) / 1e9; };
+  const double passed_s =
+      std::max(seconds(now_ns - std::exchange(published_ns_, now_ns)), kIntervalMin_s);
   // Returns the increase of `count` since the previous status, per second.  An object in a
   // restarted worker counts from 0 again, so a count that is below the old count is itself the
   // increase.
@@ -60,7 +59,7 @@ void Monitor::Publish(Clock::time_point now, bool has_ended) {
   status.has_ended = has_ended;
   if (has_ended && system_->end()) status.end = DescribeEnd(*system_->end());
   status.virtual_us = system_->now_us();
-  status.wall_s = seconds(now - begin_);
+  status.wall_s = seconds(now_ns - begin_ns_);
   const int64_t virtual_us = status.virtual_us - std::exchange(virtual_us_, status.virtual_us);
   status.x_real_time = static_cast<double>(virtual_us) / 1e6 / passed_s;
   status.messages = system_->message_count();

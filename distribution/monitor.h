@@ -5,7 +5,6 @@
 // run.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -13,6 +12,7 @@
 #include "distribution/bus.h"
 #include "distribution/latency.h"
 #include "distribution/status_topic.h"
+#include "runtime/base/wall_clock.h"
 #include "runtime/core/message.h"
 
 namespace openr_host {
@@ -34,19 +34,18 @@ class Monitor {
   void End();
 
  private:
-  using Clock = std::chrono::steady_clock;
-
-  void Publish(Clock::time_point now, bool has_ended);
+  // Publishes the status at the time `now_ns` of the wall clock.
+  void Publish(int64_t now_ns, bool has_ended);
   RunStatus::Times TimesOf(const RemoteObject& object);
 
   const System* const system_;
   const WorkerGroup* const workers_;  // workers of the run; null if the run has no workers
   const std::string run_;
   StatusWriter writer_;
-  const Clock::time_point begin_ = Clock::now();
+  const int64_t begin_ns_ = WallClockNs();
   // The time of the newest status of the run and the counters at that time, from which the rates of
   // the next status are computed.
-  Clock::time_point published_ = begin_;
+  int64_t published_ns_ = begin_ns_;
   int64_t virtual_us_ = 0;
   uint64_t messages_ = 0;
   RunStatus last_status_;  // the status that was published last

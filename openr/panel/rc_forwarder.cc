@@ -21,6 +21,7 @@
 #include "RemoteProtocol.h"
 #include "openr/panel/access.h"
 #include "openr/remote/tcp_stream.h"
+#include "runtime/base/wall_clock.h"
 
 namespace openr_host {
 
@@ -32,32 +33,31 @@ struct RcForwarder::Rules {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 // Longest time for which a client that was refused may still send, so that it can read the reason.
-constexpr std::chrono::milliseconds kFarewell{500};
+constexpr int64_t kRefusedFarewellMs = 500;
 constexpr std::chrono::milliseconds kConnectTimeout{1000};
 
 constexpr size_t kReceiveMax = 2 * RC_MAX_PACKET;  // number of bytes that fit into an RcFramer
 
 std::atomic<int> g_clients = 0, g_without_token = 0;
 
-// Waits until poll() reports one of `events` for `socket`.  Returns false at `deadline`.
-bool WaitFor(int socket, short events, Clock::time_point deadline) {
-  const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
+// Waits until poll() reports one of `events` for `socket`.  Returns false at `deadline_ms`, a time
+// of the wall clock.
+bool WaitFor(int socket, short events, int64_t deadline_ms) {
+  const int64_t left_ms = std::max<int64_t>(deadline_ms - WallClockMs(), 0);
   pollfd wanted = {socket, events, 0};
-  return poll(&wanted, 1, static_cast<int>(std::max<int64_t>(left.count(), 0))) > 0;
+  return poll(&wanted, 1, static_cast<int>(left_ms)) > 0;
 }
 
 // Sends all of `bytes`.  Returns false if the connection was lost, or takes no bytes for too long.
 bool SendAll(int socket, const uint8_t* bytes, size_t size) {
-  const auto deadline = Clock::now() + std::chrono::milliseconds(RcForwarder::kSendTimeoutMs);
+  const int64_t deadline_ms = WallClockMs() + RcForwarder::kSendTimeoutMs;
   for (size_t sent = 0; sent < size;) {
     const ssize_t n = send(socket, bytes + sent, size - sent, MSG_NOSIGNAL | MSG_DONTWAIT);
     if (n > 0) {
       sent += static_cast<size_t>(n);
     } else if (errno == EAGAIN) {
-      if (!WaitFor(socket, POLLOUT, deadline)) return false;
+      if (!WaitFor(socket, POLLOUT, deadline_ms)) return false;
     } else if (errno != EINTR) {
       return false;
     }
@@ -136,9 +136,9 @@ void Forwarding::Answer(const OwnAnswer& answer) {
 // with unread bytes, the client could not read the answer.
 void Forwarding::EndStream() const {
   shutdown(client_, SHUT_WR);
-  const auto deadline = Clock::now() + kFarewell;
+  const int64_t deadline_ms = WallClockMs() + kRefusedFarewellMs;
   uint8_t bytes[4096];
-  while (Clock::now() < deadline && WaitFor(client_, POLLIN, deadline)) {
+  while (WallClockMs() < deadline_ms && WaitFor(client_, POLLIN, deadline_ms)) {
     if (recv(client_, bytes, sizeof bytes, MSG_DONTWAIT) <= 0) return;
   }
 }
@@ -149,10 +149,10 @@ void Forwarding::Refuse(int status, const std::string& why) {
 }
 
 bool Forwarding::TakeToken() {
-  const auto deadline = Clock::now() + std::chrono::milliseconds(RcForwarder::kTokenTimeoutMs);
+  const int64_t deadline_ms = WallClockMs() + RcForwarder::kTokenTimeoutMs;
   RcFramer::Result result = requests_.Next();
   while (result == RcFramer::NEEDS_MORE) {
-    if (!WaitFor(client_, POLLIN, deadline) || Receive(client_, &requests_) != Received::kBytes)
+    if (!WaitFor(client_, POLLIN, deadline_ms) || Receive(client_, &requests_) != Received::kBytes)
       return false;
     result = requests_.Next();
   }
