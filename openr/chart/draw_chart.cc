@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "openr/chart/chart.h"
+#include "virtualrobot/det_math.h"
 
 namespace openr_host::chart {
 namespace {
@@ -23,7 +24,6 @@ constexpr double kHeadRoom = 76;   // height above the first row of panels
 constexpr double kAxisLabelRoom = 22;
 constexpr double kFootRoom = 52;   // height below the last row of panels
 constexpr double kPngScale = 1.5;  // pixels per unit of a picture in a PNG file
-constexpr double kPi = 3.14159265358979323846;
 
 struct Rgb {
   double r, g, b;
