@@ -14,6 +14,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/exit_code.h"
@@ -162,66 +163,92 @@ std::string OwnStick(std::optional<RunStick>* stick) {
   }
 }
 
-// Runs a worker in this process.  Returns the exit code.  If the run's objects need the library of
-// AddressSanitizer, starts this program again; with `sanitized_stick`, sets it to the path of their
-// stick instead, and returns kNeedsSanitizer.
-int Join(JoinFlags flags, bool is_known = false, std::string* sanitized_stick = nullptr) {
-  if (flags.parent != 0) {
-    BecomeChild(flags.parent);
+// A worker in this process, from its flags to its exit code.
+class JoinedWorker {
+ public:
+  explicit JoinedWorker(JoinFlags flags);
+  JoinedWorker(const JoinedWorker&) = delete;
+  JoinedWorker& operator=(const JoinedWorker&) = delete;
+
+  // Runs the worker until the run or the user ends it.  Returns the exit code.  If `is_known`, an
+  // earlier worker has failed for the same reason.  If the run's objects need the library of
+  // AddressSanitizer, starts this program again; with `sanitized_stick`, sets it to the path of
+  // their stick instead, and returns kNeedsSanitizer.
+  int Run(bool is_known = false, std::string* sanitized_stick = nullptr);
+
+ private:
+  // Returns whether a run has started this worker, and not a user.
+  bool is_child() const { return flags_.parent != 0; }
+  std::string WhyUnfit(const std::string& stick);
+  void Begin(const std::string& stick);
+
+  JoinFlags flags_;
+  std::optional<CrashLog> crash_log_;
+  std::optional<Watchdog> watchdog_;
+  // Stick whose images need the library of AddressSanitizer, which this process lacks; "": none.
+  std::string found_stick_;
+  std::optional<RunStick> own_stick_;
+};
+
+JoinedWorker::JoinedWorker(JoinFlags flags) : flags_(std::move(flags)) {
+  WorkerOptions& worker = flags_.worker;
+  if (is_child()) {
+    BecomeChild(flags_.parent);
   } else {
     HandleEndSignals(static_cast<int>(SA_RESETHAND));
-    flags.worker.is_ended = [] { return g_ended_by != 0; };
+    worker.is_ended = [] { return g_ended_by != 0; };
+    worker.why_unfit = [this](const std::string& stick) { return WhyUnfit(stick); };
+    worker.own_stick = [this] { return OwnStick(&own_stick_); };
   }
-  std::optional<CrashLog> crash_log;
-  std::optional<Watchdog> watchdog;
-  flags.worker.master_wait_ms = flags.wait_us / 1000;
-  const std::string name = flags.worker.process;
-  flags.worker.say = [name](const std::string& line) {
+  worker.master_wait_ms = flags_.wait_us / 1000;
+  worker.say = [name = worker.process](const std::string& line) {
     fmt::print(stderr, "openr: process '{}': {}\n", name, line);
   };
-  // Stick whose images need the library of AddressSanitizer, which this process lacks; "": none.
-  std::string found_stick;
-  if (flags.parent == 0) {
-    flags.worker.why_unfit = [&found_stick](const std::string& stick) -> std::string {
-      if (MissingSanitizer(stick).empty()) return "";
-      found_stick = stick;
-      return fmt::format(
-          "{}: its objects were built with --sanitize, so the process starts again "
-          "with the library of AddressSanitizer",
-          stick);
-    };
-  }
-  std::optional<RunStick> own_stick;
-  if (flags.parent == 0) flags.worker.own_stick = [&own_stick] { return OwnStick(&own_stick); };
-  flags.worker.begins = [&](const std::string& stick) {
-    const bool is_own = own_stick && own_stick->folder() == stick;
-    const std::string file = flags.parent != 0 ? flags.crash_log
-                             : is_own          ? own_stick->crash_log()
-                                               : CrashLogOn(stick);
-    // Text that the report adds after the path of the crash record, such as " on HOST"; nullopt:
-    // the report need not name the path, because the crash record is on the run's stick.
-    std::optional<std::string> place;
-    if (flags.parent == 0) {
-      place = " on " + HostName();
-    } else if (file != CrashLogOn(stick)) {
-      place = "";
-    }
-    crash_log.emplace(std::vector<std::string>{file}, true, place);
-    watchdog.emplace(flags.handler_limit_us);
-  };
-  const Outcome outcome = Work(flags.worker, is_known);
+  worker.begins = [this](const std::string& stick) { Begin(stick); };
+}
+
+int JoinedWorker::Run(bool is_known, std::string* sanitized_stick) {
+  const Outcome outcome = Work(flags_.worker, is_known);
   if (outcome.problem.empty()) return kExitGood;
   if (g_ended_by != 0) EndBySignal();
-  if (!found_stick.empty()) {
-    own_stick.reset();
+  if (!found_stick_.empty()) {
+    own_stick_.reset();
     if (sanitized_stick != nullptr) {
-      *sanitized_stick = found_stick;
+      *sanitized_stick = found_stick_;
       return kNeedsSanitizer;
     }
-    StartWithSanitizerOf(found_stick);  // returns only if openr could not be started again
+    StartWithSanitizerOf(found_stick_);  // returns only if openr could not be started again
   }
-  flags.worker.say(outcome.problem);
+  flags_.worker.say(outcome.problem);
   return outcome.is_refused ? kRefused : kExitWrong;
+}
+
+// Returns the reason why this process cannot run the objects of `stick`; "" if it can.
+std::string JoinedWorker::WhyUnfit(const std::string& stick) {
+  if (MissingSanitizer(stick).empty()) return "";
+  found_stick_ = stick;
+  return fmt::format(
+      "{}: its objects were built with --sanitize, so the process starts again "
+      "with the library of AddressSanitizer",
+      stick);
+}
+
+// Prepares this process for objects of `stick` that crash or whose handlers do not return.
+void JoinedWorker::Begin(const std::string& stick) {
+  const bool is_own = own_stick_ && own_stick_->folder() == stick;
+  const std::string file = is_child() ? flags_.crash_log
+                           : is_own   ? own_stick_->crash_log()
+                                      : CrashLogOn(stick);
+  // Text that the report adds after the path of the crash record, such as " on HOST"; nullopt: the
+  // report need not name the path, because the crash record is on the run's stick.
+  std::optional<std::string> place;
+  if (!is_child()) {
+    place = " on " + HostName();
+  } else if (file != CrashLogOn(stick)) {
+    place = "";
+  }
+  crash_log_.emplace(std::vector<std::string>{file}, true, place);
+  watchdog_.emplace(flags_.handler_limit_us);
 }
 
 // Runs a worker in this child process.  Returns the exit code, which is kOffline after an
@@ -231,7 +258,7 @@ int Join(JoinFlags flags, bool is_known = false, std::string* sanitized_stick = 
 int JoinHere(const JoinFlags& flags, bool is_known, int stick_pipe) {
   try {
     std::string stick;
-    const int code = Join(flags, is_known, &stick);
+    const int code = JoinedWorker(flags).Run(is_known, &stick);
     if (code == kNeedsSanitizer &&
         write(stick_pipe, stick.data(), stick.size()) != static_cast<ssize_t>(stick.size()))
       return kExitWrong;
@@ -328,7 +355,7 @@ void AddJoinCommand(CLI::App* app, int* exit_code) {
   command->callback([flags, exit_code] {
     if (!flags->worker.stick.empty()) StartWithSanitizerOf(flags->worker.stick);
     flags->worker.waits_for_predecessor = flags->restarts;
-    const int code = flags->restarts ? JoinAgainAndAgain(*flags) : Join(*flags);
+    const int code = flags->restarts ? JoinAgainAndAgain(*flags) : JoinedWorker(*flags).Run();
     *exit_code = code == kRefused && !flags->restarts ? kExitWrong : code;
   });
 }
