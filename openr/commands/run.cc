@@ -170,8 +170,11 @@ class CommandedRun {
   // Returns the file descriptor of the terminal line that shows the progress of the run.  Returns
   // -1, which means no line, if the end of the run is not known, or if a program reads the output.
   int ProgressStream() const { return plan_.for_us && !flags_.json ? STDERR_FILENO : -1; }
+  std::optional<std::string> PlaceOfCrashRecord() const;
+  void BeginRecording();
   void BeginDataLog();
   bool RunToTheEnd();
+  bool FinishFiles();
   bool Report();
 
   bool records() const { return !flags_.record_file.empty(); }
@@ -322,6 +325,20 @@ void CommandedRun::BeginRewind(LiveServer* live, Runner* runner, Watchdog* watch
   rewind_.Begin(std::move(parts));
 }
 
+// Returns the text that follows the name of the crash record in the finding about a crash; nullopt
+// if the finding need not name the record.  Users do not know the folder of the record of a run on
+// the default stick, so the finding then names the file.  No text needs to follow the name.
+std::optional<std::string> CommandedRun::PlaceOfCrashRecord() const {
+  if (stick_.is_default()) return "";
+  return std::nullopt;
+}
+
+void CommandedRun::BeginRecording() {
+  if (!records()) return;
+  recorder_.Begin(&simulation_, options_, stick_.name(), flags_.placement.is_free);
+  plan_.recorder = &recorder_;
+}
+
 // Creates the files of --log-data and --timeline.  The run then adds its data to these files after
 // each frame.
 void CommandedRun::BeginDataLog() {
@@ -339,19 +356,11 @@ void CommandedRun::BeginDataLog() {
 // Boots the robots and runs the simulation to its end.  Returns false after printing an error.
 bool CommandedRun::RunToTheEnd() {
   const EndingAnswer answer(flags_.json ? StandardOutput() : -1, flags_.report_file);
-  // Users do not know the folder of the crash record of a run on the default stick.  So `place`
-  // gets a value, because the finding about a crash then names the file of the crash record.  The
-  // value is "", because no text needs to follow the file's name.
-  std::optional<std::string> place;
-  if (stick_.is_default()) place = "";
   const CrashLog crash_log(
       std::vector<std::string>(static_cast<size_t>(options_.robots), stick_.crash_log()),
-      distribution_.has_processes(), place);
+      distribution_.has_processes(), PlaceOfCrashRecord());
   Watchdog watchdog(flags_.handler_limit_us);
-  if (records()) {
-    recorder_.Begin(&simulation_, options_, stick_.name(), flags_.placement.is_free);
-    plan_.recorder = &recorder_;
-  }
+  BeginRecording();
   distribution_.Begin(&simulation_, &plan_);
   BeginDataLog();
   const std::unique_ptr<LiveServer> live = MakeLiveServer(live_context_, LiveName(), &couplings_);
@@ -381,10 +390,18 @@ bool CommandedRun::RunToTheEnd() {
   bool good = runner.Run();
   distribution_.RunIsOver();
   learn_facts();
-  if (records()) good = IsGood(recorder_.Finish(&system())) && good;
+  good = FinishFiles() && good;
+  boots_ = system().booted() || !system().powered_off() || interrupts_.count() >= 2;
+  return good;
+}
+
+// Finishes the files of --record, --log-data and --timeline.  Returns false after printing an error
+// for each file that could not be written.
+bool CommandedRun::FinishFiles() {
+  bool good = true;
+  if (records()) good = IsGood(recorder_.Finish(&system()));
   if (data_log_ != nullptr) good = IsGood(data_log_->Finish()) && good;
   if (timeline_ != nullptr) good = IsGood(timeline_->Finish()) && good;
-  boots_ = system().booted() || !system().powered_off() || interrupts_.count() >= 2;
   return good;
 }
 
