@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "cli/growing_file.h"
 #include "cli/output_file.h"
 #include "cli/progress_line.h"
 #include "cli/standard_streams.h"

@@ -29,4 +29,9 @@ std::string DescribeWriter(const struct stat& file) {
   return "another process";
 }
 
+std::string IsBeingWritten(const std::string& file, const struct stat& status) {
+  return fmt::format("{}: is being written by {}; name another file, or wait for its end", file,
+                     DescribeWriter(status));
+}
+
 }  // namespace openr_host

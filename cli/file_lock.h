@@ -12,4 +12,8 @@ namespace openr_host {
 // process" when the system does not say which.  `file` is the file's status as stat() gives it.
 std::string DescribeWriter(const struct stat& file);
 
+// Returns the error message about `file`, which another process has locked: "FILE: is being written
+// by process 1234 (openr); ...".  `status` is the file's status.
+std::string IsBeingWritten(const std::string& file, const struct stat& status);
+
 }  // namespace openr_host

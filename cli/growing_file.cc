@@ -1,12 +1,88 @@
 #include "cli/growing_file.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstdio>
 #include <stdexcept>
 
+#include "cli/file_lock.h"
 #include "cli/output_file.h"
+#include "cli/output_target.h"
 
 namespace openr_host {
+namespace {
+
+// Opens `target`, which `file` names, for writing, and locks it if it is a regular file.  Sets
+// `status` to its status.  On failure returns -1 and sets `problem`.
+int OpenLocked(const std::string& file, const OutputTarget& target, struct stat* status,
+               std::string* problem) {
+  const int descriptor =
+      target.stream >= 0
+          ? fcntl(target.stream, F_DUPFD_CLOEXEC, STDERR_FILENO + 1)
+          : open(target.path.c_str(), O_WRONLY | O_CREAT | O_NOCTTY | O_CLOEXEC, 0666);
+  if (descriptor < 0 || fstat(descriptor, status) != 0) {
+    *problem = WhyNotWritten(file, errno);
+    if (descriptor >= 0) close(descriptor);
+    return -1;
+  }
+  if (target.stream >= 0 || !S_ISREG(status->st_mode)) return descriptor;
+  // Goes on without a lock if the file system has no locks.
+  if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return descriptor;
+  *problem = IsBeingWritten(file, *status);
+  close(descriptor);
+  return -1;
+}
+
+// Puts a new empty file in the place of `target`, which is locked and has the status `old`.
+// Returns the descriptor of the new file, which is locked; after an error -1, and sets `error`.
+int ReplaceLocked(const OutputTarget& target, const struct stat& old, int* error) {
+  std::string name;
+  const int descriptor = CreateBeside(target, &name, error);
+  if (descriptor < 0) return -1;
+  flock(descriptor, LOCK_EX | LOCK_NB);
+  // Looks whether the path still leads to the old file, because another process may have replaced
+  // it before it was locked here.
+  struct stat now;
+  const bool is_same =
+      stat(target.path.c_str(), &now) == 0 && now.st_ino == old.st_ino && now.st_dev == old.st_dev;
+  if (is_same && rename(name.c_str(), target.path.c_str()) == 0) return descriptor;
+  *error = is_same ? errno : EAGAIN;
+  close(descriptor);
+  unlink(name.c_str());
+  return -1;
+}
+
+}  // namespace
+
+int OpenGrowingFile(const std::string& file, std::string* problem) {
+  const OutputTarget target = OutputTargetOf(file);
+  struct stat status;
+  const int descriptor = OpenLocked(file, target, &status, problem);
+  if (descriptor < 0 || target.stream >= 0 || !S_ISREG(status.st_mode)) return descriptor;
+  if (ftruncate(descriptor, 0) == 0) return descriptor;
+  *problem = WhyNotWritten(file, errno);
+  close(descriptor);
+  return -1;
+}
+
+int OpenNewGrowingFile(const std::string& file, std::string* problem) {
+  const OutputTarget target = OutputTargetOf(file);
+  if (target.stream >= 0 || !target.exists || !IsReplaced(target))
+    return OpenGrowingFile(file, problem);
+  struct stat status;
+  const int old = OpenLocked(file, target, &status, problem);
+  if (old < 0) return -1;
+  int error = 0;
+  const int descriptor = ReplaceLocked(target, status, &error);
+  close(old);
+  if (descriptor >= 0) return descriptor;
+  if (MayBeInPlace(error)) return OpenGrowingFile(file, problem);
+  *problem = WhyNotWritten(file, error);
+  return -1;
+}
 
 GrowingFile::GrowingFile(const std::string& file) : file_(file) {
   std::string problem;

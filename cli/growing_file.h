@@ -1,4 +1,5 @@
-// GrowingFile: a file that grows while a run goes on, such as a log of data.
+// Files that grow while a run goes on, such as a log of data.  What file names mean is in
+// output_file.h.
 #pragma once
 
 #include <cstddef>
@@ -7,6 +8,18 @@
 
 namespace openr_host {
 
+// Opens a file that the program goes on writing during its work, such as a recording, and empties
+// it.  A regular file stays locked until the descriptor is closed or the process ends.  Refuses a
+// file that another process has locked in this way, and names that process.  On failure returns -1
+// and sets `problem`.
+int OpenGrowingFile(const std::string& file, std::string* problem);
+
+// Opens a growing file as OpenGrowingFile() does, but puts a new file in the place of a regular
+// file, as WriteFile() does, so that a program which reads the old file meanwhile goes on to read
+// the old content.
+int OpenNewGrowingFile(const std::string& file, std::string* problem);
+
+// A growing file whose content is complete after each call of Append().
 class GrowingFile {
  public:
   // Creates `file`, or empties it.  Throws std::runtime_error when it cannot be created, or when

@@ -68,43 +68,8 @@ std::string CopyToFile(const std::string& from, const std::string& to);
 // Removes `file` if it is a regular file; does nothing to a device.
 void RemoveFile(const std::string& file);
 
-// Opens a file that the program goes on writing during its work, such as a recording, and empties
-// it.  A regular file stays locked until the descriptor is closed or the process ends.  Refuses a
-// file that another process has locked in this way, and names that process.  On failure returns -1
-// and sets `problem`.
-int OpenGrowingFile(const std::string& file, std::string* problem);
-
-// Opens a growing file as OpenGrowingFile() does, but puts a new file in the place of a regular
-// file, as WriteFile() does, so that a program which reads the old file meanwhile goes on to read
-// the old content.
-int OpenNewGrowingFile(const std::string& file, std::string* problem);
-
 // Writes all of `text` to `descriptor`.  Returns 0, or the errno of the write that failed.  May be
 // called in a signal handler.
 int WriteAll(int descriptor, std::string_view text);
-
-// A file that a signal handler will replace.  The constructor works out all names, because the
-// handler may not allocate memory.
-class PreparedFile {
- public:
-  explicit PreparedFile(const std::string& file);
-
-  // Opens what the new content is written to: a temporary file beside the file, the file itself, or
-  // the open stream that its name means.  Returns the descriptor, or -1 on failure.
-  int Open();
-  // Closes the descriptor that Open() has returned, and replaces the file by the content that was
-  // written to it.
-  void Close();
-
- private:
-  static constexpr size_t kPathBytes = 4096;
-  char target_[kPathBytes] = "";     // path of the file to replace; "" if there is none
-  char temporary_[kPathBytes] = "";  // path of the file for the new content; "": write in place
-  // The open stream that the file name means; -1: the name means a file.
-  int stream_ = -1;
-  int descriptor_ = -1;
-  unsigned mode_ = 0666;
-  bool keeps_mode_ = false;  // true: the new file gets mode_, which is the mode of the old file
-};
 
 }  // namespace openr_host

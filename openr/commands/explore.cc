@@ -21,6 +21,7 @@
 
 #include "cli/counted.h"
 #include "cli/exit_code.h"
+#include "cli/growing_file.h"
 #include "cli/install_paths.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"

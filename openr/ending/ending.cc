@@ -9,7 +9,7 @@
 
 #include "cli/console.h"
 #include "cli/exit_code.h"
-#include "cli/output_file.h"
+#include "cli/prepared_file.h"
 #include "runtime/base/assert.h"
 #include "runtime/core/current.h"
 #include "runtime/core/object.h"

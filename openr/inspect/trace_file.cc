@@ -12,6 +12,7 @@
 #include <optional>
 #include <utility>
 
+#include "cli/growing_file.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
 #include "openr/decode/decode_message.h"

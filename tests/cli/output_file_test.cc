@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "cli/growing_file.h"
+#include "cli/prepared_file.h"
 #include "tests/openr/program_run.h"
 
 namespace openr_host {

@@ -1,0 +1,42 @@
+// Finds out what the name of an output file means, and makes the file that replaces it.  For the
+// files of this folder that write files; the rules are in output_file.h.
+#pragma once
+
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <string>
+
+namespace openr_host {
+
+constexpr int kTemporaryNamesMax = 100;  // number of tries to find a name that no file has
+
+// The open stream or the file that a file name means.
+struct OutputTarget {
+  int stream = -1;   // descriptor of an open stream of this process; -1: the name means a file
+  std::string path;  // path of the file, after symbolic links were followed
+  bool exists = false;
+  struct stat status {};  // status of the file; set only if `exists`
+};
+
+// Returns what the name `file` means, after symbolic links were followed.
+OutputTarget OutputTargetOf(const std::string& file);
+
+// Returns whether new content for `target` is written to a new file that then replaces it, and not
+// written into the file itself (in place).  Devices and pipes are written in place, and so are
+// files with several hard links, because the other names of such a file would keep the old content.
+bool IsReplaced(const OutputTarget& target);
+
+// Returns the path of the temporary file with the number `number` beside the file `beside`.
+std::string TemporaryName(const std::filesystem::path& beside, int number);
+
+// Returns whether a file may be written in place after replacing it has failed with `error`.  This
+// is possible if the system refuses to make a new file, but not if the disk is full.
+bool MayBeInPlace(int error);
+
+// Makes an empty file beside `target`, with the owner and permissions of `target`, and sets `name`
+// to its path.  Returns the descriptor; after an error -1, sets `error` to the errno, and there is
+// no such file.
+int CreateBeside(const OutputTarget& target, std::string* name, int* error);
+
+}  // namespace openr_host

@@ -1,0 +1,33 @@
+// PreparedFile: a file that a signal handler will replace.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace openr_host {
+
+// Treats names and files as output_file.h says.  The constructor works out all names, because the
+// handler may not allocate memory.
+class PreparedFile {
+ public:
+  explicit PreparedFile(const std::string& file);
+
+  // Opens what the new content is written to: a temporary file beside the file, the file itself, or
+  // the open stream that its name means.  Returns the descriptor, or -1 on failure.
+  int Open();
+  // Closes the descriptor that Open() has returned, and replaces the file by the content that was
+  // written to it.
+  void Close();
+
+ private:
+  static constexpr size_t kPathBytes = 4096;
+  char target_[kPathBytes] = "";     // path of the file to replace; "" if there is none
+  char temporary_[kPathBytes] = "";  // path of the file for the new content; "": write in place
+  // The open stream that the file name means; -1: the name means a file.
+  int stream_ = -1;
+  int descriptor_ = -1;
+  unsigned mode_ = 0666;
+  bool keeps_mode_ = false;  // true: the new file gets mode_, which is the mode of the old file
+};
+
+}  // namespace openr_host
