@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <optional>
 #include <set>
@@ -17,10 +16,8 @@
 #include <stdexcept>
 #include <thread>
 
-#include "cli/colour.h"
-#include "cli/exit_code.h"
-#include "cli/install_paths.h"
 #include "kit/build_progress.h"
+#include "kit/build_report.h"
 #include "kit/compile_database.h"
 #include "kit/complete_stick.h"
 #include "kit/convention_build.h"
@@ -29,7 +26,6 @@
 #include "kit/make_build.h"
 #include "kit/project.h"
 #include "kit/sdk_paths.h"
-#include "kit/shell_words.h"
 #include "kit/text_files.h"
 #include "kit/work_copy.h"
 
@@ -91,12 +87,6 @@ class FolderBuild {
   void RemoveOldImages(bool is_made);
   bool SomeImageIsMissing() const;
   void Deliver();
-  bool HasFailed() const;
-  void TellFailures();
-  std::vector<std::string> LeftOutAndMissed() const;
-  int Conclude() const;
-  std::string ObjectOf(const fs::path& file) const;
-  std::string Described(const KitLog::Failure& failure) const;
   std::string OriginalName(const std::string& file) const;
 
   const BuildOptions options_;
@@ -109,14 +99,8 @@ class FolderBuild {
   std::vector<SourceCopy> copies_;
   std::vector<fs::path> copied_folders_;
   Project project_;
-  bool is_made_ = false;              // true: all runs of make have succeeded
-  std::string make_cause_;            // the reason why make failed; "": unknown
-  bool wants_all_ = false;            // true: without an OBJECT.CFG, all images are wanted
-  std::vector<std::string> hurdles_;  // reasons why the build of some objects could not begin
-  std::vector<std::string> missing_;  // images that OBJECT.CFG names and that were not made
-  std::vector<std::string> problems_;
-  std::vector<std::string> notes_;
-  std::vector<std::string> sticks_;  // folders of the finished sticks
+  std::optional<BuildReport> report_;
+  BuildOutcome outcome_;
 };
 
 // Throws if `work_`, the folder for private copies, is used for another folder of the user or holds
@@ -175,13 +159,14 @@ int FolderBuild::Run() {
   make_.copies = ToEnvironment(copies_);
   for (const SourceCopy& entry : copies_) copied_folders_.emplace_back(entry.copy);
   project_ = ScanProject(copied_folders_);
+  report_.emplace(project_, *copy_, work_, make_.log);
   CheckHasProgram(project_, folder_);
   Build();
   Deliver();
   if (options_.writes_database)
-    WriteCompileDatabase(folder_, ReadKitLog(make_.log), copies_, &problems_);
-  TellFailures();
-  return Conclude();
+    WriteCompileDatabase(folder_, ReadKitLog(make_.log), copies_, &outcome_.problems);
+  report_->AddFailures(&outcome_);
+  return PrintOutcome(outcome_);
 }
 
 // Returns whether a file of `object` does not compile or link.
@@ -235,15 +220,16 @@ void FolderBuild::Build() {
       if (has_makefile && !is_top)
         outcome.output += RunMakeTargets(object.folder, plan, make_).output;
     }
-    make_cause_ = InTermsOfOriginals(CauseOf(outcome.output), copies_);
+    outcome_.make_cause = InTermsOfOriginals(CauseOf(outcome.output), copies_);
   }
-  is_made_ = outcome.is_good;
+  outcome_.is_made = outcome.is_good;
   const std::vector<ObjectFolder> rest = NotBuilt();
   if (rest.empty() || !SomeImageIsMissing()) return;
   std::string names;
   for (const ObjectFolder& object : rest)
     names += (names.empty() ? "" : ", ") + object.folder.filename().string();
-  notes_.push_back(fmt::format("the Makefiles made no image of {}; built without them", names));
+  outcome_.notes.push_back(
+      fmt::format("the Makefiles made no image of {}; built without them", names));
   TryConvention(rest, plan);
 }
 
@@ -301,7 +287,7 @@ bool FolderBuild::SomeImageIsMissing() const {
     for (const fs::path& file : completed.placed) fs::remove(file);
     if (!completed.problems.empty()) return true;
   }
-  return !has_list && !is_made_;
+  return !has_list && !outcome_.is_made;
 }
 
 void FolderBuild::TryConvention(const std::vector<ObjectFolder>& objects, const MakePlan& plan) {
@@ -309,7 +295,7 @@ void FolderBuild::TryConvention(const std::vector<ObjectFolder>& objects, const 
   ShowBuildProgress(
       &make_, [&] { return CountByConvention(project_, objects); },
       [&] { problems = BuildByConvention(project_, objects, plan, work_ / "build", make_); });
-  hurdles_.insert(hurdles_.end(), problems.begin(), problems.end());
+  outcome_.hurdles.insert(outcome_.hurdles.end(), problems.begin(), problems.end());
 }
 
 void FolderBuild::Deliver() {
@@ -317,11 +303,11 @@ void FolderBuild::Deliver() {
   // Sticks in them.
   Project after = ScanProject(copied_folders_);
   if (after.sticks.empty()) after.sticks.push_back({after.root / "MS", {}, {}});
-  wants_all_ = std::all_of(after.sticks.begin(), after.sticks.end(),
-                           [](const StickFolder& stick) { return stick.objects.empty(); });
+  outcome_.wants_all = std::all_of(after.sticks.begin(), after.sticks.end(),
+                                   [](const StickFolder& stick) { return stick.objects.empty(); });
   // Makes no stick if images have failed and the user's sticks have no OBJECT.CFG: an OBJECT.CFG
   // written now would lack these images.
-  if (wants_all_ && HasFailed()) return;
+  if (outcome_.wants_all && report_->HasFailed(outcome_)) return;
   const KitLog log = ReadKitLog(make_.log);
   std::string placed;
   std::set<std::string> used;
@@ -339,134 +325,34 @@ void FolderBuild::Deliver() {
     }
     const auto failed =
         DeliverStick(stick, target, *copy_, work_ / "robot" / name, !options_.output.empty());
-    problems_.insert(problems_.end(), failed.begin(), failed.end());
+    outcome_.problems.insert(outcome_.problems.end(), failed.begin(), failed.end());
     const bool has_own = std::any_of(completed.images.begin(), completed.images.end(),
                                      [](const PlacedImage& i) { return !i.object.empty(); });
     if (after.sticks.size() > 1 && !has_own) {
-      notes_.push_back(fmt::format("{}: nothing built here is on this stick", target.string()));
+      outcome_.notes.push_back(
+          fmt::format("{}: nothing built here is on this stick", target.string()));
       continue;
     }
     good += has_own;
-    sticks_.push_back(target.lexically_normal());
+    outcome_.sticks.push_back(target.lexically_normal());
     for (const PlacedImage& image : completed.images)
       fmt::print("{:12} {:24} {}\n", image.name, image.object, image.from);
-    notes_.insert(notes_.end(), completed.notes.begin(), completed.notes.end());
-    missing_.insert(missing_.end(), completed.problems.begin(), completed.problems.end());
+    outcome_.notes.insert(outcome_.notes.end(), completed.notes.begin(), completed.notes.end());
+    outcome_.missing.insert(outcome_.missing.end(), completed.problems.begin(),
+                            completed.problems.end());
   }
   for (const KitLog::Image& image : log.images) {
     if (!used.contains(image.file))
-      notes_.push_back(fmt::format("{} was built, but OBJECT.CFG does not name it", image.object));
+      outcome_.notes.push_back(
+          fmt::format("{} was built, but OBJECT.CFG does not name it", image.object));
   }
-  if (good == 0 && missing_.empty()) missing_.push_back("no image was made");
+  if (good == 0 && outcome_.missing.empty()) outcome_.missing.push_back("no image was made");
   WriteText(work_ / "placed.txt", placed);
-}
-
-// Returns whether the build of some object has failed or could not begin.  A Makefile can ignore
-// the failure of a command, so make may succeed although a file has failed.  If make succeeds, only
-// failures of files in the objects' folders count, because the program may not need other files.
-bool FolderBuild::HasFailed() const {
-  const std::vector<KitLog::Failure> failures = ReadKitLog(make_.log).failures;
-  return !hurdles_.empty() ||
-         std::any_of(failures.begin(), failures.end(), [this](const KitLog::Failure& failure) {
-           return !is_made_ || !ObjectOf(failure.file).empty();
-         });
-}
-
-// Reports the failures of the build: as errors if an image is missing, else as notes.  A failure
-// without a missing image is no error, because OBJECT.CFG says which images the program needs.  The
-// reason why make failed is printed last, because people look at the end of the output first.
-void FolderBuild::TellFailures() {
-  const KitLog log = ReadKitLog(make_.log);
-  for (const KitLog::Repair& repair : log.repairs)
-    notes_.push_back(fmt::format("{}: {}", repair.place, repair.what));
-  const bool is_complete = missing_.empty() && problems_.empty() && !(wants_all_ && HasFailed());
-  std::vector<std::string>* const where = is_complete ? &notes_ : &problems_;
-  for (const KitLog::Failure& failure : log.failures) where->push_back(Described(failure));
-  where->insert(where->end(), hurdles_.begin(), hurdles_.end());
-  problems_.insert(problems_.end(), missing_.begin(), missing_.end());
-  if (is_complete) {
-    if (!make_cause_.empty()) notes_.push_back("make failed: " + make_cause_);
-    return;
-  }
-  const std::vector<std::string> libraries = LeftOutAndMissed();
-  problems_.insert(problems_.end(), libraries.begin(), libraries.end());
-  // Prints the reason why make has failed.  Leaves it out if it only says that a rule has failed
-  // and the log has the failure of the compiler or linker, because that failure says more and was
-  // printed before.
-  if (!is_made_ && (log.failures.empty() || make_cause_.find("the rule for") != 0) &&
-      !make_cause_.empty())
-    problems_.push_back("make failed: " + make_cause_);
-}
-
-// Returns an error message for each object file or library for another processor that the Makefiles
-// name and that the build has not made anew.  The private copy does not contain such files, because
-// the host cannot use them.
-std::vector<std::string> FolderBuild::LeftOutAndMissed() const {
-  std::string makefiles;
-  for (const fs::path& file : project_.makefiles) makefiles += ReadText(file).value_or("");
-  std::vector<std::string> lines;
-  for (const auto& [original, processor] : copy_->left_out()) {
-    const fs::path file = original;
-    std::string name = file.filename();
-    std::string kind = "object file";
-    if (file.extension() == ".a") {
-      kind = "library";
-      const std::string flag = "-l" + file.stem().string().substr(name.starts_with("lib") ? 3 : 0);
-      if (makefiles.find(flag) != std::string::npos) name = flag;
-    } else if (file.extension() != ".o") {
-      continue;
-    }
-    std::error_code error;
-    if (fs::exists(copy_->PlaceOf(original), error)) continue;
-    if (makefiles.find(name) == std::string::npos) continue;
-    lines.push_back(
-        fmt::format("{}: is a {} for another processor ({}); its sources are needed to build it "
-                    "for this machine",
-                    original, kind, processor));
-  }
-  return lines;
 }
 
 std::string FolderBuild::OriginalName(const std::string& file) const {
   const std::string original = OriginalOf(file, copies_);
   return original.empty() ? file : original;
-}
-
-// Returns the name of the object whose folder contains `file`; "" if no object's folder does.
-std::string FolderBuild::ObjectOf(const fs::path& file) const {
-  for (const ObjectFolder& object : project_.objects) {
-    const fs::path build = work_ / "build" / object.folder.lexically_relative(project_.root);
-    if (IsBelow(file, object.folder) || IsBelow(file, build.lexically_normal()))
-      return object.class_name.empty() ? object.folder.filename().string() : object.class_name;
-  }
-  return "";
-}
-
-// Returns the message for the user about `failure`: "Sender: Chat/Sender/Sender.cc does not
-// compile; ..."
-std::string FolderBuild::Described(const KitLog::Failure& failure) const {
-  const std::string object = ObjectOf(failure.file);
-  const std::string original = OriginalOf(failure.file, copies_);
-  return fmt::format("{}{} {}{}", object.empty() ? "" : object + ": ",
-                     original.empty() ? fs::path(failure.file).filename().string() : original,
-                     failure.why,
-                     failure.why.find("compile") == std::string::npos
-                         ? ""
-                         : "; the compiler says above what to correct");
-}
-
-int FolderBuild::Conclude() const {
-  std::fflush(stdout);
-  const bool has_colours = HasColours(STDERR_FILENO);
-  const std::string note_begin = Coloured(Colour::kNote, "openr build: note:", has_colours);
-  const std::string problem_begin = Coloured(Colour::kError, "openr build:", has_colours);
-  for (const std::string& note : notes_) fmt::print(stderr, "{} {}\n", note_begin, note);
-  for (const std::string& problem : problems_)
-    fmt::print(stderr, "{} {}\n", problem_begin, problem);
-  if (!problems_.empty()) return kExitWrong;
-  for (const std::string& stick : sticks_)
-    fmt::print("{} run --stick {}\n", ShellWord(ProgramCall()), ShellWord(stick));
-  return kExitGood;
 }
 
 }  // namespace
