@@ -17,7 +17,6 @@
 #include <system_error>
 #include <utility>
 
-#include "cli/counted.h"
 #include "cli/process_copy.h"
 #include "cli/progress_line.h"
 #include "cli/prompt.h"
@@ -26,12 +25,10 @@
 #include "openr/inspect/breakpoints.h"
 #include "openr/inspect/shared_session.h"
 #include "openr/inspect/step_commands.h"
-#include "openr/inspect/trace_text.h"
+#include "openr/inspect/step_printer.h"
 #include "runtime/base/duration.h"
 #include "runtime/base/spelling.h"
-#include "runtime/core/stalls.h"
 #include "runtime/core/system.h"
-#include "virtualrobot/det_math.h"
 
 namespace openr_host {
 namespace {
@@ -54,6 +51,7 @@ class Stepper {
   Stepper(Replayer* replayer, SharedSession* shared)
       : replayer_(replayer),
         view_(&replayer->simulation()),
+        printer_(replayer, &view_),
         breaks_(replayer, &view_),
         shared_(shared),
         prompt_(&shared->history,
@@ -68,7 +66,7 @@ class Stepper {
   void Run() {
     if (!Snapshot()) return;
     try {
-      Show();
+      printer_.Show();
       for (std::string line; ReadLine(&line);) {
         if (!HandleCommand(line)) break;
       }
@@ -238,7 +236,7 @@ class Stepper {
       if (time_us < replayer_->system().now_us())
         Back(shared_->snapshots.CountBefore(time_us), time_us);
       ForwardTo(time_us);
-      Show();
+      printer_.Show();
     } else {
       fmt::print("'{}' is neither a number of a message nor a time like 1.25s\n", where);
     }
@@ -252,7 +250,7 @@ class Stepper {
     }
     if (*count < replayer_->count()) Back(*count);
     ForwardBy(*count - replayer_->count());
-    Show();
+    printer_.Show();
   }
 
   // Runs forward to the next breakpoint, and shows on a terminal how far the end of the recording
@@ -270,20 +268,7 @@ class Stepper {
     breaks_.Arm();
     if (const size_t hit = ForwardToBreak(); hit > 0)
       fmt::print("break {}: {}\n", hit, breaks_.text(hit));
-    Show();
-  }
-
-  void Show() {
-    if (replayer_->count() == 0) {
-      fmt::print("at the start; 'help' tells the commands\n");
-    } else {
-      fmt::print("{}\n", DescribeMessage(replayer_->reader(), replayer_->last().record));
-      const std::string said = OneLineOf(LastInWords());
-      if (!said.empty()) fmt::print("        {}\n", said);
-    }
-    if (!replayer_->difference().empty()) fmt::print("difference: {}\n", replayer_->difference());
-    if (!replayer_->loss().empty()) fmt::print("{}\n", replayer_->loss());
-    if (replayer_->at_end()) fmt::print("at the end of the recording\n");
+    printer_.Show();
   }
 
   void SaveBreaks() {
@@ -298,14 +283,6 @@ class Stepper {
     SaveBreaks();
   }
 
-  void Print(const std::string& what);
-  // Returns the recorded content of the message that was delivered last, in words; "" if the
-  // recording does not have it.
-  std::string LastInWords() const;
-  void PrintMessage();
-  void PrintQueue();
-  void PrintQuantity(const std::string& name);
-
   // Handles the commands that take a number: step, back and delete.  `verb` is the first word of
   // the line, `rest` the text after it.  Returns false if `verb` is another command.
   bool ObeyWithNumber(const std::string& verb, const std::string& rest) {
@@ -316,7 +293,7 @@ class Stepper {
       fmt::print("'{}' is no number\n", rest);
     } else if (steps) {
       ForwardBy(*number);
-      Show();
+      printer_.Show();
     } else if (backs) {
       Back(replayer_->count() - std::min(*number, replayer_->count()));
     } else {
@@ -344,7 +321,7 @@ class Stepper {
     } else if (verb == "breaks") {
       for (size_t i = 1; i <= breaks_.size(); ++i) fmt::print("{}: {}\n", i, breaks_.text(i));
     } else if (verb == "print" || verb == "p") {
-      Print(rest);
+      printer_.Print(rest);
     } else if (verb == "quit" || verb == "q") {
       return false;
     } else if (verb == "help" || verb == "h") {
@@ -358,6 +335,7 @@ class Stepper {
 
   Replayer* const replayer_;
   SimulationView view_;
+  StepPrinter printer_;
   Breakpoints breaks_;
   SharedSession* const shared_;
   Prompt prompt_;
@@ -405,82 +383,6 @@ std::vector<std::string> Stepper::WordsAfter(const std::vector<std::string>& wor
       names.push_back(what);
   }
   return names;
-}
-
-std::string Stepper::LastInWords() const {
-  const TraceEntry& last = replayer_->last();
-  if (last.payload.empty()) return "";
-  const std::string entry = replayer_->reader().EntryName(last.record.target, last.record.selector);
-  return DecodeContent(replayer_->simulation().model(), entry, last.payload);
-}
-
-// Prints the values in the message that was delivered last.
-void Stepper::PrintMessage() {
-  if (replayer_->count() == 0) {
-    fmt::print("no message has come yet\n");
-  } else if (replayer_->last().payload.empty()) {
-    fmt::print("the recording has no bytes of it\n");
-  } else {
-    fmt::print("{}\n", LastInWords());
-  }
-}
-
-void Stepper::PrintQueue() {
-  System& system = replayer_->system();
-  system.queue().ForEach([&](const Message& message) {
-    const Object* const target = system.object(message.target);
-    const std::string said = OneLineOf(DecodeHandled(system, message));
-    fmt::print("{:>7} due t={:.6f} to {} \"{}\"{}{}\n", message.number,
-               static_cast<double>(message.due_us) / 1e6, target->name,
-               target->EntryName(message.is_reply ? UNDEF : message.selector),
-               said.empty() ? "" : ": ", said);
-  });
-}
-
-void Stepper::Print(const std::string& what) {
-  System& system = replayer_->system();
-  if (what == "queue") {
-    PrintQueue();
-  } else if (what == "waiting") {
-    const std::vector<std::string> waits = WhoWaits(system);
-    for (const std::string& line : waits) fmt::print("{}\n", line);
-    if (waits.empty()) fmt::print("nobody\n");
-  } else if (what == "objects") {
-    for (const auto& object : system.objects()) {
-      if (object != nullptr)
-        fmt::print("{:<20} {}, {} waiting, {} dropped{}\n", object->name,
-                   Counted(object->message_count, "message"), object->waiting,
-                   object->dropped_count, object->state.empty() ? "" : ", state: " + object->state);
-    }
-  } else if (what == "joints") {
-    for (const VirtualRobot* const robot : replayer_->simulation().robots()) {
-      const auto& joints = robot->model().joints;
-      for (size_t j = 0; j < joints.size(); ++j)
-        fmt::print("{:<14} {:9.3f} deg\n", joints[j].name,
-                   Degrees(robot->body().state().joints[j].angle_rad));
-    }
-  } else if (what == "findings") {
-    for (const Finding& finding : system.findings().all())
-      fmt::print("{}: {}{}\n", finding.object, finding.text,
-                 MessageInParentheses(finding.message, finding.said));
-    if (system.findings().all().empty()) fmt::print("none so far\n");
-  } else if (what == "message") {
-    PrintMessage();
-  } else if (what == "hash") {
-    fmt::print("trace {:016x} state {:016x}\n", system.trace_hash(), system.state_hash());
-  } else {
-    PrintQuantity(what);
-  }
-}
-
-void Stepper::PrintQuantity(const std::string& name) {
-  try {
-    const Value value = FindQuantity(name, view_.run())(view_.run());
-    std::visit([&](const auto& known) { fmt::print("{} is {}\n", name, known); }, value);
-  } catch (const std::runtime_error& error) {
-    fmt::print("{}; print queue, waiting, objects, joints, findings, hash, message or a quantity\n",
-               error.what());
-  }
 }
 
 }  // namespace
