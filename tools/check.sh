@@ -68,6 +68,9 @@ grep_in '#include *["<]cairo' cli kit openr runtime virtualrobot distribution ob
 grep_in '(steady_clock|system_clock|gettimeofday|clock_gettime|random_device|std::(thread|mutex|async)|pthread_create)' \
   runtime virtualrobot | grep -vE '^runtime/(hooks/(process|refused)_hooks|ipstack/host_|base/wall_clock)' |
   rule 'no wall clock, no threads, no raw randomness in runtime/ and virtualrobot/'
+grep_in '(^|[^a-zA-Z_])(v?fork|posix_spawnp?) *\(' cli kit openr runtime virtualrobot distribution testing |
+  grep -vE '^(cli/process_copy|runtime/base/program_start)\.cc:' |
+  rule 'only cli/process_copy.cc copies this process, and only runtime/base/program_start.cc starts programs'
 grep_in 'unordered_(map|set|multi)' runtime virtualrobot distribution |
   rule 'no hash order in runtime/, virtualrobot/ and distribution/'
 # Prints each comment whose first word refers to something that only the code names.  A line that
