@@ -22,7 +22,8 @@ if it has said nothing yet, and must leave no temporary file and no socket.
 
 Then one run that is not killed: its bytes before each rename of an upload, and the folder directly
 after it, are written through to the disk (fsync), as a cut of the host's power demands.  The client
-gets the answer to its last packet only after that.
+gets the answer to its last packet only after that.  The same holds for the folder of a motion that the
+client lets the robot delete.
 --most N takes N calls of each kind, spread over the uploads.  --one CALL N ends one run; with
 --refuse its renames fail, with --term it gets SIGTERM.  The last line is "N passed, N failed".
 """
@@ -91,8 +92,11 @@ class Uploads:
         """Returns how many calls of this kind the run has made."""
         return len(re.findall(rf"^\d+ +{call}\(", self.trace.read_text(errors="replace"), re.M))
 
-    def upload(self):
-        """Uploads both files; returns False if the run has ended meanwhile."""
+    def upload(self, deletes=False):
+        """Uploads both files; returns False if the run has ended meanwhile.
+
+        With `deletes`, lets the robot delete the motion after that.
+        """
         try:
             client = rc.Client(self.run.wait_for_port())
             self.run.wait_until_standing(client)
@@ -101,6 +105,8 @@ class Uploads:
                 for at in range(0, len(packets), 30):
                     client.ask_all(packets[at:at + 30])
                 self.acknowledged.append(name)
+            if deletes:
+                client.ask(rc.DELETE, bytes([rc.MOTION, len(MOTION_NAME)]) + MOTION_NAME.encode())
             return True
         except (OSError, RuntimeError):
             return False
@@ -166,8 +172,9 @@ def cut(openr, call, number, refuses):
         uploads = Uploads(openr, folder, *upload_paths(folder), "-e", f"inject={call}:signal=SIGKILL:when={number}",
                           refuses=refuses)
         whole = uploads.upload()
-        # After the last answer the run makes only a few more calls on the files.
-        killed = uploads.was_killed(1 if whole else LIMIT_S)
+        # After the last answer the run makes only a few more calls on the files, the last of which may
+        # be the one at which it is killed.
+        killed = uploads.was_killed(LIMIT_S)
         uploads.end()
         wrong = uploads.wrong(may_lack=refuses) + uploads.start_again()
         if not whole and not killed:
@@ -180,9 +187,10 @@ def ask_to_end(openr, call, number):
     with tempfile.TemporaryDirectory(prefix="cut-") as folder:
         uploads = Uploads(openr, folder, *upload_paths(folder), "-e", f"inject={call}:signal=SIGTERM:when={number}")
         whole = uploads.upload()
-        # A run that was asked to end at its last calls still has to end in order.
-        is_asked = "--- SIGTERM" in uploads.trace.read_text(errors="replace")
-        has_ended = uploads.has_ended(1 if whole and not is_asked else LIMIT_S)
+        # A run that was asked to end has to do so in order, also at its last calls, for which strace
+        # needs time on a busy machine.
+        has_ended = uploads.has_ended(LIMIT_S)
+        was_asked = "--- SIGTERM" in uploads.trace.read_text(errors="replace")
         uploads.end()
         wrong = uploads.wrong(may_lack=False)
         if has_ended:
@@ -191,10 +199,13 @@ def ask_to_end(openr, call, number):
             if status != 0 and (status != -signal.SIGTERM or said):
                 wrong.append(f"status {status}: {said}")
             wrong += [f"{left} is left behind"] if left else []
+            wrong += [] if was_asked else ["the run has ended without SIGTERM"]
+        elif was_asked:
+            wrong.append(f"the run goes on {LIMIT_S} s after SIGTERM: {uploads.run.said.read_text()}")
         elif not whole:
             wrong.append(f"the uploads failed, and the run goes on: {uploads.run.said.read_text()}")
         wrong += uploads.start_again()
-        return None if whole and not has_ended and not wrong else wrong
+        return None if whole and not (has_ended or was_asked or wrong) else wrong
 
 
 def cut_all(openr, calls, most, refuses):
@@ -221,8 +232,8 @@ def text_of(wrong):
     return "the run makes fewer calls" if wrong is None else "\n".join(wrong)
 
 
-def ends_answered(lines):
-    """Returns the numbers of the lines of a trace after which the robot has answered UPLOAD_END."""
+def answers(lines, command):
+    """Returns the numbers of the lines of a trace after which the robot has answered `command`."""
     streams, found = collections.defaultdict(bytes), []
     for i, line in enumerate(lines):
         sent = re.search(r'sendto\((\d+)<[^>]*>, "((?:[^"\\]|\\.)*)"', line)
@@ -230,46 +241,62 @@ def ends_answered(lines):
             continue
         stream = streams[sent[1]] + ast.literal_eval(f'b"{sent[2]}"')
         while len(stream) >= rc.ANSWER.size and stream.startswith(b"RC"):
-            _, size, _, command, *_ = rc.ANSWER.unpack_from(stream)
+            _, size, _, answered, *_ = rc.ANSWER.unpack_from(stream)
             if len(stream) < size:
                 break
-            if command == rc.UPLOAD_END:
+            if answered == command:
                 found.append(i)
             stream = stream[size:]
         streams[sent[1]] = stream
     return found
 
 
+def wrong_folder(lines, i, what, path):
+    """Returns what is wrong if line i + 1 does not write the folder of `path`, which line i has changed."""
+    following = "".join(lines[i + 1:i + 2])
+    if "fsync(" in following and f"<{os.path.dirname(path)}>" in following:
+        return []
+    return [f"after {what} {path} its folder is not written through, but: {following}"]
+
+
+def wrong_order(lines):
+    """Returns what is wrong with the order of the calls in a trace of both uploads and a deletion."""
+    wrong, renames = [], [i for i, line in enumerate(lines) if "rename(" in line and TEMPORARY.search(line)]
+    if len(renames) != 3:
+        wrong.append(f"{len(renames)} renames of uploads, not 3")
+    folders_written = []  # line numbers of the fsync of the folder after the last rename of each upload
+    for i in renames:
+        source, target = re.findall(r'"([^"]*)"', lines[i])
+        if not any("fsync(" in line and f"<{source}>" in line for line in lines[:i]):
+            wrong.append(f"{source} is renamed and was not written through")
+        wrong += wrong_folder(lines, i, "the rename to", target)
+        if target.endswith((MOTION_NAME, IMAGE_NAME)):
+            folders_written.append(i + 1)
+    answered = answers(lines, rc.UPLOAD_END)
+    if len(answered) != 2:
+        wrong.append(f"{len(answered)} answers to UPLOAD_END, not 2")
+    for written, answer in zip(folders_written, answered):
+        if answer < written:
+            wrong.append(f"UPLOAD_END is answered before the folder is written through: {lines[written]}")
+    removals = [i for i, line in enumerate(lines) if "unlink(" in line and f'/{MOTION_NAME}"' in line]
+    answered = answers(lines, rc.DELETE)
+    if len(removals) != 1 or len(answered) != 1:
+        return wrong + [f"{len(removals)} removals of the motion and {len(answered)} answers to DELETE, not 1 of each"]
+    wrong += wrong_folder(lines, removals[0], "the removal of", re.search(r'"([^"]*)"', lines[removals[0]])[1])
+    if answered[0] < removals[0] + 1:
+        wrong.append("DELETE is answered before the folder is written through")
+    return wrong
+
+
 def order(openr):
     """Returns what is wrong with the order of the calls of a run that nobody ends."""
     with tempfile.TemporaryDirectory(prefix="cut-") as folder:
-        uploads = Uploads(openr, folder, "-s", "100000", "-e", "trace=fsync,rename,sendto")
-        if not uploads.upload():
-            uploads.end()
-            return ["the uploads failed"]
+        uploads = Uploads(openr, folder, "-s", "100000", "-e", "trace=fsync,rename,unlink,sendto")
+        is_good = uploads.upload(deletes=True)
         uploads.end()
-        lines = uploads.trace.read_text(errors="replace").splitlines()
-        wrong, renames = [], [i for i, line in enumerate(lines) if "rename(" in line and TEMPORARY.search(line)]
-        if len(renames) != 3:
-            wrong.append(f"{len(renames)} renames of uploads, not 3")
-        folders_written = []  # line numbers of the fsync of the folder after the last rename of each upload
-        for i in renames:
-            source, target = re.findall(r'"([^"]*)"', lines[i])
-            if not any("fsync(" in line and f"<{source}>" in line for line in lines[:i]):
-                wrong.append(f"{source} is renamed and was not written through")
-            folder_name = os.path.dirname(target)
-            following = "".join(lines[i + 1:i + 2])
-            if "fsync(" not in following or f"<{folder_name}>" not in following:
-                wrong.append(f"after the rename to {target} its folder is not written through, but: {following}")
-            if target.endswith((MOTION_NAME, IMAGE_NAME)):
-                folders_written.append(i + 1)
-        answered = ends_answered(lines)
-        if len(answered) != 2:
-            wrong.append(f"{len(answered)} answers to UPLOAD_END, not 2")
-        for written, answer in zip(folders_written, answered):
-            if answer < written:
-                wrong.append(f"UPLOAD_END is answered before the folder is written through: {lines[written]}")
-        return wrong
+        if not is_good:
+            return ["the uploads, or the deletion, failed"]
+        return wrong_order(uploads.trace.read_text(errors="replace").splitlines())
 
 
 def main():
@@ -292,8 +319,8 @@ def main():
     cut_all(openr, CALLS, flags.most, refuses=False)
     cut_all(openr, REFUSED_CALLS, flags.most, refuses=True)
     wrong = order(openr)
-    verdict("files are written through before a rename, and their folders after it and before the answer", not wrong,
-            "\n".join(wrong))
+    verdict("files are written through before a rename, and their folders after it or a removal, before the answer",
+            not wrong, "\n".join(wrong))
     return finish()
 
 

@@ -37,8 +37,9 @@ using openr_host::t_current;
 namespace {
 
 // Makes the host write a file or folder to the disk now, so that a power cut does not lose it.
-// Used by rename(), because a program may replace a file by a new file and then report success, so
-// the new file must not be lost.  Returns 0, or the errno of a disk that has not taken the bytes.
+// Used by rename(), unlink() and remove(), because a program may replace a file by a new file, or
+// remove a file, and then report success.  So the new file must not be lost, and the removed file
+// must not come back.  Returns 0, or the errno of a disk that has not taken the bytes.
 // Other errors are ignored, because some file systems cannot write a single file to the disk.
 // Keeps errno.
 //
@@ -193,6 +194,17 @@ int WithPath(Function* next, StickUse use, const char* path, Rest... rest) {
   if (!InObject()) return next(path, rest...);
   const std::string host = HostPath(path, use);
   return host.empty() ? -1 : next(host.c_str(), rest...);
+}
+
+// Calls `next`, which is unlink() or remove() of the C library, with `path`.  If an object is the
+// caller, does so as WithPath() does, and then writes the folder of the removed file to the disk.
+int RemoveThrough(int (*next)(const char*), const char* path) {
+  if (!InObject()) return next(path);
+  const std::string host = HostPath(path, StickUse::kChange);
+  if (host.empty()) return -1;
+  const int result = next(host.c_str());
+  if (result == 0) WriteThrough(host.substr(0, host.rfind('/')));
+  return result;
 }
 
 // Removes everything except kind and size from `status`, because the robot's file system reports
@@ -359,12 +371,12 @@ int rmdir(const char* path) noexcept {
 
 int unlink(const char* path) noexcept {
   static const auto next = OPENR_NEXT(unlink);
-  return WithPath(next, StickUse::kChange, path);
+  return RemoveThrough(next, path);
 }
 
 int remove(const char* path) noexcept {
   static const auto next = OPENR_NEXT(remove);
-  return WithPath(next, StickUse::kChange, path);
+  return RemoveThrough(next, path);
 }
 
 int rename(const char* from, const char* to) noexcept {
