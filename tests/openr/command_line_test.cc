@@ -277,6 +277,18 @@ TEST(CommandLineTest, AWorldThatCannotBeReadIsRefused) {
                 "--world nowhere.json: No such file or directory\n");
 }
 
+// The JSON library would copy this JSON by recursion.
+TEST(CommandLineTest, AWorldOrAScheduleThatIsNestedTooDeeplyIsRefused) {
+  constexpr size_t kLevels = 1'000'000;  // enough to overflow the stack
+  const ScratchFolder folder;
+  folder.Write("deep.json", std::string(kLevels, '[') + std::string(kLevels, ']'));
+  const std::string file = folder.File("deep.json");
+  ExpectRefusal({"run", "--no-panel", "--world", file}, 1,
+                "openr: " + file + ": is nested more than 100 levels deep\n");
+  ExpectRefusal({"explore", "--replay", file}, 1,
+                "openr: " + file + ": the JSON is nested more than 100 levels deep\n");
+}
+
 TEST(CommandLineTest, UnknownRobotsAreRefused) {
   ExpectRefusal({"run", "--robot", "ers1000"}, 2, "ers1000");
 }

@@ -131,10 +131,12 @@ class RunTest(unittest.TestCase):
         for text in (b"", b"[]", b"{", b'{"do": 5}', b'{"do": "runn"}', b'{"do": "run", "for_s": "1"}',
                      b'{"do": "run", "for": 1}', b'{"do": "until"}', b'{"do": "run", "for_s": -1}',
                      b'{"do": "run", "for_s": 1e300}', b'{"do": "start"}', b'{"do": "boot"}',
-                     b'{"do": "fork"}', b'{"do": "connect", "port": 70000}', b'\xff\xfe',
-                     b"[" * 101 + b"]" * 101):
+                     b'{"do": "fork"}', b'{"do": "connect", "port": 70000}', b'\xff\xfe'):
             with self.assertRaises(openr_host.Refused, msg=text):
                 ask(text)
+        deep = b'{"do": "run", "for_s": ' + b"[" * 100 + b"]" * 100 + b"}"
+        with self.assertRaisesRegex(openr_host.Refused, "^the JSON is nested more than 100 levels deep$"):
+            ask(deep)
         self.run_.step()
 
     def test_expects_and_injects_messages(self):
