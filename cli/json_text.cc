@@ -58,6 +58,20 @@ Json TryParseJson(std::string_view text) {
   return Json::parse(text, nullptr, false);
 }
 
+nlohmann::json PlainMember(std::string_view text, const char* name) {
+  using Event = nlohmann::json::parse_event_t;
+  // Lets the parser drop every list and object except the outermost, so that the result is not
+  // nested.
+  const auto keeps = [](int depth, Event event, const nlohmann::json&) {
+    return depth == 0 || (event != Event::object_start && event != Event::array_start);
+  };
+  const auto json = nlohmann::json::parse(text, keeps, false);
+  if (!json.is_object()) return nullptr;
+  const auto member = json.find(name);
+  // A member that the parser has dropped may still be there, as a value that is_discarded().
+  return member != json.end() && member->is_primitive() ? *member : nlohmann::json();
+}
+
 template std::string JsonText(const nlohmann::json&, int);
 template std::string JsonText(const nlohmann::ordered_json&, int);
 template nlohmann::json ParseJson(std::string_view);

@@ -47,4 +47,9 @@ void CheckFractions(const Json& json, Fractions fractions);
 template <typename Json>
 Json TryParseJson(std::string_view text);
 
+// Returns the member `name` of the JSON object in `text`, however deeply other members are nested.
+// Returns null if there is no such member, if the member is a list or an object, or if `text` is no
+// JSON object.  Used to answer JSON that is refused because it is nested too deeply.
+nlohmann::json PlainMember(std::string_view text, const char* name);
+
 }  // namespace openr_host

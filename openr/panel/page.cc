@@ -126,7 +126,15 @@ void Page::Take(std::string_view part, bool is_text, bool is_last) {
 }
 
 void Page::HandleRequest(const std::string& text) {
-  auto request = TryParseJson<nlohmann::json>(text);
+  nlohmann::json request;
+  try {
+    request = ParseJson<nlohmann::json>(text);
+  } catch (const JsonTooDeep& error) {
+    // Looks for the id, because the page may wait for an answer to this request.
+    return Refuse(PlainMember(text, "id"), error.what());
+  } catch (const nlohmann::json::exception&) {
+    request = nullptr;  // is refused below, like JSON that is no object
+  }
   if (!request.is_object()) return Refuse({}, "the request is no JSON object");
   // Copies the id, because CallRobot() moves the request away, and a refusal needs the id.
   const nlohmann::json id = request.value("id", nlohmann::json());

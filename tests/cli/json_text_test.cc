@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace openr_host {
 namespace {
@@ -70,6 +71,31 @@ TEST(JsonTextTest, BracketsInTextsAreNotNested) {
   std::string list = "[0";
   for (int i = 0; i < 1000; ++i) list += ",[{}]";
   EXPECT_EQ(ParseJson<Json>(list + "]").size(), 1001u);
+}
+
+TEST(JsonTextTest, APlainMemberIsFoundBesideNestedOnes) {
+  const std::string deep = Nested(1'000'000, "{\"id\":1}");
+  for (const char* const id : {"7", "-7", "0.5", "\"a\"", "true"}) {
+    EXPECT_EQ(JsonText(PlainMember("{\"a\":" + deep + ",\"id\":" + id + "}", "id")), id);
+    EXPECT_EQ(JsonText(PlainMember("{\"id\":" + std::string(id) + ",\"a\":" + deep + "}", "id")),
+              id);
+  }
+  EXPECT_EQ(PlainMember("{\"b\":{\"id\":1},\"c\":[2,{\"id\":3}],\"id\":4,\"d\":{}}", "id"), 4);
+}
+
+TEST(JsonTextTest, NestedAndMissingMembersAreNull) {
+  const std::string deep = Nested(1'000'000, "");
+  const std::vector<std::string> texts = {"{\"id\":" + deep + "}",
+                                          "{\"id\":{\"id\":1},\"a\":2}",
+                                          "[" + deep + ",{\"id\":1}]",
+                                          "{\"a\":{\"id\":1}}",
+                                          "{\"id\":1,\"a\":" + deep,
+                                          "{\"id\":null}",
+                                          "{\"id\":1e999}",
+                                          "7",
+                                          ""};
+  for (const std::string& text : texts)
+    EXPECT_TRUE(PlainMember(text, "id").is_null()) << text.substr(0, 40);
 }
 
 TEST(JsonTextTest, WhatIsNoJsonIsAParseError) {

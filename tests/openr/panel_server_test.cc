@@ -142,10 +142,7 @@ TEST_F(PanelServerTest, OtherRequestsAndTheirAnswersPassThroughUnchanged) {
 
 TEST_F(PanelServerTest, WhatIsNoRequestIsRefusedAndThePageGoesOn) {
   const auto page = Page();
-  const std::string deep = R"({"do":"rc","call":"upload","id":)" + std::string(1'000'000, '[') +
-                           std::string(1'000'000, ']') + "}";
-  for (const std::string& text :
-       {std::string("hello"), std::string("[]"), std::string("7"), std::string("{\"do\":"), deep}) {
+  for (const char* const text : {"hello", "[]", "7", "{\"do\":"}) {
     page->Send(text);
     EXPECT_EQ(page->Receive(), R"({"error":"the request is no JSON object"})");
   }
@@ -155,6 +152,17 @@ TEST_F(PanelServerTest, WhatIsNoRequestIsRefusedAndThePageGoesOn) {
   EXPECT_EQ(page->Receive(), R"({"error":"there is no robot -1","id":4})");
   page->Send(R"({"do":7,"id":3})");
   EXPECT_THAT(page->Receive(), HasSubstr("\"id\":3"));
+  page->Send(R"({"do":"status"})");
+  EXPECT_EQ(run_.Line(), R"({"do":"status"})");
+}
+
+TEST_F(PanelServerTest, ARequestThatIsNestedTooDeeplyIsRefusedWithItsId) {
+  const auto page = Page();
+  const std::string deep = std::string(1'000'000, '[') + std::string(1'000'000, ']');
+  page->Send(R"({"do":"rc","call":"upload","x":)" + deep + R"(,"id":9})");
+  EXPECT_EQ(page->Receive(), R"({"error":"the JSON is nested more than 100 levels deep","id":9})");
+  page->Send(R"({"do":"rc","call":"upload","id":)" + deep + "}");
+  EXPECT_EQ(page->Receive(), R"({"error":"the JSON is nested more than 100 levels deep"})");
   page->Send(R"({"do":"status"})");
   EXPECT_EQ(run_.Line(), R"({"do":"status"})");
 }

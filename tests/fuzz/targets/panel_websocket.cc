@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "cli/json_text.h"
 #include "openr/panel/page.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/target_list.h"
@@ -44,7 +45,8 @@ class Socket final : public WebConnection {
 // Returns whether a request would make the server look for other runs, or connect to a robot.
 // Such requests are left out, because their answers depend on the computer.
 bool LeavesProcess(const std::string& text) {
-  const nlohmann::json request = nlohmann::json::parse(text, nullptr, false);
+  // Reads only JSON that the page reads, too, because deeper JSON is refused.
+  const auto request = TryParseJson<nlohmann::json>(text);
   if (!request.is_object() || !request.contains("do")) return false;
   const nlohmann::json& what = request["do"];
   return what == "runs" || (what == "rc" && request.contains("endpoint"));
