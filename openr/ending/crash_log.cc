@@ -277,6 +277,8 @@ void OnCrashSignal(int signal, siginfo_t* info, void* context) {
   SignalText& text = ending.record;
   SignalText name;
   if (t_current.object != nullptr) AddName(signal, *info, context, &name);
+  // AddName() fills `name`, which cppcheck does not see.
+  // cppcheck-suppress uninitvar
   text.Add("EXCEPTION ").Add(name.text());
   const bool is_overflow = StackMemory::AnyGuardContains(info->si_addr);
   // Prints only an address that the object has accessed.  The address of the instruction (SIGFPE,

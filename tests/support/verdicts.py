@@ -1,4 +1,4 @@
-"""What the tests of scripts share: verdict() counts, finish() prints "N passed, N failed"."""
+"""What the tests of scripts share: verdict() counts, finish() prints "N passed, N failed", and what was skipped."""
 
 _counts = {True: 0, False: 0}
 
@@ -10,7 +10,7 @@ def verdict(name, good, said=""):
         print(f"FAILED: {name}\n{said}")
 
 
-def finish():
+def finish(skipped=0):
     """Prints the last line; returns the exit status."""
-    print(f"{_counts[True]} passed, {_counts[False]} failed")
+    print(f"{_counts[True]} passed, {_counts[False]} failed" + (f", {skipped} skipped" if skipped else ""))
     return 1 if _counts[False] else 0
