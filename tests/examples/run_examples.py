@@ -9,7 +9,8 @@ is run once more with every object in a process of its own, which has to be the 
 that serve the network get a free port in their copy, and are asked by real clients on 127.0.0.1; a
 recording of what was answered from other processes is replayed in one.
 The trace of a run that nobody takes part in has the hash of hashes.txt.  --record-hashes writes this
-file anew, for a commit that says why the runs are others now.
+file anew, for a commit that says why the runs are others now, unless an example failed or left a part
+out.
 The last line is "N passed, N failed" (", N skipped").
 """
 import argparse
@@ -47,6 +48,12 @@ def is_live(name):
 def recorded_hashes(name):
     """Returns the lines of hashes.txt about one example."""
     return [line for line in HASHES.read_text().splitlines() if line.startswith(name + " ")]
+
+
+def names_gone(found):
+    """Returns the names in hashes.txt of which `found`, the examples with a check, has none."""
+    lines = [line for line in HASHES.read_text().splitlines() if line and not line.startswith("#")]
+    return sorted({line.split()[0] for line in lines} - set(found))
 
 
 def run(openr, name, check, scratch, apart):
@@ -90,6 +97,10 @@ def main():
     if unchecked and not arguments.word:
         print(f"FAIL no check for {', '.join(unchecked)}")
         bad += 1
+    gone = names_gone(found)
+    if gone and not (arguments.word or arguments.record_hashes):
+        print(f"FAIL hashes.txt has lines of {', '.join(gone)}, which no check is for; --record-hashes drops them")
+        bad += 1
 
     scratch = pathlib.Path(os.environ.get("OPENR_TEST_SCRATCH") or tempfile.mkdtemp(prefix="openr-examples-"))
     try:
@@ -114,13 +125,14 @@ def main():
                 skips += len(skipped)
     finally:
         shutil.rmtree(scratch, ignore_errors=True)
-    if arguments.record_hashes and (bad or skips):
+    is_refused = arguments.record_hashes and (bad or skips or good == 0)
+    if is_refused:
         print("hashes.txt stays as it is, because not all examples were good")
     elif arguments.record_hashes:
         HASHES.write_text("# Arguments and hash of the trace of each run of the examples (run_examples.py).\n" +
                           "".join(line + "\n" for line in all_hashes))
     print(f"{good} passed, {bad} failed" + (f", {skips} skipped" if skips else ""))
-    return 1 if bad or good == 0 else 0
+    return 1 if bad or good == 0 or is_refused else 0
 
 
 if __name__ == "__main__":
