@@ -10,30 +10,36 @@ say() { echo "$(basename "$0" .sh): $*" >&2; }
 give_up() { say "$*"; exit 1; }
 
 # read_flags FLAG=VARIABLE... -- ARGS...: sets the variables of the flags that are in ARGS.  A flag
-# whose variable is true or false makes it true; every other flag has a value.  --mirror and --keep
-# are flags of all scripts.  Another argument ends the script with the text at the script's top.
+# whose variable is true or false before is a switch, which makes it true; every other flag has a
+# value.  --mirror and --keep are flags of all scripts.  Another argument ends the script with the
+# text at the script's top.
 read_flags() {
-  local -A variables=([--mirror]=mirror [--keep]=keep)
-  local variable
+  local -A switches=() values=()
+  local flag variable
+  set -- --mirror=mirror --keep=keep "$@"
   while [ "$1" != -- ]; do
-    variables[${1%%=*}]=${1#*=}
+    flag=${1%%=*} variable=${1#*=}
+    case ${!variable} in
+      true | false) switches[$flag]=$variable ;;
+      *) values[$flag]=$variable ;;
+    esac
     shift
   done
   shift
   while [ $# -gt 0 ]; do
-    variable=${variables[$1]:-}
-    if [ -z "$variable" ]; then
+    # Bash takes other words, such as * and the empty one, for more than the name of an element.
+    flag=
+    case $1 in --?*) flag=$1 ;; esac
+    if [ -n "$flag" ] && [ -n "${switches[$flag]:-}" ]; then
+      printf -v "${switches[$flag]}" true
+    elif [ -n "$flag" ] && [ -n "${values[$flag]:-}" ]; then
+      case ${2:---} in --*) give_up "$flag needs a value" ;; esac
+      printf -v "${values[$flag]}" %s "$2"
+      shift
+    else
       sed -n '2,/^set /s/^# \{0,1\}//p' "tools/$(basename "$0")" >&2
       exit 2
     fi
-    case ${!variable} in
-      true | false) printf -v "$variable" true ;;
-      *)
-        [ $# -gt 1 ] || give_up "$1 needs a value"
-        printf -v "$variable" %s "$2"
-        shift
-        ;;
-    esac
     shift
   done
 }
