@@ -4,6 +4,7 @@
 #include <exception>
 #include <filesystem>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -96,10 +97,19 @@ void RunsLister::Ask(std::shared_ptr<Outbox> outbox, nlohmann::json id) {
   questions_->waiting.push_back(std::move(question));
   if (std::exchange(questions_->is_answering, true)) return;
   ++g_lister_threads;
-  std::thread([questions = questions_] {
-    questions->AnswerAll();
+  try {
+    std::thread([questions = questions_] {
+      questions->AnswerAll();
+      --g_lister_threads;
+    }).detach();
+  } catch (const std::system_error&) {
+    // Drops the question, because this computer cannot make a thread, so that the next question
+    // tries again to make it.
     --g_lister_threads;
-  }).detach();
+    questions_->waiting.clear();
+    questions_->is_answering = false;
+    throw;
+  }
 }
 
 bool RunsLister::HasThreads() { return g_lister_threads > 0; }

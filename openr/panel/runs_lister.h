@@ -20,7 +20,7 @@ class RunsLister {
   RunsLister& operator=(const RunsLister&) = delete;
 
   // Collects the states of all runs, and puts them into `outbox` as the answer to the request with
-  // the id `id`.
+  // the id `id`.  Throws std::runtime_error if this computer cannot make a thread.
   void Ask(std::shared_ptr<Outbox> outbox, nlohmann::json id);
 
   // Returns whether the thread of any RunsLister of this process still runs.

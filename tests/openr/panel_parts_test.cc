@@ -1,20 +1,28 @@
 // Parts of the panel's server, without a server.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <pthread.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <condition_variable>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <future>
 #include <mutex>
 #include <set>
 #include <stdexcept>
+#include <system_error>
 
 #include "cli/base64.h"
 #include "openr/panel/access.h"
 #include "openr/panel/page_queue.h"
+#include "openr/panel/pair_bridge.h"
 #include "openr/panel/rc_bridge.h"
+#include "openr/panel/rc_forwarder.h"
+#include "openr/panel/runs_lister.h"
 #include "openr/panel/static_files.h"
 #include "tests/openr/program_run.h"
 
@@ -162,6 +170,115 @@ TEST_F(RcBridgeTest, CallsBeyondTheLimitAreRefused) {
   EXPECT_EQ(refused[1].at("error"), "too many commands wait for the robot; is it busy?");
   release_.set_value();
   EXPECT_EQ(Answers(RcBridge::kCallsMax + 1).size(), RcBridge::kCallsMax + 1);
+}
+
+// While it exists, no new thread of this process can be made, because its stack would be larger
+// than the memory of any computer.
+class NoThreads {
+ public:
+  NoThreads() {
+    EXPECT_EQ(pthread_getattr_default_np(&before_), 0);
+    pthread_attr_t huge;
+    EXPECT_EQ(pthread_getattr_default_np(&huge), 0);
+    EXPECT_EQ(pthread_attr_setstacksize(&huge, size_t{1} << 60), 0);
+    EXPECT_EQ(pthread_setattr_default_np(&huge), 0);
+    pthread_attr_destroy(&huge);
+  }
+  ~NoThreads() {
+    EXPECT_EQ(pthread_setattr_default_np(&before_), 0);
+    pthread_attr_destroy(&before_);
+  }
+  NoThreads(const NoThreads&) = delete;
+  NoThreads& operator=(const NoThreads&) = delete;
+
+ private:
+  pthread_attr_t before_;
+};
+
+// Threads that cannot be made must not count as threads that run: then the server would make none
+// any more, and would wait for them at its end.  Each test tries more often than threads may run.
+class NoThreadsTest : public ::testing::Test {
+ protected:
+  NoThreadsTest() { setenv("XDG_RUNTIME_DIR", folder_.path().c_str(), 1); }
+  ~NoThreadsTest() override { unsetenv("XDG_RUNTIME_DIR"); }
+
+  // Waits until no thread of `Maker` runs any more, as those of other tests may do.
+  template <typename Maker>
+  static void WaitForThreads() {
+    while (Maker::HasThreads()) usleep(1000);
+  }
+
+  // Waits for the next answer that a thread gives.
+  Json Answer() const {
+    for (;;) {
+      const std::vector<std::string> texts = outbox_->TakeAll();
+      if (!texts.empty()) return Json::parse(texts[0]);
+      usleep(1000);
+    }
+  }
+
+  const ScratchFolder folder_;
+  const std::shared_ptr<Outbox> outbox_ = std::make_shared<Outbox>([] {});
+};
+
+TEST_F(NoThreadsTest, ABridgeToARobotIsMadeAfterFailures) {
+  const auto find = []() -> openr::remote::Address { throw std::runtime_error("no robot"); };
+  WaitForThreads<RcBridge>();
+  {
+    const NoThreads none;
+    for (int i = 0; i <= RcBridge::kThreadsMax; ++i)
+      EXPECT_THROW(RcBridge(find, outbox_), std::system_error);
+  }
+  EXPECT_FALSE(RcBridge::HasThreads());
+  RcBridge bridge(find, outbox_);
+  bridge.Add({{"call", "connect"}, {"id", 1}}, 10);
+  EXPECT_EQ(Answer(), Json({{"error", "no robot"}, {"id", 1}}));
+}
+
+TEST_F(NoThreadsTest, ABridgeToTwoRobotsIsMadeAfterFailures) {
+  const LiveRun run{"gone", 1, folder_.File("gone.1")};
+  const nlohmann::json request = {{"endpoint", "127.0.0.1:1"}, {"id", 1}};
+  WaitForThreads<PairBridge>();
+  {
+    const NoThreads none;
+    for (int i = 0; i <= PairBridge::kThreadsMax; ++i)
+      EXPECT_THROW(PairBridge(run, 0, request, outbox_), std::system_error);
+  }
+  EXPECT_FALSE(PairBridge::HasThreads());
+  const PairBridge bridge(run, 0, request, outbox_);
+  const Json answer = Answer();
+  EXPECT_EQ(answer.value("id", 0), 1) << answer;
+  EXPECT_TRUE(answer.contains("error")) << answer;
+  WaitForThreads<PairBridge>();
+}
+
+TEST_F(NoThreadsTest, RunsAreListedAfterFailures) {
+  RunsLister lister("own.1");
+  WaitForThreads<RunsLister>();
+  {
+    const NoThreads none;
+    for (int id = 1; id <= 100; ++id) EXPECT_THROW(lister.Ask(outbox_, id), std::system_error);
+  }
+  EXPECT_FALSE(RunsLister::HasThreads());
+  lister.Ask(outbox_, 101);
+  EXPECT_EQ(Answer(), Json({{"runs", Json::array()}, {"own", "own.1"}, {"id", 101}}));
+  WaitForThreads<RunsLister>();
+}
+
+TEST_F(NoThreadsTest, AClientForWhichThereIsNoThreadIsClosed) {
+  RcForwarder forwarder([]() -> openr::remote::Address { throw std::runtime_error("no robot"); },
+                        "token", true);
+  WaitForThreads<RcForwarder>();
+  const NoThreads none;
+  for (int i = 0; i <= RcForwarder::kWithoutTokenMax; ++i) {
+    int ends[2];
+    ASSERT_EQ(socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends), 0);
+    forwarder.Take(ends[1]);
+    char byte;
+    EXPECT_EQ(recv(ends[0], &byte, 1, 0), 0);
+    close(ends[0]);
+  }
+  EXPECT_FALSE(RcForwarder::HasThreads());
 }
 
 }  // namespace
