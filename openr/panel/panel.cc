@@ -41,6 +41,8 @@ constexpr size_t kPagesMax = 16;
 // The time that the server of the panel waits before it ends, so that pages can receive the message
 // that the run has ended.
 constexpr int kFarewellMs = 300;
+// The time that the server waits if it can neither accept nor close a connection.
+constexpr int kNoDescriptorMs = 10;
 
 constexpr char kNoPage[] =
     R"(<!doctype html><html lang="en"><meta charset="utf-8"><title>openr panel</title>
@@ -88,10 +90,21 @@ class SpareDescriptor {
   SpareDescriptor(const SpareDescriptor&) = delete;
   SpareDescriptor& operator=(const SpareDescriptor&) = delete;
 
-  // Closes the next connection that waits at `listener`.  Returns false if there is none.
+  // Opens the descriptor again if CloseNext() could not, because another thread had taken the last
+  // one.  Called before connections are accepted, which may need all descriptors that are free.
+  void OpenAgain() {
+    if (descriptor_ < 0) Open();
+  }
+
+  // Closes the next connection that waits at `listener`.  Returns false if there is none, or if the
+  // descriptor could not be opened again.
   bool CloseNext(int listener) {
-    if (descriptor_ < 0) Open();  // another thread may have taken the last descriptor before
-    if (descriptor_ < 0) return false;
+    OpenAgain();
+    if (descriptor_ < 0) {
+      // Waits a moment, because the event loop finds the listener readable again at once.
+      poll(nullptr, 0, kNoDescriptorMs);
+      return false;
+    }
     close(descriptor_);
     const int connection = accept4(listener, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
     if (connection >= 0) close(connection);
@@ -109,6 +122,7 @@ class SpareDescriptor {
 // because a Listener whose function returns false is closed.
 bool AcceptAll(int listener, SpareDescriptor* spare,
                const std::function<void(int connection)>& take) {
+  spare->OpenAgain();
   for (;;) {
     const int connection = accept4(listener, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
     if (connection >= 0) {

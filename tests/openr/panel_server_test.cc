@@ -1,14 +1,17 @@
 // The server of the panel, with a run that the test plays itself.
 #include "tests/openr/panel_server.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <netinet/in.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
-#include <algorithm>
 #include <atomic>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <thread>
@@ -347,32 +350,83 @@ TEST_F(PanelServerTest, ARobotThatWasRefusedMayBeAskedForAgain) {
   close(silent);
 }
 
-// A connection that stayed in the queue would wake the server's event loop again and again.
-TEST_F(PanelServerTest, AConnectionForWhichNoDescriptorIsLeftIsClosed) {
-  int highest = 0;
-  const std::string descriptors = "/proc/" + std::to_string(server_->pid()) + "/fd";
-  for (const auto& entry : std::filesystem::directory_iterator(descriptors))
-    highest = std::max(highest, std::stoi(entry.path().filename()));
-  rlimit before{}, few{};
-  ASSERT_EQ(prlimit(server_->pid(), RLIMIT_NOFILE, nullptr, &before), 0);
-  few = {static_cast<rlim_t>(highest) + 3, before.rlim_max};
-  ASSERT_EQ(prlimit(server_->pid(), RLIMIT_NOFILE, &few, nullptr), 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<uint16_t>(port_));
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  std::vector<int> clients;
-  for (rlim_t i = 0; i <= few.rlim_cur; ++i) {
-    clients.push_back(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
-    ASSERT_EQ(connect(clients.back(), reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+// A server that has few descriptors.
+class PanelDescriptorsTest : public PanelServerTest {
+ protected:
+  void SetUp() override {
+    PanelServerTest::SetUp();
+    if (IsSkipped()) return;
+    ASSERT_EQ(prlimit(server_->pid(), RLIMIT_NOFILE, nullptr, &before_), 0);
+    address_.sin_family = AF_INET;
+    address_.sin_port = htons(static_cast<uint16_t>(port_));
+    address_.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   }
-  const timeval patience{30, 0};
-  setsockopt(clients.back(), SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
-  char byte;
-  EXPECT_EQ(recv(clients.back(), &byte, 1, 0), 0);
-  for (const int client : clients) close(client);
-  ASSERT_EQ(prlimit(server_->pid(), RLIMIT_NOFILE, &before, nullptr), 0);
+
+  // Lets the server open only descriptors with numbers below `limit`.
+  void Limit(rlim_t limit) const {
+    const rlimit few{limit, before_.rlim_max};
+    ASSERT_EQ(prlimit(server_->pid(), RLIMIT_NOFILE, &few, nullptr), 0);
+  }
+
+  // Returns the descriptors of the server, and what they lead to.
+  std::map<int, std::string> Descriptors() const {
+    std::map<int, std::string> found;
+    const std::string folder = "/proc/" + std::to_string(server_->pid()) + "/fd";
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      std::error_code error;  // set if the server has closed the descriptor meanwhile
+      const std::filesystem::path target = std::filesystem::read_symlink(entry.path(), error);
+      if (!error) found[std::stoi(entry.path().filename())] = target;
+    }
+    return found;
+  }
+
+  int Connect() const {
+    const int client = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    EXPECT_EQ(connect(client, reinterpret_cast<const sockaddr*>(&address_), sizeof address_), 0);
+    return client;
+  }
+
+  // Connects more clients than the server has descriptors for, and expects that the last one is
+  // closed.
+  void ExpectConnectionsAreClosed() const {
+    const int limit = Descriptors().rbegin()->first + 3;
+    Limit(static_cast<rlim_t>(limit));
+    std::vector<int> clients;
+    for (int i = 0; i <= limit; ++i) clients.push_back(Connect());
+    const timeval patience{30, 0};
+    setsockopt(clients.back(), SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+    char byte;
+    EXPECT_EQ(recv(clients.back(), &byte, 1, 0), 0);
+    for (const int client : clients) close(client);
+    Limit(before_.rlim_cur);
+    EXPECT_THAT(Http(port_, "/"), StartsWith("HTTP/1.1 200 OK\r\n"));
+  }
+
+  rlimit before_{};
+  sockaddr_in address_{};
+};
+
+// A connection that stayed in the queue would wake the server's event loop again and again.
+TEST_F(PanelDescriptorsTest, AConnectionForWhichNoDescriptorIsLeftIsClosed) {
+  ExpectConnectionsAreClosed();
+}
+
+// With a limit at the number of the spare descriptor, which is the first /dev/null that the server
+// has opened, the server closes it and can open nothing in its place.
+TEST_F(PanelDescriptorsTest, ASpareDescriptorThatWasLostIsOpenedAgain) {
+  int spare = 0;
+  for (const auto& [number, target] : Descriptors()) {
+    if (number > STDERR_FILENO && spare == 0 && target == "/dev/null") spare = number;
+  }
+  ASSERT_GT(spare, 0);
+  Limit(static_cast<rlim_t>(spare));
+  const int waiting = Connect();
+  for (int i = 0; i < 3000 && Descriptors().contains(spare); ++i) usleep(10'000);
+  EXPECT_FALSE(Descriptors().contains(spare));
+  Limit(before_.rlim_cur);
   EXPECT_THAT(Http(port_, "/"), StartsWith("HTTP/1.1 200 OK\r\n"));
+  close(waiting);
+  ExpectConnectionsAreClosed();
 }
 
 TEST_F(PanelServerTest, CtrlCEndsAServerThatWasStartedByHand) {
@@ -380,6 +434,34 @@ TEST_F(PanelServerTest, CtrlCEndsAServerThatWasStartedByHand) {
   server_->Signal(SIGINT);
   EXPECT_EQ(server_->Finish().status, 0);
   EXPECT_EQ(run_.Line(), "");
+}
+
+// A run that has started its server tells it of its end by a pipe, and answers by a socket.  The
+// server is stopped meanwhile, so it finds the answer and the end at the same time.
+TEST_F(PanelTest, ThePageGetsTheLastAnswerOfARunThatEnds) {
+  FakeRun run("played");
+  int ends[2];
+  ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
+  fcntl(ends[0], F_SETFD, 0);  // for the server
+  ProgramRun server({"panel", "--port", "0", "--fd", std::to_string(ends[0]), "--run", run.id()});
+  close(ends[0]);
+  ASSERT_TRUE(server.WaitFor("\n"));
+  TakeAddress(server.heard());
+  WebSocketClient page(port_, Known());
+  run.Accept();
+  page.Send(R"({"do":"status","id":1})");
+  EXPECT_EQ(run.Line(), R"({"do":"status","id":1})");
+  server.Signal(SIGSTOP);
+  int status = 0;
+  ASSERT_EQ(waitpid(server.pid(), &status, WUNTRACED), server.pid());
+  ASSERT_TRUE(WIFSTOPPED(status));
+  run.Write("{\"id\":1}\n");
+  close(ends[1]);
+  server.Signal(SIGCONT);
+  EXPECT_EQ(page.Receive(), R"({"id":1})");
+  EXPECT_EQ(page.Receive(), R"({"event":"ended","why":"the run has ended"})");
+  EXPECT_EQ(page.Receive(), "close 4001");
+  EXPECT_EQ(server.Finish().status, 0);
 }
 
 }  // namespace
