@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 #include <signal.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -21,6 +23,24 @@ namespace {
 constexpr size_t kNameMax = 40;
 
 bool IsRunning(int process) { return kill(process, 0) == 0 || errno == EPERM; }
+
+// Returns whether a process has the socket at `path` open, as the run that made it does.  Connects
+// a socket of another type, because this fails in any case: with EPROTOTYPE if the socket is open,
+// with ECONNREFUSED if it is not (man 7 unix).  So this neither waits for the run, nor takes the
+// place of a client.
+bool IsOpen(const std::string& path) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  if (path.size() >= sizeof address.sun_path) return false;
+  std::memcpy(address.sun_path, path.c_str(), path.size() + 1);
+  const int descriptor = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  if (descriptor < 0) return true;  // the answer is not known, and the run may go on
+  const bool is_refused =
+      connect(descriptor, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 &&
+      (errno == ECONNREFUSED || errno == ENOENT);
+  close(descriptor);
+  return !is_refused;
+}
 
 std::string Describe(const std::vector<LiveRun>& runs) {
   if (runs.empty()) return "no run of this user goes on";
@@ -72,7 +92,9 @@ std::vector<LiveRun> LiveRuns() {
     if (dot == std::string::npos ||
         std::from_chars(file.data() + dot + 1, end, run.process).ptr != end)
       continue;
-    if (IsRunning(run.process)) {
+    // Tests both: another process may have the id of a run that has ended, and a program that a
+    // killed run has started may still have its socket open.
+    if (IsRunning(run.process) && IsOpen(run.socket)) {
       runs.push_back(std::move(run));
     } else {
       unlink(run.socket.c_str());

@@ -170,6 +170,26 @@ TEST_F(LiveRunTest, TheSocketOfAKilledRunIsRemoved) {
   EXPECT_FALSE(std::filesystem::exists(socket));
 }
 
+// The process of this test is running, but has not opened the socket that has its id.
+TEST_F(LiveRunTest, ASocketOfADeadRunWhoseProcessIdIsUsedAgainIsRemoved) {
+  const std::string path = LiveSocketPath("dead");
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  std::strncpy(address.sun_path, path.c_str(), sizeof address.sun_path - 1);
+  const int dead = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  ASSERT_EQ(bind(dead, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+  EXPECT_EQ(LiveRuns().size(), 1u) << "a run that does not listen yet";
+  ASSERT_EQ(listen(dead, 1), 0);
+  EXPECT_EQ(LiveRuns().size(), 1u);
+  EXPECT_EQ(accept4(dead, nullptr, nullptr, SOCK_CLOEXEC), -1) << "LiveRuns() is a client";
+  close(dead);
+  EXPECT_TRUE(std::filesystem::exists(path));
+  const ProcessResult poke = Openr({"poke", "dead", "press", "chin"});
+  EXPECT_EQ(poke.status, 1);
+  EXPECT_THAT(poke.output, HasSubstr("there is no run 'dead'; no run of this user goes on"));
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
 TEST_F(LiveRunTest, AFolderThatOthersCanEnterIsRefused) {
   const std::string folder = LiveFolder();
   chmod(folder.c_str(), 0755);
