@@ -58,6 +58,14 @@ Json TryParseJson(std::string_view text) {
   return Json::parse(text, nullptr, false);
 }
 
+nlohmann::json ParseWithoutLists(std::string_view text) {
+  using Event = nlohmann::json::parse_event_t;
+  const auto keeps = [](int, Event event, const nlohmann::json&) {
+    return event != Event::array_start;
+  };
+  return nlohmann::json::parse(text, keeps, false);
+}
+
 nlohmann::json PlainMember(std::string_view text, const char* name) {
   using Event = nlohmann::json::parse_event_t;
   // Lets the parser drop every list and object except the outermost, so that the result is not

@@ -47,6 +47,11 @@ void CheckFractions(const Json& json, Fractions fractions);
 template <typename Json>
 Json TryParseJson(std::string_view text);
 
+// Returns the JSON in `text` without its lists, or a value that is no object if `text` is no JSON.
+// May be nested as deeply as the objects in `text` are, so the caller must not copy or write it.
+// The place of a list in an object has a value that is_discarded(), or none.
+nlohmann::json ParseWithoutLists(std::string_view text);
+
 // Returns the member `name` of the JSON object in `text`, however deeply other members are nested.
 // Returns null if there is no such member, if the member is a list or an object, or if `text` is no
 // JSON object.  Used to answer JSON that is refused because it is nested too deeply.

@@ -9,7 +9,6 @@
 #include "cli/json_text.h"
 #include "openr/data/mcap_writer.h"
 #include "openr/data/table.h"
-#include "runtime/base/json_depth.h"
 
 namespace openr_host {
 namespace {
@@ -164,8 +163,10 @@ class McapReader {
     record->Take(8);
     if (topic.empty()) return;
     const std::string_view text = record->Rest();
-    if (text.starts_with('{') && IsJsonTooDeep(text)) RefuseDepth();
-    const auto json = TryParseJson<nlohmann::json>(text);
+    auto json = TryParseJson<nlohmann::json>(text);
+    // Reads JSON that is nested too deeply without its lists, because lists have no numbers to draw
+    // and AddMembers() finds deep objects.
+    if (json.is_discarded()) json = ParseWithoutLists(text);
     if (json.is_object()) AddMembers(QuantityOfTopic(topic), time_s, json, 1);
   }
 

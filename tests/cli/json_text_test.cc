@@ -73,6 +73,16 @@ TEST(JsonTextTest, BracketsInTextsAreNotNested) {
   EXPECT_EQ(ParseJson<Json>(list + "]").size(), 1001u);
 }
 
+TEST(JsonTextTest, ListsAreLeftOut) {
+  const std::string deep = Nested(1'000'000, "{\"id\":1}");
+  const Json json = ParseWithoutLists("{\"a\":" + deep + ",\"b\":{\"c\":[1],\"d\":2},\"e\":[]}");
+  ASSERT_TRUE(json.is_object());
+  EXPECT_EQ(json.at("b").at("d"), 2);
+  for (const char* const name : {"a", "e"}) EXPECT_FALSE(json.value(name, Json()).is_array());
+  for (const std::string& text : {deep, std::string("{\"a\":"), std::string()})
+    EXPECT_FALSE(ParseWithoutLists(text).is_object());
+}
+
 TEST(JsonTextTest, APlainMemberIsFoundBesideNestedOnes) {
   const std::string deep = Nested(1'000'000, "{\"id\":1}");
   for (const char* const id : {"7", "-7", "0.5", "\"a\"", "true"}) {

@@ -150,15 +150,36 @@ TEST(McapTableTest, NestedChunkIsRefused) {
 }
 
 TEST(McapTableTest, DeepObjectsAreRefused) {
-  for (const int depth : {33, 1000}) {
-    std::string bytes, deep = "1";
-    for (int i = 0; i < depth; ++i) deep = "{\"a\":" + deep + "}";
+  for (const int depth : {33, 1000, 1'000'000}) {
+    std::string bytes, deep;
+    for (int i = 0; i < depth; ++i) deep += "{\"a\":";
+    deep += "1" + std::string(static_cast<size_t>(depth), '}');
     McapWriter writer("test", [&bytes](std::string_view more) { bytes += more; });
     const uint16_t schema = writer.AddSchema("openr.joint", "{\"type\":\"object\"}");
     writer.Add(writer.AddChannel("/aibo/joint", schema), 8000, deep);
     writer.Finish();
     EXPECT_THAT(ErrorOfMcap(bytes), HasSubstr("has objects within objects, more than 32 deep"));
   }
+}
+
+TEST(McapTableTest, DeepListsAndBytesThatAreNoJsonAreLeftOut) {
+  const std::string list = std::string(1000, '[') + "7" + std::string(1000, ']');
+  std::string bytes;
+  McapWriter writer("test", [&bytes](std::string_view more) { bytes += more; });
+  const uint16_t schema = writer.AddSchema("other", "{\"type\":\"object\"}");
+  const uint16_t channel = writer.AddChannel("/other", schema);
+  writer.Add(channel, 8000,
+             "{\"a\":1,\"list\":" + list + ",\"b\":{\"list\":" + list + ",\"c\":2}}");
+  writer.Add(channel, 16000, "{" + list);
+  writer.Add(channel, 24000, list);
+  writer.Add(channel, 32000, "{\"a\":3}");
+  writer.Finish();
+  const Table table = ReadMcapTable("run.mcap", bytes);
+  ASSERT_EQ(table.series.size(), 2U);
+  EXPECT_EQ(table.series[0].name, "/other.a");
+  EXPECT_THAT(table.series[0].values, ElementsAre(1, 3));
+  EXPECT_EQ(table.series[1].name, "/other.b.c");
+  EXPECT_THAT(table.series[1].values, ElementsAre(2));
 }
 
 TEST(McapTableTest, DamagedChunkIsRefused) {
