@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
-"""tests/fuzz/fuzz.py: the progress line of ./dev fuzz, the limits of inputs and the shares of targets.  The last line is "N passed, N failed"."""
+"""tests/fuzz/fuzz.py: the progress line and the reports of ./dev fuzz, the limits of inputs and the shares of targets.  The last line is "N passed, N failed"."""
+import contextlib
 import io
 import sys
+import tempfile
 import threading
 from pathlib import Path
 
@@ -67,5 +69,50 @@ check("a pipe shows nothing", drawn(is_terminal=False), "")
 check("a short run shows nothing", drawn(is_terminal=True, quiet=60), "")
 verdict("targets that share seconds do not get less in all",
         [fuzz.seconds_each(*share) for share in ((300, 35), (35, 35), (1, 35), (60, 1))] == [9, 1, 1, 60])
+
+
+def reported(text, content, status=77):
+    """Returns what report() prints of a run that has printed `text`, and in which `content` crashed."""
+    with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()) as printed:
+        crash = Path(folder, "crash-1")
+        crash.write_bytes(content)
+        good = fuzz.report("mtn", {"status": status, "text": text, "executions": 5, "edges": 6,
+                                   "crashes": [str(crash)] if status else []})
+        verdict(f"status {status} is {'a failure' if status else 'good'}", good == (status == 0))
+    return printed.getvalue().splitlines()
+
+
+REASONS = ["a.cc:3:4: runtime error: signed integer overflow", "  what():  no number",
+           "==12==ERROR: AddressSanitizer: heap-use-after-free", "==12== ERROR: libFuzzer: deadly signal",
+           "openr_fuzz: each request has an answer"]
+NOISE = [f"[oid:0x1] ERROR: {i}" for i in range(9)]
+lines = reported("\n".join(NOISE + REASONS + NOISE), b"\0\xff")
+verdict("a crash is reported with its reasons, and not with what the target has printed",
+        lines[-6:-1] == [f"  {reason}" for reason in REASONS] and not [line for line in lines if "[oid" in line],
+        "\n".join(lines))
+check("a small input is printed", [line for line in lines if "base64" in line],
+      ["  its content, for base64 -d: AP8="])
+for size in (fuzz.SHOWN_BYTES, fuzz.SHOWN_BYTES + 1):
+    shown = [line for line in reported(REASONS[0], bytes(size)) if "base64" in line]
+    verdict(f"an input of {size} bytes is {'printed' if size == fuzz.SHOWN_BYTES else 'too large'}",
+            len(shown) == (size == fuzz.SHOWN_BYTES), "\n".join(shown))
+check("a good run is one line", reported("ERROR", b"", status=0),
+      ["mtn                       5 executions       6 edges  0 crashes"])
+
+
+def seconds_of_main(*arguments):
+    """Returns the seconds that main() gives to each target."""
+    given = []
+    fuzz.targets = lambda: dict.fromkeys(["mtn", "cfg", "wav"], {})
+    fuzz.fuzz = lambda name, found, seconds, seed: given.append(seconds)
+    fuzz.report = lambda name, result: True
+    sys.argv = ["fuzz.py", *arguments]
+    with contextlib.redirect_stdout(io.StringIO()):
+        fuzz.main()
+    return given
+
+
+check("all targets share the seconds", seconds_of_main("all", "10"), [4, 4, 4])
+check("one target gets all seconds", seconds_of_main("cfg", "10"), [10])
 
 sys.exit(finish())
