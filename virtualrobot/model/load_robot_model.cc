@@ -16,6 +16,12 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kCameraPixelsMax = 4096;  // limit for the width and the height of a picture
+// Limits of other numbers, far above those of every robot.  Programs convert these numbers to
+// integers of 32 bits, in hundredths of a degree or in millionths of a metre.
+constexpr double kSpeedMax_deg_s = 100'000;
+constexpr double kAccelerationMax_deg_s2 = 1'000'000;
+constexpr double kPawRadiusMax_mm = 1000;
+constexpr double kDistanceMax_mm = 100'000;
 
 std::vector<JsonReader> Rows(const JsonReader& root, const char* table) {
   return root.At(table).At("rows").Elements();
@@ -34,6 +40,12 @@ Range Span(const JsonReader& pair, double scale) {
   const std::vector<double> v = pair.Numbers(2);
   if (v[0] > v[1]) pair.Fail("runs from {} to {}, must rise", v[0], v[1]);
   return {v[0] * scale, v[1] * scale};
+}
+
+// Reads a number that must be > 0 and at most `max`.
+double PositiveUpTo(const JsonReader& number, double max) {
+  number.NumberAbove(0);
+  return number.NumberWithin(0, max);
 }
 
 int BodyNamed(const RobotModel& model, const JsonReader& name) {
@@ -102,6 +114,7 @@ void ReadJoint(const JsonReader& row, RobotModel* model) {
     row.At("hard").Fail("must lie between -360 and 360 degrees");
   joint.speed_rad_s = Span(row.At("speed"), Radians(1));
   if (!(joint.speed_rad_s.min > 0)) row.At("speed").Fail("must be > 0");
+  for (const JsonReader& limit : row.At("speed").Elements()) limit.NumberWithin(0, kSpeedMax_deg_s);
   joint.gains = ReadGains(row.At("pid"));
   if (row.Has("torque")) joint.stall_torque_nm = row.At("torque").NumberAbove(0);
   joint.sensor = static_cast<int>(row.At("sensor").Whole(0, 255));
@@ -133,6 +146,10 @@ std::vector<DistanceRow> ReadLookup(const JsonReader& table) {
   std::vector<DistanceRow> rows;
   for (const JsonReader& row : table.Elements()) {
     const std::vector<double> v = row.Numbers(3);
+    const std::vector<JsonReader> numbers = row.Elements();
+    numbers[0].NumberWithin(0, kDistanceMax_mm);
+    numbers[1].NumberWithin(0, kDistanceMax_mm);
+    numbers[2].NumberWithin(0, 1);
     if (!rows.empty() && v[0] / 1000 <= rows.back().distance_m) row.Fail("distances must rise");
     rows.push_back({v[0] / 1000, v[1] / 1000, v[2]});
   }
@@ -190,7 +207,7 @@ void ReadPaws(const JsonReader& root, RobotModel* model) {
     paw.leg = row.At("leg").Text();
     paw.body = BodyNamed(*model, row.At("body"));
     paw.centre_m = Metres(row.At("centre"));
-    paw.radius_m = row.At("radius").NumberAbove(0) / 1000;
+    paw.radius_m = PositiveUpTo(row.At("radius"), kPawRadiusMax_mm) / 1000;
     paw.sensor = model->FindSensorByLocator(row.At("sensor").Text());
     if (paw.sensor < 0) row.At("sensor").Fail("no sensor '{}'", row.At("sensor").Text());
     model->sensors[paw.sensor].paw = static_cast<int>(model->paws.size());
@@ -252,6 +269,10 @@ void ReadCamera(const JsonReader& camera, RobotModel* model) {
   if (c.frames_per_s > 125)
     camera.At("fps").Fail("is {}, must be at most 125 (one in 8 ms)", c.frames_per_s);
   const std::vector<double> fov = camera.At("fov").Numbers(2);
+  // Refuses half a turn, because the picture would be infinitely wide.
+  for (const JsonReader& angle : camera.At("fov").Elements()) {
+    if (angle.NumberAbove(0) >= 180) angle.Fail("is {}, must be < 180", angle.Number());
+  }
   c.fov_h_rad = Radians(fov[0]);
   c.fov_v_rad = Radians(fov[1]);
   if (c.width_px % 8 != 0 || c.height_px % 8 != 0)
@@ -325,10 +346,12 @@ RobotModel ParseRobotModel(const std::string& text, const std::string& name) {
   if (root.Has("protection")) ReadProtection(root.At("protection"), &model);
   ReadLights(root, &model);
   ReadCamera(root.At("camera"), &model);
-  const JsonReader acceleration = root.At("acceleration");
-  model.accel_min_rad_s2 = Radians(acceleration.At("min").NumberAbove(0));
-  model.accel_default_rad_s2 = Radians(acceleration.At("default").NumberAbove(0));
-  model.accel_max_rad_s2 = Radians(acceleration.At("max").NumberAbove(0));
+  const auto acceleration_rad_s2 = [&root](const char* which) {
+    return Radians(PositiveUpTo(root.At("acceleration").At(which), kAccelerationMax_deg_s2));
+  };
+  model.accel_min_rad_s2 = acceleration_rad_s2("min");
+  model.accel_default_rad_s2 = acceleration_rad_s2("default");
+  model.accel_max_rad_s2 = acceleration_rad_s2("max");
   model.speaker_locator = root.At("audio").At("speaker").Text();
   model.microphone_locator = root.At("audio").At("microphone").Text();
   model.microphone_frames = static_cast<int>(root.At("audio").At("microphone_frames").Whole(1, 16));

@@ -5,6 +5,9 @@
 
 #include <fstream>
 #include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/virtualrobot/body_harness.h"
 #include "virtualrobot/det_math.h"
@@ -17,12 +20,22 @@ std::string TextOf(const std::string& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+using Changes = std::vector<std::pair<std::string, std::string>>;
+
+// Returns the model of the ERS-210 with pieces of its text changed.
+std::string Changed(const Changes& changes) {
+  std::string text = TextOf("ers210.json");
+  for (const auto& [before, after] : changes) {
+    const size_t at = text.find(before);
+    EXPECT_NE(at, std::string::npos) << before;
+    text.replace(at, before.size(), after);
+  }
+  return text;
+}
+
 // The ERS-210 with one piece of text changed, and what the loader says to it.
 std::string ErrorWith(const std::string& before, const std::string& after) {
-  std::string text = TextOf("ers210.json");
-  const size_t at = text.find(before);
-  EXPECT_NE(at, std::string::npos) << before;
-  text.replace(at, before.size(), after);
+  const std::string text = Changed({{before, after}});
   return ErrorOf([&] { ParseRobotModel(text, "m.json"); });
 }
 
@@ -211,6 +224,50 @@ TEST(RobotModelTest, CameraBeyondItsLimitsIsRefused) {
             "m.json: camera.pixels: must be [width, height]");
   EXPECT_EQ(ErrorWith("[44, 36]]", "[44, 36], [22, 18]]"),
             "m.json: camera.layers: has 4 layers, at most 3");
+}
+
+TEST(RobotModelTest, NumbersThatNoRobotHasAreRefused) {
+  const std::string speed = "\"speed\": [2.5, 120.625]", fov = "\"fov\": [57.6, 47.8]";
+  const std::string radius = "\"radius\": 12.4", lookup = "[500, 500, 0.1]";
+  EXPECT_EQ(ErrorWith(speed, "\"speed\": [2.5, 100001]"),
+            "m.json: joints.rows[0].speed[1]: is 100001, must be 0 to 100000");
+  EXPECT_EQ(ErrorWith(speed, "\"speed\": [0, 120]"), "m.json: joints.rows[0].speed: must be > 0");
+  EXPECT_EQ(ErrorWith("\"max\": 312.5", "\"max\": 1000001"),
+            "m.json: acceleration.max: is 1000001, must be 0 to 1000000");
+  EXPECT_EQ(ErrorWith("\"max\": 312.5", "\"max\": 0"),
+            "m.json: acceleration.max: is 0, must be > 0");
+  EXPECT_EQ(ErrorWith(fov, "\"fov\": [57.6, 180]"), "m.json: camera.fov[1]: is 180, must be < 180");
+  EXPECT_EQ(ErrorWith(fov, "\"fov\": [0, 47.8]"), "m.json: camera.fov[0]: is 0, must be > 0");
+  EXPECT_EQ(ErrorWith(radius, "\"radius\": 1001"),
+            "m.json: paws.rows[0].radius: is 1001, must be 0 to 1000");
+  EXPECT_EQ(ErrorWith(lookup, "[500, 100001, 0.1]"),
+            "m.json: sensors.rows[5].lookup[2][1]: is 100001, must be 0 to 100000");
+  EXPECT_EQ(ErrorWith(lookup, "[-500, 500, 0.1]"),
+            "m.json: sensors.rows[5].lookup[2][0]: is -500, must be 0 to 100000");
+  EXPECT_EQ(ErrorWith(lookup, "[500, 500, 1.5]"),
+            "m.json: sensors.rows[5].lookup[2][2]: is 1.5, must be 0 to 1");
+}
+
+TEST(RobotModelTest, LastNumbersWithinTheLimitsAreAccepted) {
+  const std::vector<Changes> accepted = {
+      {{"\"fps\": 25", "\"fps\": 125"}},
+      {{"\"hard\": [-85, 46]", "\"hard\": [-360, 360]"}},
+      {{"\"range\": [0, 980665]", "\"range\": [-2147483648, 2147483647]"}},
+      {{"\"speed\": [2.5, 120.625]", "\"speed\": [2.5, 100000]"}},
+      {{"\"max\": 312.5", "\"max\": 1000000"}},
+      {{"\"fov\": [57.6, 47.8]", "\"fov\": [179.9, 179.9]"}},
+      {{"\"radius\": 12.4", "\"radius\": 1000"}},
+      {{"[900, 900, 0]", "[100000, 100000, 1]"}},
+      {{"\"pixels\": [352, 288]", "\"pixels\": [4096, 4096]"},
+       {"[[176, 144], [88, 72], [44, 36]]", "[[2048, 2048], [1024, 1024], [512, 512]]"}}};
+  for (const Changes& changes : accepted)
+    EXPECT_NO_THROW(ParseRobotModel(Changed(changes), "m.json")) << changes[0].second;
+}
+
+TEST(RobotModelTest, NumbersJustBeyondTheLimitsAreRefused) {
+  EXPECT_NE(ErrorWith("\"hard\": [-85, 46]", "\"hard\": [-361, 46]"), "");
+  EXPECT_NE(ErrorWith("\"range\": [0, 980665]", "\"range\": [-2147483649, 980665]"), "");
+  EXPECT_NE(ErrorWith("\"pixels\": [352, 288]", "\"pixels\": [4104, 288]"), "");
 }
 
 TEST(RobotModelTest, ModelWithoutSleepingPostureIsRefused) {
