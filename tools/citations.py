@@ -16,6 +16,7 @@ tests, docs and tools; a citation may go on in the next line of a comment.  Form
 
 docs/openr/README.md has to name every book and every section of each.
 """
+import os
 import re
 import sys
 from pathlib import Path
@@ -225,10 +226,12 @@ class Checker:
 
     def files(self):
         for folder in FOLDERS:
-            for file in sorted((self.root / folder).rglob("*")):
-                is_ours = "node_modules" not in file.relative_to(self.root).parts  # packages of npm, installed in panel/
-                if is_ours and file.suffix in SUFFIXES and file.is_file() and not file.is_symlink():
-                    yield file
+            for path, folders, names in os.walk(self.root / folder):
+                # The packages of npm, which are installed in panel/, are not ours.
+                folders[:] = sorted(set(folders) - {"node_modules"})
+                for file in (Path(path, name) for name in sorted(names)):
+                    if file.suffix in SUFFIXES and file.is_file() and not file.is_symlink():
+                        yield file
         yield from sorted(self.root.glob("*.md"))
 
     def run(self):

@@ -94,11 +94,15 @@ def whole(text):
     return text.replace("BOOK", BOOK).replace("BOARD", "BBS").replace("DOCS:", "docs/")
 
 
-def say(more):
-    """Status of the tool, and what it prints, for the tree and some more files."""
-    with tempfile.TemporaryDirectory() as folder:
+def say(more, below=""):
+    """Status of the tool, and what it prints, for the tree and some more files.
+
+    `below` is the name of a folder around the tree.
+    """
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = Path(scratch) / below
         for name, text in {**TREE, **more}.items():
-            file = Path(folder) / name
+            file = folder / name
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_text(whole(text))
         done = subprocess.run([sys.executable, str(TOOL), folder], capture_output=True, text=True)
@@ -124,6 +128,8 @@ def main():
         verdict(f"{folder} is read", status == 1 and f"{folder}/a.h:" in said, said)
     status, said = say({"panel/" "node_modules/" "a.md": "[a](missing.md)\n"})
     verdict("packages of npm are not read", (status, said) == (0, ""), said)
+    status, said = say({"cli/a.h": comment("BOOK 9")}, below="node_modules")
+    verdict("a checkout below a folder of that name is read", status == 1 and "cli/a.h:" in said, said)
     status, said = say({"tools/a.py": "# one\n\n# " + BOOK + " 1.1 and\n# 99\n"})
     verdict("the line is that of the number", said == f"tools/a.py:4: {BOOK} has no 99\n", said)
     for text, words in MARKDOWN:
