@@ -118,6 +118,11 @@ bool LiveServer::AnswerLines(Client* client) {
       request = ParseJson<nlohmann::json>(line);
       CheckFractions(request, Fractions::kBounded);
       answer = AnswerTo(client, request);
+    } catch (const JsonTooDeep& error) {
+      answer = {{"error", error.what()}};
+      // Looks for the id, because the client may wait for an answer to this request.
+      const nlohmann::json id = PlainMember(line, "id");
+      if (!id.is_null()) request["id"] = id;
     } catch (const std::exception& error) {
       answer = {{"error", error.what()}};
     }

@@ -284,11 +284,14 @@ TEST_F(LiveServerTest, GarbageGetsAnErrorAndTheConnectionGoesOn) {
 // Writing such an id into the answer would overflow the stack of the run.
 TEST_F(LiveServerTest, ADeeplyNestedRequestIsRefused) {
   const int client = Connect();
-  const std::string id = std::string(30'000, '[') + std::string(30'000, ']');
-  Write(client, "{\"do\":\"a\",\"id\":" + id + "}\n{\"do\":\"a\"}\n");
+  const std::string deep = std::string(30'000, '[') + std::string(30'000, ']');
+  const std::string error = "{\"error\":\"the JSON is nested more than 100 levels deep\"";
+  Write(client, "{\"do\":\"a\",\"id\":" + deep + "}\n{\"do\":\"a\"}\n");
   Serve();
-  EXPECT_EQ(Read(client),
-            "{\"error\":\"the JSON is nested more than 100 levels deep\"}\n{\"echo\":\"a\"}\n");
+  EXPECT_EQ(Read(client), error + "}\n{\"echo\":\"a\"}\n");
+  Write(client, "{\"do\":\"a\",\"x\":" + deep + ",\"id\":5}\n");
+  Serve();
+  EXPECT_EQ(Read(client), error + ",\"id\":5}\n");
   close(client);
 }
 
