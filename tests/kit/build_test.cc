@@ -437,6 +437,19 @@ TEST(BuildTest, NeighboursOfTheFolderAreLeftAlone) {
       std::filesystem::exists(folder.scratch().File("neighbour/MS/OPEN-R/MW/OBJS/GREETER.BIN")));
 }
 
+// A work folder within DIR holds copies of what was built before.
+TEST(BuildTest, AnOldWorkFolderIsNothingToBuild) {
+  const KitFolder folder("handmade");
+  const std::string work = folder.File("work");
+  ASSERT_EQ(folder.Build({"--work", work}).status, 0);
+  std::filesystem::remove_all(folder.File("Greeter"));
+  std::filesystem::remove_all(folder.File("MS"));
+  const ProgramResult result = folder.Build({"--work", work});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.out, "");
+  EXPECT_THAT(result.err, HasSubstr("no stub.cfg, no entry table and no Makefile"));
+}
+
 TEST(BuildTest, AFolderWithNothingToBuildIsSaidSo) {
   const KitFolder folder("");
   const ProgramResult result = folder.Build();
