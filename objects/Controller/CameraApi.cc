@@ -31,6 +31,7 @@ void
 camera_disable(DeviceTag tag)
 {
     if (CameraOf(tag) == 0 || theImage.empty()) return;
+    // Swaps with an empty vector, because clear() would keep the memory of the image (76 KB).
     std::vector<Uint8>().swap(theImage);
     theImageIsThere = false;
     GetControllerCore()->Port()->EnableCamera(false);

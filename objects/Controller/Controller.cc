@@ -256,6 +256,7 @@ Controller::SendEars(Uint32 on)
         if (isJoint4) {
             OJointCommandValue4* value = (OJointCommandValue4*)vector->GetData(i)->value;
             value->value = (on >> i & 1) != 0 ? ojoint4_STATE1 : ojoint4_STATE0;
+            // 16 frames of 8 ms, the time in which an ear reaches its position.
             value->period = 16;
             value->reserved = 0;
         } else {

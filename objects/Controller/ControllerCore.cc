@@ -43,6 +43,8 @@ ControllerCore::Begin(const RobotConstants* robot)
     robot_ = robot;
     devices_.Begin(robot);
     for (int j = 0; j < robot->numJoints; j++) {
+        // Begins with the values with which JointMover compares the first buffer, so that this
+        // buffer changes only what the program sets.
         batch_.joint[j].speed = robot->joints[j].maxSpeedCdeg;
         batch_.joint[j].acceleration = robot->defaultAccelerationCdeg;
     }
@@ -179,6 +181,8 @@ ControllerCore::LedReady()
     } else if (isStepping_) {
         isStepping_ = false;
         port_->ContinueLoop();
+        // Forgets the place, because main() may have ended normally here, and EndIfItDidNotReturn()
+        // would take it for ended by exit().
         place_ = NOWHERE;
     } else if (!ledChanged_) {
         return;
@@ -305,6 +309,7 @@ ControllerCore::SetPosition(int joint, double rad)
     const JointConstants& limits = robot_->joints[joint];
     Change(&batch_.joint[joint].position,
            Scaled(rad, URAD_PER_RAD, limits.minUrad, limits.maxUrad));
+    // Also takes batchMOTOR_OFF away, because a position switches the joint on again.
     Change(&batch_.joint[joint].flags, batchPOSITION_GIVEN);
 }
 

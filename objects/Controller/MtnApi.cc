@@ -78,6 +78,8 @@ mtn_play(MTN* motion)
         core->Port()->Remark("mtn_play: the motion before is not over; ignored");
         return;
     }
+    // Ends the motion before: it is at its last key frame, but JointMover has not reported its end
+    // yet, and such a report reaches only the motion that plays.
     if (thePlaying != 0) thePlaying->keyFrame = -1;
     thePlaying = motion;
     motion->keyFrame = 0;

@@ -158,6 +158,8 @@ void
 JointMover::FillRegion(RCRegion* region)
 {
     OCommandVectorData* vector = (OCommandVectorData*)region->Base();
+    // Sets every field of every vector, because regions are used again and keep the frames of an
+    // earlier vector.
     vector->SetNumData(robot_->numJoints);
     for (int j = 0; j < robot_->numJoints; j++) {
         vector->GetInfo(j)->Set(odataJOINT_COMMAND2, joint_[j], plan_.numFrames);
@@ -194,6 +196,8 @@ JointMover::NotifyMover(const ONotifyEvent& event)
     for (int i = 0; i < event.NumOfData(); i++) {
         MoverCommand command;
         memcpy(&command, event.Data(i), sizeof(command));
+        // Ends the name here, because the message of another object may lack the zero behind its
+        // name.
         command.file[MTN_NAME_SIZE - 1] = '\0';
         switch (command.kind) {
         case moverkindPLAY:
@@ -208,6 +212,8 @@ JointMover::NotifyMover(const ONotifyEvent& event)
         }
     }
     observer[event.ObsIndex()]->AssertReady(event.SenderID());
+    // Sends vectors here as well, because no ready event of the effector comes while no vector is
+    // under way.
     SendVectors();
     SendReports();
 }

@@ -35,6 +35,8 @@ JointSet::SetGoal(int joint, Sint32 urad)
     const JointConstants& limits = robot_->joints[joint];
     const Sint32 goal = Clamp(urad, limits.minUrad, limits.maxUrad);
     if (gain_[joint] == gainWAITING) {
+        // Keeps the goal until the gain is on, because the vector before must command the measured
+        // position (see Wake()).
         wakeGoal_[joint] = goal;
     } else {
         trajectory_[joint].SetGoal(goal);
@@ -71,6 +73,8 @@ JointSet::TurnOff(int joint)
 {
     port_->DisableGain(joint);
     gain_[joint] = gainOFF;
+    // Ends the movement of the joint, because a limp joint that still counts as moving would make
+    // JointMover send vectors and wait for its arrival.
     trajectory_[joint].Reset(trajectory_[joint].Position());
 }
 
@@ -95,15 +99,20 @@ void
 JointSet::SetGain(int joint, const Sint32 gain[3])
 {
     for (int i = 0; i < 3; i++) pid_[joint][i] = gain[i];
+    // Gains of a limp joint are only stored here, because EnableGain() would switch the joint on.
     if (gain_[joint] == gainON) port_->EnableGain(joint, pid_[joint]);
 }
 
 void
 JointSet::Wake(int joint, Sint32 urad)
 {
+    // A position of a controller does not bring motor power back; only MOTOR_ON for all joints
+    // does.
     if (!hasPower_) return;
     if (gain_[joint] == gainOFF) {
         gain_[joint] = gainWAITING;
+        // Waits for a vector that is made later: the vectors under way were made before the joint
+        // was measured.
         wakeVector_[joint] = -1;
         trajectory_[joint].Reset(port_->Measure(joint));
     }

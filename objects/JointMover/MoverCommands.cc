@@ -74,6 +74,8 @@ MoverCore::SwitchMotor(const MoverCommand& command)
     const bool changesPower = all && on != joints_.HasPower();
     if (changesPower && on) joints_.SwitchPowerOn();
     if (changesPower && !on) {
+        // Drops the deferred commands first, because Stop() would carry them out although power
+        // goes off.
         memset(deferred_, 0, sizeof(deferred_));
         Stop();
         joints_.SwitchPowerOff();
@@ -83,6 +85,8 @@ MoverCore::SwitchMotor(const MoverCommand& command)
     for (int j = first; j <= last; j++) {
         if (on && joints_.IsOff(j)) SetPosition(j, HoldPosition(j), true);
         if (on || joints_.IsOff(j)) continue;
+        // Also drops a deferred command, because it would switch the joint on at the end of the
+        // motion.
         joints_.TurnOff(j);
         deferred_[j] = false;
     }
@@ -126,12 +130,16 @@ MoverCore::Batch(const BatchMoverCommand& command)
         const bool wasOff = (old.flags & batchMOTOR_OFF) != 0;
         const bool isGiven = (now.flags & batchPOSITION_GIVEN) != 0;
         const bool wasGiven = (old.flags & batchPOSITION_GIVEN) != 0;
+        // Carries out differences only, because every buffer has the values of all joints:
+        // otherwise each buffer would undo what the remote control has set meanwhile.
         if (now.speed != old.speed) joints_.SetSpeed(j, now.speed);
         if (now.acceleration != old.acceleration) joints_.SetAcceleration(j, now.acceleration);
         if (isOff && !wasOff) {
             joints_.TurnOff(j);
             deferred_[j] = false;
         }
+        // The same position counts as new after the joint was off, because servo_set_position()
+        // also switches the joint on.
         const bool isNew = !wasGiven || now.position != old.position || wasOff;
         if (isGiven && isNew && !isOff) SetPosition(j, now.position, true);
         batch_[j] = now;
@@ -171,6 +179,8 @@ MoverCore::Play(const MoverCommand& command, const Uint8* bytes, size_t size, st
         joints_.SetGoal(motion_.RobotJoint(j), motion_.Angle(0, j));
     }
     Enter(moverPREPARE_MTN);
+    // Begins at once if no joint has to move: vectors are made only while a joint moves, so the end
+    // of a vector, which begins the motion, may never come.
     if (HasArrived()) BeginMotion();
     return true;
 }
@@ -196,6 +206,7 @@ MoverCore::BeginMotion()
     player_.Start(&motion_, loops_, keyFramesPerVector_);
     Enter(moverMTN);
     Report(0, 0);
+    // A motion of one key frame is over at its beginning: it has no gap to play.
     if (!player_.IsPlaying()) EndMotion();
 }
 
@@ -213,6 +224,8 @@ MoverCore::Stop()
 void
 MoverCore::EndMotion()
 {
+    // Reports the end while file_ still has the name of the motion, from which Report() sees that a
+    // motion is over.
     Enter(moverACCEPTING_COMMANDS);
     memset(file_, 0, sizeof(file_));
     memset(inMotion_, 0, sizeof(inMotion_));

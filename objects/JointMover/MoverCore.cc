@@ -46,6 +46,8 @@ MoverCore::Begin(const RobotConstants* robot)
     robot_ = robot;
     joints_.Begin(robot);
     for (int j = 0; j < robot->numJoints; j++) {
+        // Begins with the values with which Controller begins its buffer, because Batch() carries
+        // out the differences only.
         batch_[j].speed = robot->joints[j].maxSpeedCdeg;
         batch_[j].acceleration = robot->defaultAccelerationCdeg;
     }
@@ -58,6 +60,7 @@ MoverCore::Enter(MoverState state)
     state_ = state;
     stateCount_++;
     port_->StateChanged(state);
+    // BeginMotion() reports the beginning of a motion itself, together with key frame 0.
     if (state != moverMTN) Report(-1, 0);
 }
 
@@ -68,6 +71,8 @@ MoverCore::NextVector(VectorPlan* plan)
 {
     if (robot_ == 0 || numUnderWay_ == MAX_VECTORS_UNDER_WAY) return false;
     if (state_ == moverFILLING) {
+        // Sends a single vector with the measured positions and waits for its end: the gains are
+        // enabled only then, so that no joint jerks.
         if (filled_) return false;
         filled_ = true;
         plan->numFrames = MANUAL_VECTOR_FRAMES;
@@ -98,6 +103,7 @@ MoverCore::MakeFrame(Sint32 urad[MAX_JOINTS])
         const JointConstants& limits = robot_->joints[joint];
         urad[joint] = Clamp(player_.Position(j), limits.minUrad - MTN_LIMIT_TOLERANCE_URAD,
                             limits.maxUrad + MTN_LIMIT_TOLERANCE_URAD);
+        // Keeps the joint's own trajectory at this position, so that its next command begins here.
         joints_.Place(joint, urad[joint]);
     }
 }
@@ -132,6 +138,7 @@ MoverCore::VectorEnded()
 {
     if (numUnderWay_ == 0) return;
     const UnderWay ended = underWay_[0];
+    // Two records are all: MAX_VECTORS_UNDER_WAY is 2.
     underWay_[0] = underWay_[1];
     numUnderWay_--;
     joints_.VectorEnded(ended.number);
@@ -179,6 +186,8 @@ MoverCore::EnterPosture(int index)
     for (posture_ = index; posture_ < NUM_START_POSTURES; posture_++) {
         if (!SetPostureGoals(posture_)) continue;
         Enter(START_POSTURES[posture_].state);
+        // Goes on to the next posture at once if no joint has to move: vectors are made only while
+        // a joint moves, so the end of a vector, which calls Advance(), would never come.
         if (!HasArrived()) return;
     }
     Enter(moverACCEPTING_COMMANDS);
@@ -225,6 +234,8 @@ MoverCore::ReportRefusal(const MoverCommand& command)
 {
     SetValueMessage message;
     FillReport(&message, 0);
+    // Gives the key frame of the motion that goes on, because only the motion in `file` was
+    // refused.
     message.keyFrame = state_ == moverMTN ? player_.KeyFrame() : -1;
     message.isOver = 1;
     memcpy(message.file, command.file, sizeof(message.file) - 1);

@@ -22,6 +22,7 @@ WhyNotWritten()
 std::string
 FileUpload::TemporaryName(const char* extension) const
 {
+    // The name has the number of the client, because several clients may upload at the same time.
     return TextFormat("UPLOAD%d.%s", place_, extension);
 }
 
@@ -187,6 +188,7 @@ FileUpload::PutInPlace(StickStore* store, std::string* why)
     // Copies the old image instead of renaming it, so that the stick always has an image: without
     // an image the robot would not boot.
     if (target_.kind == rcfileIMAGE && StickStore::SizeOf(target) >= 0) {
+        // Copies to another name first, so that CONTROLL.OLD is a whole image at every moment.
         const std::string copy = store->Path(rcfileIMAGE, TemporaryName("OLD"));
         if (!store->Copy(target, copy) ||
             !StickStore::Replace(copy, store->Path(rcfileIMAGE, "CONTROLL.OLD"))) {

@@ -103,6 +103,8 @@ RCServer::NotifySensor(const ONotifyEvent& event)
     sensorReader_.Read(vector, &sensors_);
     handler_.SetSensors(sensors_);
     observer[event.ObsIndex()]->AssertReady(event.SenderID());
+    // Does here what depends on time, because OPEN-R has no timers: sensor vectors, which come
+    // every 32 ms, are the clock.
     RetryListening(sensors_.frame);
     PlaceWaiting(sensors_.frame);
     SendEvents();

@@ -88,6 +88,7 @@ RCServer::RetryListening(Uint32 frame)
     if (isStopped_ || frame - retryFrame_ < RETRY_FRAMES) return;
     retryFrame_ = frame;
     for (int i = 0; i < NUM_CLIENTS; i++) {
+        // A place without a buffer is the place for a waiting client, which ListenForMore() opens.
         if (client_[i].state == clientCLOSED && client_[i].receiveData != 0) Listen(i);
     }
 }
@@ -183,6 +184,8 @@ void
 RCServer::Receive(int index)
 {
     Client& client = client_[index];
+    // Takes what has arrived, from 1 byte on, because nothing is known of the size of the next
+    // packet.
     TCPEndpointReceiveMsg receive(client.endpoint, client.receiveData, 1, RECEIVE_SIZE);
     receive.continuation = Continuation(index);
     receive.Send(ipstack_, myOID_, Extra_Entry[entryReceiveCont], sizeof(receive));
@@ -224,6 +227,8 @@ RCServer::Serve(int index)
         OSYSLOG1((osyslogWARNING, "RCServer: client %d is turned away, all %d places are taken",
                   index, RC_PLACES));
     }
+    // Receives only when all requests are answered: ClientSession has no room for more bytes
+    // before, and a client that takes no answers is not read.
     if (size == 0 && !client.isReceiving) Receive(index);
     if (size == 0) size = client.session.NextEvents(client.sendData);
     if (size > 0) Send(index, size);

@@ -144,6 +144,7 @@ RequestHandler::PlayMotion(RcReader* in, RcWriter* out)
     status = LoadMotion(request.file, &command, &answer);
     if (status == rcOK) status = Post(command);
     if (status != rcOK) return status;
+    // A client that asks for the state right after the answer must not take the motion for ended.
     state_ = moverPREPARE_MTN;  // assumed until JointMover reports its state
     answer.Write(out);
     return rcOK;
@@ -178,6 +179,8 @@ RequestHandler::StopMotion(RcReader* in)
     memset(&command, 0, sizeof(command));
     command.kind = moverkindSTOP;
     status = Post(command);
+    // Assumes the end of the motion until JointMover reports its state, so that a motion may be
+    // played by the next request.
     if (status == rcOK) state_ = moverACCEPTING_COMMANDS;
     return status;
 }

@@ -109,6 +109,8 @@ RequestHandler::AnswerOne(const RcHeader& request, const Uint8* payload, RcWrite
                       TextFormat("protocol version %d is not served, only %d and %d",
                                  request.version, RC_VERSION, RC_VERSION_FILES));
     }
+    // Reports a request as failed that was carried out.  This hides no change, because no command
+    // that changes something has so long an answer.
     if (out->HasOverflowed()) status = Fail(rcerrorTOO_LONG, "the answer has no room");
     if (status != rcOK) {
         out->Truncate(0);
@@ -204,6 +206,8 @@ RequestHandler::HandleVersion1(int command, RcReader* in, RcWriter* out)
     case rcLOG:
     case rcREBOOT:
     case rcSHUTDOWN:
+        // Version 1 reserves these numbers.  Its clients must get the answers that they always got,
+        // although version 2 has the commands.
         return Fail(rcerrorNOT_IMPLEMENTED,
                     TextFormat("command %02x is reserved in protocol version %d", command,
                                version_));
@@ -252,6 +256,7 @@ RequestHandler::TellInfo(RcReader* in, RcWriter* out)
     info.numEars = (Uint8)robot_->numPlungers;
     info.numBinary = (Uint8)NumDevices(rcdeviceBINARY);
     info.numOther = (Uint8)NumDevices(rcdeviceOTHER);
+    // Remaining capacity and temperature of the battery, as WriteSensors() writes them.
     info.numMisc = 2;
     info.state = (Uint8)state_;
     info.design = robot_->design;

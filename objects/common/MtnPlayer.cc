@@ -47,6 +47,8 @@ void
 MtnPlayer::NextFrame()
 {
     frame_++;
+    // Keeps the place that Position() shows, because at a key frame gap_ and frame_ move on to the
+    // next gap, or to the next loop, below.
     shownGap_ = gap_;
     shownFrame_ = frame_;
     if (frame_ < FramesOfGap(gap_)) return;
@@ -70,5 +72,6 @@ MtnPlayer::Position(int j) const
     if (shownFrame_ == 0) return from;
     const Sint32 to = shown_->Angle(shownGap_ + 1, j);
     const int frames = 2 * (shown_->Interpolation(shownGap_) + 1);
+    // Multiplies in 64 bits, because the angles of a long gap would not fit 32 bits.
     return from + (Sint32)DivideRounded((Sint64)(to - from) * shownFrame_, frames);
 }

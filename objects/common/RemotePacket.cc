@@ -24,6 +24,8 @@ RcWriter::RcWriter(Uint8* buffer, int capacity)
 bool
 RcWriter::HasRoom(int count)
 {
+    // Refuses everything from now on, because a smaller field that still fits would be read in
+    // place of the missing field.
     if (capacity_ - size_ < count) hasOverflowed_ = true;
     return !hasOverflowed_;
 }
@@ -98,6 +100,7 @@ RcWriter::PutHeader(int command, int tag, int version)
 bool
 RcReader::Has(int count)
 {
+    // Fails for good: bytes behind a missing field would be read as another field.
     if (size_ - at_ < count) hasFailed_ = true;
     return !hasFailed_;
 }

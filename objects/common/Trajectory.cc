@@ -118,6 +118,8 @@ SquareRoot(Sint64 value)
 Sint64
 Trajectory::LargestStep(Sint64 distance) const
 {
+    // Dividing first loses nothing: n (n + 1) / 2 is a whole number, so it is at most distance / a
+    // exactly if it is at most the whole part of it.
     const Sint64 n = (SquareRoot(8 * (distance / acceleration_) + 1) - 1) / 2;
     return (distance + acceleration_ * n * (n + 1) / 2) / (n + 1);
 }
@@ -131,6 +133,8 @@ Trajectory::Step()
         return goal_;
     }
     if (trackFrames_ > 0) {
+        // Divides the way that is left by the frames that are left, so that errors of rounding do
+        // not add up and the last frame ends at the goal.
         speed_ = DivideRounded(goal_ * ONE_URAD - position_, trackFrames_);
         position_ += speed_;
         if (--trackFrames_ == 0) Rest();
