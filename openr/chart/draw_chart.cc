@@ -58,6 +58,8 @@ Ticks TicksOf(const Span& span, int count) {
   for (const double factor : {5.0, 2.0, 1.0}) {
     if (factor * power >= rough) step = factor * power;
   }
+  // 1e-6 keeps a number at the begin of the axis, which an error of rounding could move off the
+  // axis.
   return {std::ceil(span.low / step - 1e-6) * step, step,
           std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)))};
 }
@@ -160,6 +162,7 @@ class Painter {
     cairo_save(cairo_);
     cairo_rectangle(cairo_, plot.x, plot.y, plot.width, plot.height);
     cairo_clip(cairo_);
+    // Draws the reference first, because its wide line would cover the others.
     for (const Look look : {Look::kReference, Look::kFirst, Look::kSecond, Look::kMarks}) {
       for (const Curve& curve : panel.curves) {
         if (curve.look == look) DrawCurve(curve, plot, y_span);
@@ -298,6 +301,7 @@ class Painter {
     Colour(colour);
     cairo_move_to(cairo_, x - anchor * width, y);
     cairo_show_text(cairo_, Printable(text).c_str());
+    // Forgets the end of the text, from which Cairo would draw a line to a mark that follows.
     cairo_new_path(cairo_);
   }
 

@@ -239,6 +239,7 @@ void RemotePort::SendLeds(Uint32 on, int frames) {
   AddLights(rcEAR, "ear", constants_->numPlungers, wanted_ears_, &sent_ears_, &commands);
   AddLights(rcLED, "light", constants_->numLeds, on, &sent_leds_, &commands);
   std::string ignored;
+  // Ignores the text of an error, because Check() throws the error after the iteration.
   Guarded([&] { Send(commands); }, &ignored);
 }
 

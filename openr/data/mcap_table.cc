@@ -120,6 +120,7 @@ class McapReader {
     }
     const std::string_view bytes = record->Take(record->U64());
     const auto* const data = reinterpret_cast<const unsigned char*>(bytes.data());
+    // 0 stands for a chunk without a checksum (MCAP specification).
     if (crc != 0 && crc32_z(0, data, bytes.size()) != crc) {
       throw std::runtime_error(
           fmt::format("{}: the chunk at byte {} is damaged: its checksum is wrong", file_,

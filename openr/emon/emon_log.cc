@@ -248,6 +248,8 @@ class Reader {
 
 std::optional<uint32_t> EmonLog::Failed() const {
   if (!epc) return std::nullopt;
+  // The highest bit of the cause says that the instruction was in the delay slot of a branch: epc
+  // is then the address of the branch before it.
   return *epc + (cause.value_or(0) >> 31 != 0 ? kWordBytes : 0);
 }
 

@@ -76,6 +76,8 @@ EndingAction::EndingAction(std::function<void(Ending*)> action)
 EndingAction::~EndingAction() { g_newest = outer_; }
 
 void RunEndingActions(Ending* ending) {
+  // Takes the list away first, so that no action is called twice if an action ends the process,
+  // too.
   for (EndingAction* each = std::exchange(g_newest, nullptr); each != nullptr; each = each->outer_)
     each->action_(ending);
 }
@@ -95,6 +97,8 @@ EndingAnswer::~EndingAnswer() {
 
 void BeginEnding(Ending* ending) {
   g_ending = ending;
+  // From now on no object is the current one, so functions for memory and files are those of the
+  // host.
   g_current = std::exchange(t_current, {});
   ending->object = g_current.object;
   struct sigaction action {};
@@ -106,6 +110,8 @@ void BeginEnding(Ending* ending) {
     sigaction(signal, &action, nullptr);
     sigaddset(&signals, signal);
   }
+  // The signal that has brought us here is blocked while its handler runs, so a second one would
+  // end the process at once.
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
   alarm(kActionsMaxS);
   EndConsoleLine();

@@ -99,6 +99,7 @@ void Watchdog::StartAgain() {
 Watchdog::~Watchdog() {
   if (!armed_) return;
   timer_delete(g_timer);
+  // Ignores the signal, because a last one may still come and would end the process.
   ::signal(kSignal, SIG_IGN);
 }
 

@@ -50,6 +50,8 @@ size_t ExactSchedule::PickOf(const Deviation& spot, const std::vector<ObjectId>&
   const size_t index = nodes_.size();
   if (index < choices_.size()) {
     node.chosen = std::min(choices_[index], candidates.size() - 1);
+    // The run comes to the branch that is new in this run, for which the search has given the
+    // deliveries that sleep.
     if (index + 1 == choices_.size() && !is_start) sleep_ = std::move(next_sleep_);
   } else {
     node.sleep = sleep_;
@@ -82,6 +84,7 @@ void ExactSchedule::BeginEvent(ObjectId target, size_t node) {
 }
 
 void ExactSchedule::SawDelivery(const Message& message) {
+  // A message whose receiver was the only candidate comes without a choice.
   const bool was_chosen = has_event_ && !is_begun_ && event_target_ == message.target;
   if (!was_chosen) {
     FinishEvent();
@@ -96,6 +99,8 @@ void ExactSchedule::SawDelivery(const Message& message) {
 void ExactSchedule::FinishEvent() {
   if (!std::exchange(has_event_, false)) return;
   if (event_node_ != kNone) nodes_[event_node_].touched = touched_;
+  // Leaves sleep_ alone while the run repeats earlier choices, because the search gives it at the
+  // last of them.
   if (nodes_.size() < choices_.size()) return;
   std::erase_if(sleep_,
                 [this](const auto& sleeper) { return !reduce_ || sleeper.second.Meets(touched_); });

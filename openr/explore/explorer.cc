@@ -54,6 +54,8 @@ class Sum {
   bool wants_more() const { return !(plan_.stop_at_first && first_broken_); }
 
   void Add(const Json& answer) {
+    // Ignores runs that other processes had begun before the first broken property, so that the
+    // result does not depend on the number of processes.
     if (!wants_more()) return;
     ++runs_;
     if (IsBroken(answer)) {
@@ -95,6 +97,7 @@ Json MakeFailure(const ExplorePlan& plan, ExplorerProcesses* pool, const Json& a
   const size_t found = script.size();
   Json last = answer;
   const auto still_breaks = [&](const Json& candidate) -> std::optional<Json> {
+    // Keeps the seed, because the random numbers of the simulation follow from it.
     Json result = pool->RunOne({{"seed", seed}, {"script", candidate}, {"tail", kTail}});
     if (!IsBroken(result) || result["broken"]["property"] != property) return {};
     return result;

@@ -24,6 +24,7 @@ namespace {
 
 using When = PropertyRule::When;
 
+// The words are in the order of PropertyRule::When, because ReadWhen() converts the index.
 const std::vector<std::string> kWhens = {"always", "eventually", "finally"};
 const std::vector<std::string> kOps = {"==", "!=", "<=", ">=", "<", ">"};
 

@@ -40,6 +40,7 @@ Breakpoints::Break Breakpoints::Read(const std::string& text) const {
   if (words.kind == "when") {
     one.rule = ReadRule(words.name + " " + words.rest);
     one.quantity = FindQuantity(one.rule->quantity, view_->run());
+    // Stops the replay only when the condition becomes true, and not at once if it is true already.
     one.held = Holds(one);
     return one;
   }

@@ -63,6 +63,8 @@ void Recorder::Begin(Simulation* simulation, const SimulationOptions& options,
       writer_->AddStick(location.path.substr(root.size()), location.path);
     });
   }
+  // Writes the last block when an object ends the process, so that the recording has the messages
+  // up to the crash.
   ending_action_ = std::make_unique<EndingAction>([this](Ending* ending) {
     writer_->AddEnded(EndOf(*ending));
     writer_->Flush();

@@ -128,6 +128,7 @@ Replayer::Replayer(const ReplayOptions& replay) : file_(replay.file), reader_(re
         "handlers ended; openr trace shows what happened",
         file_));
   }
+  // Reads the whole file first, because the stick must be restored before the simulation is made.
   std::vector<TraceEntry> changes;  // recorded changes of the Memory Stick
   for (TraceReader reader(file_); reader.Peek() != nullptr;) {
     TraceEntry entry = reader.Take();
@@ -353,6 +354,8 @@ void Replayer::EndAtLoss() {
 
 void Replayer::CompareEnd(const TraceEntry& end) {
   at_end_ = true;
+  // Goes on to the recorded end, because the recorded state hash is of that time, and no message
+  // may come up to it.
   if (system().now_us() < end.time_us) system().RunUntil(end.time_us);
   // Does not compare the hashes of messages and state if a message differs, because the hashes then
   // differ, too.
@@ -390,6 +393,7 @@ bool Replayer::ApplyInput() {
     return false;
   }
   const TraceEntry input = reader_.Take();
+  // Inputs of old recordings are for all robots (trace_coder.cc).
   const bool is_for_all = input.robot < 0;
   const int first = is_for_all ? 0 : input.robot;
   const int end = is_for_all ? system().robot_count() : first + 1;

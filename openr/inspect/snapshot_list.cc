@@ -17,6 +17,7 @@ constexpr uint64_t kAgePerDistance = 4;
 std::vector<pid_t> SnapshotList::Add(const ProcessSnapshot& snapshot) {
   ASSERT(size_ == 0 || all_[size_ - 1].count < snapshot.count);
   std::vector<pid_t> removed;
+  // Keeps snapshot 0, the beginning, from which every moment can be reached.
   if (size_ == kSizeMax) removed.push_back(Remove(1));
   all_[size_++] = snapshot;
   for (size_t i = 1; i + 1 < size_;) {

@@ -114,6 +114,7 @@ TraceWriter::~TraceWriter() {
 }
 
 void TraceWriter::WriteOut(std::string_view bytes) {
+  // Writes nothing after an error, because a recording with a gap could not be read behind the gap.
   if (error_ == 0) error_ = WriteAll(descriptor_, bytes);
 }
 
@@ -143,6 +144,7 @@ void TraceWriter::AddNames(const System& system, const TraceRecord& record) {
     const auto [known, is_new] = objects_.emplace(id, object->predecessors);
     if (!is_new && known->second == object->predecessors) continue;
     known->second = object->predecessors;
+    // Forgets the known entries, because an object that was loaded again may have other entries.
     std::erase_if(entries_, [id](const auto& entry) { return entry.first == id; });
     TraceEntry entry;
     entry.kind = TraceEntry::Kind::kObject;

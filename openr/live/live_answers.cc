@@ -309,6 +309,7 @@ Json AnswerRewind(const Asked& asked) {
     problem = rewind->ShowTime(to_us);
   }
   if (!problem.empty()) return Error(problem);
+  // Pauses the run, because its state must not change while its user looks at the past.
   asked.context.clock->Pause();
   return asked.context.events->Clock();
 }

@@ -97,6 +97,7 @@ std::vector<LiveRun> LiveRuns() {
     if (IsRunning(run.process) && IsOpen(run.socket)) {
       runs.push_back(std::move(run));
     } else {
+      // Removes the socket of a process that was killed and could not remove it.
       unlink(run.socket.c_str());
     }
   }

@@ -88,6 +88,7 @@ void LiveServer::SendLastAnswers() {
 }
 
 LiveServer::~LiveServer() {
+  // A fork of the run neither answers the clients of the original process nor removes its socket.
   if (getpid() == process_) SendLastAnswers();
   Forget();
   if (getpid() == process_) unlink(path_.c_str());

@@ -22,6 +22,7 @@ void RunClock::GoTo(int64_t time_us) {
 
 void RunClock::AddSteps(Step step, int count) {
   Pause();
+  // Drops steps of another kind, because only the number of steps is kept, and all are of one kind.
   if (step != step_) steps_left_ = 0;
   step_ = step;
   steps_left_ = std::clamp(steps_left_ + count, 0, kStepsMax);

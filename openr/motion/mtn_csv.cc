@@ -189,6 +189,7 @@ std::string CsvOf(const MtnFile& motion) {
       if (HasTwoPositions(motion.Locator(j))) {
         text += motion.Angle(k, j) == 0 ? ",0" : ",1";
       } else {
+        // Five decimals are finer than 1 urad, so ParseMotionCsv() gets the same angle back.
         text += fmt::format(",{:.5f}", motion.Angle(k, j) * kDegPerUradOfCsv);
       }
     }

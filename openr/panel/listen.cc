@@ -40,6 +40,7 @@ void CheckListen(const ListenOptions& options) {
         "serves other computers");
   }
   ReadOrMakeToken(options.token_file);
+  // Listens at any free port for a moment, only to find out whether this computer has the address.
   uint16_t port = 0;
   close(Listen(options.address, &port));
 }
@@ -68,6 +69,8 @@ int Listen(const std::string& address, uint16_t* port) {
   for (int number = first; number < first + kPortsMax && number <= 65535; ++number) {
     const int listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
     if (listener < 0) throw std::runtime_error(fmt::format("no socket: {}", std::strerror(errno)));
+    // Allows a port whose last connections still wait for their end, so that a new panel gets the
+    // same port as the panel before.
     const int on = 1;
     setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
     sockaddr_in place{};
@@ -75,6 +78,7 @@ int Listen(const std::string& address, uint16_t* port) {
     place.sin_port = htons(static_cast<uint16_t>(number));
     socklen_t size = sizeof place;
     auto* const any = reinterpret_cast<sockaddr*>(&place);
+    // Sets errno, because inet_pton() does not set it when the text is no address.
     errno = EINVAL;
     if (inet_pton(AF_INET, address.c_str(), &place.sin_addr) == 1 &&
         bind(listener, any, size) == 0 && listen(listener, 64) == 0 &&

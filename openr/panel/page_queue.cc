@@ -33,6 +33,7 @@ bool PageQueue::Add(std::string text) {
   if (!state.empty()) Drop([state](const Message& message) { return message.state == state; });
   bytes_ += text.size();
   waiting_.push_back({std::move(text), state});
+  // Drops states first, because a newer state comes anyway; answers and log lines come only once.
   if (bytes_ > kBytesMax) Drop([](const Message& message) { return !message.state.empty(); });
   return bytes_ <= kBytesMax;
 }

@@ -56,6 +56,7 @@ bool IsFirstTime(const PairBridge::Work& work) {
   static std::mutex mutex;
   static std::set<std::string> known;
   const std::lock_guard lock(mutex);
+  // Forgets all pairs now and then, because pages may name any number of robots.
   if (known.size() >= kKnownMax) known.clear();
   return known.insert(fmt::format("{} {} {}", work.run.socket, work.robot, work.second.Text()))
       .second;
@@ -181,6 +182,7 @@ std::string ServePair(PairBridge::Work* work) {
   try {
     CheckElsewhere(work->run, work->second);
     RemotePair pair(AddressInRun(work->run, work->robot), work->second, work->options);
+    // The page may have left during the seconds that connecting takes.
     if (work->control.is_ended()) return "";
     const Coupling coupling(*work);
     SendAnswer(*work, Prepare(*work, &pair));

@@ -210,6 +210,7 @@ class Panel : public WebService {
     RcForwarder forwarder;
     Listener listener;
   };
+  // A deque, because its elements stay where they are: loop_ keeps the addresses of the listeners.
   std::deque<Forwarded> forwarded_;
   std::unique_ptr<WebLoop> loop_;
 };
@@ -264,6 +265,8 @@ void Panel::WatchSignals() {
   sigemptyset(&signals);
   sigaddset(&signals, SIGINT);
   sigaddset(&signals, SIGTERM);
+  // Blocks the signals before any thread is made: threads inherit this, so the signals come only
+  // through the descriptor.
   sigprocmask(SIG_BLOCK, &signals, nullptr);
   signals_ = signalfd(-1, &signals, SFD_CLOEXEC | SFD_NONBLOCK);
   if (signals_ >= 0) loop_->Watch(signals_, &signal_listener_);
@@ -400,6 +403,7 @@ std::unique_ptr<WebAnswer> Panel::Refuse(const WebRequest& request) {
 }
 
 std::unique_ptr<WebPage> Panel::Open(const WebRequest& request, WebConnection* connection) {
+  // Counts before OpenPage() adds the new page to the set.
   const bool is_full = pages_.size() >= kPagesMax;
   auto page = std::make_unique<OpenPage>(this, connection);
   if (is_full) {
@@ -421,6 +425,7 @@ void Panel::OnWake() {
 
 // Returns whether the run that holds the other end of the pipe `run_pipe` has ended.
 bool HasRunEnded(int run_pipe) {
+  // Asks for no event, because poll() always reports that the other end is closed.
   pollfd wanted = {run_pipe, 0, 0};
   return poll(&wanted, 1, 0) > 0;
 }

@@ -276,6 +276,8 @@ void Serve(int client, const RcForwarder::Rules& rules) {
   setsockopt(client, SOL_SOCKET, SO_KEEPALIVE, &on, sizeof on);
   Forwarding forwarding(client, rules);
   const bool knows_token = forwarding.TakeToken();
+  // Counts the client here before it leaves g_without_token, because HasThreads() must not miss it
+  // in between.
   const int clients = knows_token ? ++g_clients : 0;
   --g_without_token;
   if (!knows_token) return;

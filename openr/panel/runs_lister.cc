@@ -74,6 +74,8 @@ struct RunsLister::Questions {
     for (;;) {
       std::vector<Question> now;
       {
+        // Decides under the lock whether this thread ends, so that a new question is either taken
+        // here or starts a new thread.
         const std::lock_guard lock(mutex);
         now = std::exchange(waiting, {});
         is_answering = !now.empty();

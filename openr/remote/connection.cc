@@ -207,6 +207,7 @@ void Connection::KeepEvent(const RcAnswerHeader& header) {
 // ---- Functions that send requests and wait for their answers
 
 RequestId Connection::Send(int command, const Bytes& payload, int version) {
+  // Leaves out 0, the tag of packets by which the robot answers no request.
   do {
     ++last_id_;
   } while (last_id_ == 0 || pending_.contains(last_id_));
@@ -263,6 +264,8 @@ std::vector<Answer> Connection::RequestAll(int command, const std::vector<Bytes>
     answers.push_back(WaitForAny(ids.front()));
     ids.pop_front();
   }
+  // Throws an error only now, when all answers have come, because an answer for which nobody waits
+  // would stay in pending_.
   for (const Answer& answer : answers) {
     if (answer.status != rcOK) throw Error(answer.status, answer.frame, answer.error);
   }
@@ -272,6 +275,7 @@ std::vector<Answer> Connection::RequestAll(int command, const std::vector<Bytes>
 RequestId Connection::SendBatch(const std::vector<Call>& calls) {
   Bytes payload;
   for (const Call& call : calls) {
+    // All requests of a batch have the tag 0, because their answers come in the same order.
     const Bytes packet = MakePacket(call.command, 0, call.payload);
     payload.insert(payload.end(), packet.begin(), packet.end());
   }

@@ -40,6 +40,7 @@ int LogReader::Take() {
     count_ += part.head.here;
     records_ += part.records;
     if (next_ == part.head.count) return part.head.state;
+    // Ends the loop if the robot sends no record although the log has more.
     if (part.head.here == 0)
       throw Error(ErrorCode::kProtocol,
                   connection_->address().Text() + ": the robot sends no records of its log");

@@ -41,6 +41,7 @@ render::Camera CameraFor(const RobotLook& look, View view) {
   camera.target_W = look.X_WB.translation() + turn * Eigen::Vector3d(0.012, 0, 0);
   camera.target_W.z() = std::max(0.095, look.X_WB.translation().z() - 0.005);
   camera.p_W = camera.target_W + turn * place->from;
+  // This camera looks down, so z cannot be its upward direction.
   if (view == View::kTop) camera.up = forward;
   camera.fov_rad = 0.37;
   return camera;

@@ -342,6 +342,7 @@ std::vector<Shape> ShapesOfWorld(const World& world) {
     shape.colour = ColourFrom(thing.colour);
     shape.gloss = 0.1f;
     if (is_paint(thing)) {
+      // Each paint lies a little higher than the paint before it, and so covers it.
       paint_height_m += std::min(0.0003, kPaintTop_m / static_cast<double>(paints));
       shape.size_m.z() = paint_height_m;
       shape.X_WS.translation().z() = paint_height_m / 2;

@@ -108,6 +108,8 @@ bool Rewind::AfterFrame(bool is_watched) {
   const bool is_far =
       checkpoints_.empty() || system().now_us() - checkpoints_.back().time_us >= kDistanceUs;
   if (!is_far || now_ns < next_ns_) return false;
+  // Limits checkpoints by the clock of this computer, too, because a run at full speed passes
+  // kDistanceUs in a moment and would only make forks.
   next_ns_ = now_ns + kDistanceNs;
   if (Take()) return true;
   if (!checkpoints_.empty()) DropOld();
@@ -157,6 +159,8 @@ void Rewind::Drop(Checkpoint* checkpoint) {
 void Rewind::DropOld() {
   UpdateMemory();
   const int64_t begin_us = system().now_us() - parts_.span_us;
+  // Keeps the last checkpoint before the span, because views of moments before the second
+  // checkpoint begin there.
   while (checkpoints_.size() > 1 && checkpoints_[1].time_us <= begin_us) {
     Drop(&checkpoints_.front());
     checkpoints_.pop_front();
@@ -167,6 +171,7 @@ void Rewind::DropOld() {
       Drop(&checkpoints_[i]);
       checkpoints_.erase(checkpoints_.begin() + static_cast<ptrdiff_t>(i));
     }
+    // Makes UpdateMemory() measure at once the next time.
     memory_ns_ = 0;
   }
   log_.DropBefore(checkpoints_.front().log_end);
@@ -294,6 +299,8 @@ nlohmann::ordered_json Rewind::Branch(double rate) {
   }
   branch_ = answer->at("process");
   branch_parent_ = shown_->process;
+  // Leaves the process of the shown checkpoint alone: it waits for the branch, its child, and then
+  // ends with the exit code of the branch, for which WaitForBranch() waits.
   close(shown_->socket);
   for (Checkpoint& checkpoint : checkpoints_) {
     if (&checkpoint != shown_) Drop(&checkpoint);

@@ -89,6 +89,8 @@ bool Rewind::RunView(int socket, const SavedStick& stick, ProcessFiles* files,
       }
     } catch (const std::exception& error) {
       answer = {{"error", error.what()}};
+      // Ends the view only if it could not come to the moment: a refused question or branch leaves
+      // it as it was.
       has_failed = !next->contains("answer") && !next->contains("branch");
     }
     SendMessage(socket, answer);
@@ -112,6 +114,8 @@ void Rewind::Prepare(const SavedStick& stick, ProcessFiles* files, const PlainJs
   auto* const present = dynamic_cast<FolderStick*>(system().robot(0).stick.get());
   const std::string root = present->root();
   CopyStick(root, copy);
+  // Undoes all changes of the run, also those after the checkpoint, which the view has not made
+  // yet.
   SavedStick::Of(request.at("files")).CopyTo(copy);
   stick.CopyTo(copy);  // restores the files that objects had changed before the checkpoint
   files->OpenAgain(root, copy, temporary);
@@ -183,6 +187,7 @@ PlainJson Rewind::GoOn(ProcessFiles* files, double rate) {
   is_view_ = false;
   lines_.clear();
   log_.DropBefore(log_.end());
+  // Lets the branch take a checkpoint at its first frame, because it begins without any.
   next_ns_ = 0;
   return {{"run", name}, {"files", kept}, {"process", getpid()}};
 }

@@ -208,6 +208,8 @@ void ProcessFiles::OpenAgain(const std::string& stick, const std::string& copy,
       Replace(file.descriptor, copy + "/" + file.path.substr(stick_begin.size()), flags,
               file.offset);
     } else if ((flags & O_ACCMODE) == O_RDONLY) {
+      // Opens even a file that is only read again, because descriptors of a fork share their offset
+      // with the original process.
       Replace(file.descriptor, fmt::format("/proc/self/fd/{}", file.descriptor), flags,
               file.offset);
     } else {
@@ -250,6 +252,7 @@ std::string ProcessFiles::MoveCopy(const std::string& path, const std::string& t
     struct stat status;
     if (fstat(file.descriptor, &status) != 0) Throw(errno, copy);
     const off_t offset = lseek(file.descriptor, 0, SEEK_CUR);
+    // CopyBytes() makes new files only.
     fs::remove(target);
     CopyBytes(file.descriptor, status.st_size, target);
     Replace(file.descriptor, target, FlagsAgain(file.flags), offset);

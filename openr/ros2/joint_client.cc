@@ -147,8 +147,11 @@ void JointClient::Request(int command, int joint, double value) {
 }
 
 void JointClient::WriteRequests() {
+  // Waits for the answers to earlier requests, so that of several targets for a joint only the
+  // newest is sent.
   if (unanswered_ > 0) return;
   for (const auto& [joint, target] : std::exchange(wanted_, {})) {
+    // Sends the limit of speed first, so that it holds for this movement.
     if (target.speed_rad_s > 0)
       Request(rcSPEED, joint, std::min(target.speed_rad_s, kSpeedMax_rad_s));
     Request(rcMOVE, joint, std::clamp(target.position_rad, -kPositionMax_rad, kPositionMax_rad));

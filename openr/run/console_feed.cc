@@ -52,6 +52,7 @@ std::string ConsoleFeed::TakeLines() {
 void ConsoleFeed::Feed(System* system) {
   const std::string lines = TakeLines();
   if (lines.empty()) return;
+  // A terminal shows typed text itself.
   system->console_input().set_echo(!is_terminal_);
   for (int robot = 0; robot < system->robot_count(); ++robot) TypeText(system, robot, lines);
 }

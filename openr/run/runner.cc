@@ -118,6 +118,7 @@ void Runner::Take(const PictureRequest& snapshot) {
       snapshot, robot,
       simulation_->is_together() ? simulation_->robots() : std::vector<VirtualRobot*>{});
   good_ = good_ && problem.empty();
+  // Drawing a picture does not count as time of the run.
   wall_time_ns_ -= WallClockNs() - begin_ns;
   const double time_s = static_cast<double>(simulation_->system().now_us()) / 1e6;
   plan_.say(problem.empty() ? fmt::format("wrote {} (t={:.3f} s)", snapshot.file, time_s)

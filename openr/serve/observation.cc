@@ -134,6 +134,7 @@ std::vector<ReadValue> FindGroup(const RobotValueName& wanted, const RobotModel&
       add(kind.one, model.joints[j].name, kind.make(wanted.robot, j));
   }
   for (size_t i = 0; wanted.rest == "sensors" && i < model.sensors.size(); ++i) {
+    // Leaves out the sensors of joints, which are the group "measured".
     if (model.sensors[i].joint < 0)
       add("sensor", model.sensors[i].short_name, SensorOf(wanted.robot, static_cast<int>(i)));
   }
@@ -185,6 +186,7 @@ void Observation::Choose(const std::vector<std::string>& names, const RunView& v
       values.push_back(std::move(value));
     }
   }
+  // Replaces the old choice only now, so that a wrong name changes nothing.
   values_ = std::move(values);
 }
 

@@ -45,6 +45,7 @@ int RobotClients::Connect(const System& system, int robot, uint16_t port) {
   Client& client = clients_[number];
   client.network = std::make_unique<LoopbackNetwork>(HubOf(robot));
   client.network->Attach(kFirstIp + static_cast<uint32_t>(number));
+  // Ports may repeat, because every client has an address of its own.
   client.network->Connect(kHandle, static_cast<uint16_t>(kFirstPort + number % 20000),
                           {stack->address(), port});
   Poll(&client);

@@ -81,6 +81,8 @@ bool RunServer::ServeOne() {
   } catch (const JsonTooDeep& error) {
     answer = Refusal(error.what());
   } catch (const RequestTooLong& error) {
+    // Ends the server, because the bytes of the refused request are still in the pipe, so the begin
+    // of the next request cannot be found.
     pipe_.Send(JsonText(Refusal(error.what()).json), "");
     return false;
   }

@@ -54,6 +54,7 @@ ServedRun::ServedRun(const ServedRunOptions& options)
     DeliveredMessage seen = Describe(system(), record, message);
     const bool fits = std::any_of(filters_.begin(), filters_.end(),
                                   [&](const MessageFilter& filter) { return filter.Fits(seen); });
+    // Copies the content only now, because most messages fit no filter and images are large.
     if (!fits) return;
     seen.content = ContentOf(message);
     Keep(std::move(seen));
@@ -138,6 +139,7 @@ std::optional<DeliveredMessage> ServedRun::RunUntilMessage(const MessageFilter& 
     const int64_t frame_end_us = (before_us / kFrameUs + 1) * kFrameUs;
     system().RunOne(std::min(frame_end_us, std::max(time_us, before_us)));
     Sample();
+    // At the limit, time stands still, but messages that are due exactly then are still delivered.
     goes_on = system().now_us() != before_us || system().message_count() != messages;
   }
   system().trace().RemoveSink(sink);
@@ -186,6 +188,8 @@ void ServedRun::BecomeCopy(const std::string& record_file) {
     std::filesystem::create_directory(copy);
     CopyStick(root, copy);
     stick->set_root(copy);
+    // The crash log of the default stick is not on the stick, so the copy goes on with the same
+    // file.
     crash_log_ = stick_.is_default() ? crash_log_ : CrashLogOn(copy);
   }
   files.OpenAgain(root, copy, temporary);

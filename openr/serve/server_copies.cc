@@ -97,6 +97,7 @@ RunServer::Answer RunServer::DoReceive(const Request& request) {
   };
   if (!is_there()) run_->RunUntilHolds(is_there, LimitOf(request));
   Answer answer = Time();
+  // Takes nothing when fewer bytes than wanted have come, so that a later request gets them whole.
   if (clients.StateOf(connection).waiting >= count)
     answer.bytes = clients.Take(connection, count == 0 ? SIZE_MAX : count);
   answer.json["open"] = clients.StateOf(connection).is_open;
@@ -127,6 +128,7 @@ RunServer::Answer RunServer::DoFork(const Request& request) {
     const pid_t copy = CopyProcess(Flushed::kOwn, Orphan::kGoesOn);
     if (copy < 0) throw std::runtime_error(std::strerror(errno));
     if (copy == 0) return BecomeCopy(socket, record, [&](const std::string& t) { ready.Tell(t); });
+    // Waits until the copy has files of its own, because both processes share the files until then.
     const std::string problem = ready.Hear();
     if (!problem.empty()) throw std::runtime_error("this run cannot be copied: " + problem);
     close(socket);
@@ -149,6 +151,7 @@ RunServer::Answer RunServer::BecomeCopy(int socket, const std::string& record,
     WatchCrashes();
   } catch (const std::exception& error) {
     tell(error.what());
+    // Ends this process, because it must not serve the pipe of the original process.
     _exit(1);
   }
   is_copy_ = true;

@@ -38,9 +38,11 @@ void CopyStick(const fs::path& from, const fs::path& to) {
       fs::create_directory(copy);
       CopyStick(entry.path(), copy);
     } else if (EqualsIgnoringCase(entry.path().extension().string(), ".DBG")) {
+      // A link is enough for debug information, because no object writes it.
       fs::create_symlink(fs::canonical(entry.path()), copy);
     } else {
       CopyFile(entry.path(), copy);
+      // The files of an installed stick may be read-only, but objects write to the copy.
       fs::permissions(copy, fs::perms::owner_write, fs::perm_options::add);
     }
   }
