@@ -94,6 +94,8 @@ OStatus OSubject::SetData(const void* buf, size_t size) {
   if (region->Base() == nullptr) return oNO_MEMORY;
   std::memcpy(region->Base(), buf, size);
   const OStatus status = SetData(region);
+  // Gives back the reference that the constructor of RCRegion took.  The links hold references of
+  // their own by now, so the region lives until the last observer has given it back.
   region->RemoveReference();
   return status;
 }
