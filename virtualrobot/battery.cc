@@ -12,6 +12,7 @@ namespace openr_host {
 int Battery::PercentAt(int64_t time_us) const {
   ASSERT(time_us >= 0, "{} us", time_us);
   if (!drains) return percent;
+  // Limits the time before the multiplication, so that the product cannot overflow.
   const int64_t used = std::min(time_us, kEmptyUs) * 100 / kEmptyUs;
   return static_cast<int>(std::max<int64_t>(percent - used, 0));
 }

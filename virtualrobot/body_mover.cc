@@ -21,6 +21,8 @@ void BodyMover::Hold(double seconds) {
 
 void BodyMover::EnableAll() {
   for (size_t j = 0; j < commands.size(); ++j) {
+    // Begins with the angle that the joint has now, so that no joint jerks when its servo is
+    // switched on.
     commands[j].target_rad = body_.state().joints[j].angle_rad;
     commands[j].enabled = true;
   }
@@ -55,6 +57,8 @@ std::vector<double> BodyMover::Posture(const std::string& name) const {
 
 void BodyMover::StandUp() {
   EnableAll();
+  // Uses the postures of the start-up of the object JointMover (objects/JointMover/MoverCore.cc),
+  // in the same order.
   for (const char* const name : {"broadbase", "sleep", "crouch", "stand"}) {
     const bool is_known = std::any_of(model_.postures.begin(), model_.postures.end(),
                                       [name](const auto& posture) { return posture.name == name; });

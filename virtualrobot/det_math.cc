@@ -47,6 +47,8 @@ struct Quadrant {
 };
 
 Quadrant Reduce(double x) {
+  // Refuses greater angles, because up to 10^6 the number n of quarter turns is below 2^20, as
+  // kHalfPi1 and kHalfPi2 need.
   ASSERT(x >= -1e6 && x <= 1e6, "an angle of {} rad", x);
   const double turns = x * (2.0 / kPi);
   const int64_t n = static_cast<int64_t>(turns < 0 ? turns - 0.5 : turns + 0.5);

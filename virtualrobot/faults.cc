@@ -102,6 +102,8 @@ std::string Faults::FindPrimitives(const std::string& name, std::vector<OPrimiti
 }
 
 std::optional<Faults::Place> Faults::PlaceOf(Kind kind, int sensor) const {
+  // From kStuck on, the faults that this function is asked about are faults of the sensor.  The
+  // faults before kStuck are faults of the motor, so they need a joint.
   if (kind >= Kind::kStuck) return Place{Part::kSensor, sensor};
   const int joint = robot_.model.sensors[static_cast<size_t>(sensor)].joint;
   if (joint < 0) return {};
@@ -121,6 +123,7 @@ std::string Faults::ReadBreak(std::string_view rest, Inputs::Action* action) {
     return fmt::format("'{}' is no fault{}; known are {}", words[1], DidYouMean(words[1], known),
                        fmt::join(known, ", "));
   }
+  // Converts the index to a Kind, because kKindNames names the first kinds in the order of Kind.
   fault.kind = static_cast<Kind>(kind);
   const bool has_percent = fault.kind == Kind::kWeak || fault.kind == Kind::kNoisy;
   if (words.size() != (has_percent ? 3u : 2u))

@@ -197,6 +197,7 @@ int JointWatch::NoteFrame(const BodyState& body) {
     const double drive = body.joints[j].drive;
     int& frames = joints_[j].loaded_frames;
     frames = drive >= kLoad || drive <= -kLoad ? frames + 1 : 0;
+    // Compares for equality, so that a long overload is reported only once.
     if (frames == kLoadFrames) overloaded = static_cast<int>(j);
   }
   return overloaded;

@@ -317,6 +317,8 @@ void ReadThings(const JsonReader& list, std::vector<WorldThing>* things) {
   }
   std::set<std::string> names;
   for (const WorldThing& thing : *things) {
+    // Allows fixed things of equal name, because only things that can move are addressed by their
+    // names, for example by the input "put".
     if (thing.mass_kg > 0 && !names.insert(thing.name).second)
       list.Fail("has two things '{}' that can move; each needs a name of its own", thing.name);
   }

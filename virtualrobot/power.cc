@@ -197,6 +197,8 @@ void Power::HashState(Hasher* hasher) const {
   hasher->Add(clock_offset_s_);
   hasher->Add(static_cast<uint64_t>(watchers_.size()));
   if (extra_ma_us_ != 0) hasher->Add(extra_ma_us_);
+  // Leaves the battery out of the hash until an input changes it, because until then its charge
+  // follows from the time alone.
   if (capacity_since_us_ == 0 && !charging_) return;
   hasher->Add(battery_.percent);
   hasher->Add(capacity_since_us_);

@@ -41,6 +41,8 @@ void Protection::FindJam(const BodyState& body, std::vector<Reason>* reasons) {
     const bool is_jammed =
         std::fabs(joint.drive) >= kDriveFull && std::fabs(joint.speed_rad_s) < kJamSpeed_rad_s;
     jammed_frames_[j] = is_jammed ? jammed_frames_[j] + 1 : 0;
+    // Reports a jam only in the frame in which it reaches the limit, so that a long jam is reported
+    // once.
     if (jammed_frames_[j] != jam_frames()) continue;
     const JointModel& model = model_.joints[j];
     reasons->push_back(

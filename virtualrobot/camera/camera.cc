@@ -108,6 +108,8 @@ void CameraDevice::ChooseExposure() {
 
 int64_t CameraDevice::ImagesBefore(int64_t frame) const {
   if (frame <= 0) return 0;
+  // Adds a millionth before rounding down, because a product that should be a whole number may be a
+  // little less.
   return static_cast<int64_t>(static_cast<double>(frame) * kFrame_s * model_.frames_per_s + 1e-6);
 }
 
@@ -226,6 +228,7 @@ const std::array<uint8_t, 3>& CameraDevice::ColourOfChannel(int channel) {
 }
 
 void CameraDevice::SwitchOff(int64_t frame) {
+  // Counts on, because frames begin at 0 again in the next boot but the source of pictures goes on.
   earlier_images_ += ImagesBefore(frame);
   settings_ = {};
   tables_ = {};

@@ -149,6 +149,7 @@ Canvas::Span Canvas::FindSpans(const Face& face) {
     bottom = std::max(bottom, point.y());
   }
   const Span rows{FirstBeyond(top, height_), FirstBeyond(bottom, height_)};
+  // Begins each row with an empty range, which the edges of the face widen.
   const std::array<double, 2> nothing{static_cast<double>(width_), 0};
   for (int y = rows.begin; y < rows.end; ++y) x_[static_cast<size_t>(y)] = nothing;
   for (int i = 0; i < face.count(); ++i) {
@@ -159,6 +160,7 @@ Canvas::Span Canvas::FindSpans(const Face& face) {
 }
 
 void Canvas::DrawPaint(Face face, const RgbBytes& colour) {
+  // Draws no paint if the lens is below the floor, because the floor hides its upper side.
   if (p_WC_.z() <= 0) return;
   const Face in_lens = InLens(face);
   if (in_lens.count() < 3) return;
@@ -177,6 +179,8 @@ void Canvas::DrawFace(Face face, const Vector3d& normal_W, const RgbBytes& colou
   const Vector3d n = R_CW_ * normal_W;
   const double height = normal_W.dot(face.corner(0) - p_WC_);
   if (!(height < 0)) return;
+  // Cuts away the part below the floor, because the floor has no depth in the picture that could
+  // hide this part.
   face.CutBy(Vector3d::UnitZ(), 0);
   const Face in_lens = InLens(face);
   if (in_lens.count() < 3) return;
@@ -249,6 +253,7 @@ void Canvas::DrawBall(const Vector3d& centre_W, double radius_m, const Vector3d&
       const double inverse = (b + std::sqrt(square)) * per_c;
       const auto depth = static_cast<float>(inverse);
       if (depth <= depths[x] || inverse * kNear_m > 1) continue;
+      // Leaves out a point that is below the floor: its height divided by its distance is negative.
       if (is_sunk && p_WC_.z() * inverse + rise.Of(px, py) < 0) continue;
       depths[x] = depth;
       const double share = std::clamp(light.Of(px, py) / inverse - light_of_centre, 0.0, 1.0);

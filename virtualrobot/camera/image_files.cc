@@ -32,6 +32,8 @@ Picture ReadPng(const std::string& bytes, const std::string& file) {
   if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0)
     Fail(file, fmt::format("no PNG file: {}", image.message));
   if (image.width > kSideMax || image.height > kSideMax) {
+    // Frees libpng's memory here, because png_image_finish_read(), which frees it otherwise, is not
+    // called.
     png_image_free(&image);
     Fail(file, fmt::format("more than {} pixels wide or high", kSideMax));
   }
@@ -54,6 +56,7 @@ int HeaderNumber(const std::string& bytes, int limit, size_t* at, const std::str
   const size_t begin = *at;
   for (; *at < bytes.size() && bytes[*at] >= '0' && bytes[*at] <= '9'; ++*at) {
     number = number * 10 + (bytes[*at] - '0');
+    // Ends at once, because more digits could make the number overflow.
     if (number > limit) break;
   }
   if (*at == begin || number < 1 || number > limit)
@@ -88,6 +91,7 @@ class ImageFolder : public ImageSource {
     }
     if (error) Fail(folder, "cannot be read: " + error.message());
     if (files_.empty()) Fail(folder, "holds no .png and no .ppm file");
+    // Sorts the files, because a folder lists them in an order that differs between machines.
     std::sort(files_.begin(), files_.end());
   }
 

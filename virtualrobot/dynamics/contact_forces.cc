@@ -66,6 +66,8 @@ const std::vector<double>& ContactForces::Find(const ContactEquations& equations
   impulses_.assign(equations.rows(), 0);
   if (SolveSticking(equations)) return impulses_;
   for (int c = 0; c < equations.contacts(); ++c) {
+    // Begins the search with the impulses of the last attempt, but without those that pull, because
+    // the ground cannot pull.
     if (impulses_[3 * c] < 0) std::fill_n(&impulses_[3 * c], 3, 0.0);
   }
   while (sweeps_ < kSweepsMax && Sweep(equations) > kTolerance_n_s) ++sweeps_;
@@ -85,6 +87,8 @@ bool ContactForces::SolveSticking(const ContactEquations& equations) {
   for (int c = 0; c < equations.contacts(); ++c) closed_[c] = c;
   for (int round = 0; round < kOpenRounds; ++round) {
     SolveOpened(equations);
+    // Tries again without the contacts that pulled, because the other impulses change when these
+    // are 0.
     if (std::erase_if(closed_, [this](int c) { return impulses_[3 * c] < 0; }) > 0) continue;
     for (int c = 0; c < equations.contacts(); ++c) {
       const bool is_closed = std::binary_search(closed_.begin(), closed_.end(), c);
@@ -141,6 +145,8 @@ double ContactForces::Sweep(const ContactEquations& equations) {
     double* const p = &impulses_[n];
     const double press = std::max(0.0, p[0] + Missing(equations, impulses_, n) / k0[0]);
     const double change = press - p[0];
+    // Takes into account that `press` is to change by `change`, because this also changes the speed
+    // along the ground.
     const Friction missing{Missing(equations, impulses_, n + 1) - k1[0] * change,
                            Missing(equations, impulses_, n + 2) - k2[0] * change};
     const Friction friction =

@@ -66,9 +66,13 @@ std::optional<TouchPoint> TouchSide(const WorldThing& thing, const Vector3d& p, 
   const Vector3d half = thing.size_m / 2;
   Vector3d nearest = p.cwiseMax(-half).cwiseMin(half);
   const SurfacePoint surface = SurfaceAt(thing, nearest.x(), nearest.y());
+  // Lowers the point to the surface, because a side of the heightfield ends where the surface
+  // begins.
   nearest.z() = std::min(nearest.z(), surface.height_m - half.z());
   const Vector3d way = p - nearest;
   const double distance_m = way.norm();
+  // Leaves out a centre that is exactly on the side, because it gives no direction in which to
+  // push.
   if (distance_m >= radius_m || distance_m == 0) return std::nullopt;
   const Vector3d out = way / distance_m;
   return TouchPoint{p - radius_m * out, out, radius_m - distance_m};
@@ -132,6 +136,8 @@ void TouchBallOnHeights(const Vector3d& centre_W, double radius_m, const WorldTh
   } else {
     const SurfacePoint surface = SurfaceAt(thing, p.x(), p.y());
     const double height_m = HeightOver(thing, p, surface) * surface.normal_T.z();
+    // Takes the surface over the centre if the centre is below the surface, because
+    // TouchTriangles() ignores triangles that are above the centre.
     if (height_m <= 0) {
       found.push_back({p - radius_m * surface.normal_T, surface.normal_T, radius_m - height_m});
     } else {
@@ -155,6 +161,8 @@ void TouchBoxOnHeights(const Vector3d& centre_W, const Matrix3d& R_WB, const Vec
   for (int i = 0; i < 8; ++i) {
     const Vector3d sign(i & 1 ? 0.5 : -0.5, i & 2 ? 0.5 : -0.5, i & 4 ? 0.5 : -0.5);
     const Vector3d corner = centre + R * sign.cwiseProduct(size_m);
+    // Leaves out a corner below the lower face of the heightfield, because the corner has passed
+    // through it and is not in the ground.
     if (!IsOverBase(thing, corner) || corner.z() < -thing.size_m.z() / 2) continue;
     const SurfacePoint surface = SurfaceAt(thing, corner.x(), corner.y());
     const double height_m = HeightOver(thing, corner, surface) * surface.normal_T.z();

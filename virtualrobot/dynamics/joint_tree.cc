@@ -35,6 +35,8 @@ Quaterniond Turned(const Quaterniond& q, const Vector3d& w_W, double step_s) {
   const Vector3d half = 0.5 * step_s * w_W;
   const double w = q.w() - half.dot(q.vec());
   const Vector3d v = q.vec() + q.w() * half + half.cross(q.vec());
+  // Scales the result to the length 1, because the formula makes the quaternion of a part that
+  // turns longer.
   const double length = std::sqrt(w * w + v.squaredNorm());
   return {w / length, v.x() / length, v.y() / length, v.z() / length};
 }
@@ -182,6 +184,8 @@ void JointTree::FindForces(const std::vector<TorqueLine>& lines, double gravity_
     Vector3d angular, centre;
   };
   std::vector<Acceleration> acceleration(parts_.size());
+  // Lets the trunk accelerate upwards instead of letting gravity act on each part, because both
+  // demand the same forces.
   acceleration[0] = {Vector3d::Zero(), Vector3d(0, 0, gravity_m_s2)};
   for (int i = 0; i < parts(); ++i) {
     const PartState& now = part_states_[i];
@@ -227,6 +231,8 @@ void JointTree::Factor() {
       const double factor = row[i] * inverse;
       double* const other = RowOf(i);
       for (int j = i; j >= 0; j = parent_[j]) other[j] -= factor * row[j];
+      // Stores the factor only after the loop over j, because this loop reads the old value of
+      // row[i].
       row[i] = factor;
     }
   }
@@ -345,6 +351,7 @@ void JointTree::HashState(Hasher* hasher) const {
   values.insert(values.end(), q_WB_.coeffs().data(), q_WB_.coeffs().data() + 4);
   for (const Vector3d* const vector : {&centre_W_, &v_W_, &w_W_})
     values.insert(values.end(), vector->data(), vector->data() + 3);
+  // Begins with part 1, because part 0 is the trunk, which has no hinge.
   values.insert(values.end(), angle_rad_.begin() + 1, angle_rad_.end());
   values.insert(values.end(), speed_rad_s_.begin() + 1, speed_rad_s_.end());
   hasher->AddBytes(values.data(), values.size() * sizeof(double));

@@ -26,6 +26,8 @@ SurfaceDistance DistanceToBox(const Vector3d& half, const Vector3d& p) {
   if (length > 0) return {length, way / length};
   int axis = 0;
   for (int k = 1; k < 3; ++k) {
+    // Looks for the nearest face, because the point is in the box and its shortest way out leads
+    // through this face.
     if (half[k] - std::fabs(p[k]) < half[axis] - std::fabs(p[axis])) axis = k;
   }
   SurfaceDistance result{std::fabs(p[axis]) - half[axis], Vector3d::Zero()};
@@ -35,6 +37,8 @@ SurfaceDistance DistanceToBox(const Vector3d& half, const Vector3d& p) {
 
 SurfaceDistance DistanceToCylinder(const Vector3d& half, const Vector3d& p) {
   const double across = std::sqrt(p.x() * p.x() + p.y() * p.y());
+  // Takes any horizontal direction for a point on the axis, because all are equally near to the
+  // side.
   const Vector3d level =
       across > 0 ? Vector3d(p.x() / across, p.y() / across, 0) : Vector3d::UnitX();
   const Vector3d up(0, 0, p.z() < 0 ? -1 : 1);
@@ -149,6 +153,7 @@ void TouchByRimsAndSide(const WorldThing& cylinder, const WorldThing& thing, dou
   }
   const Vector3d way = cylinder.R_WT.transpose() * (thing.centre_m - cylinder.centre_m);
   const double length = std::sqrt(way.x() * way.x() + way.y() * way.y());
+  // Ends if the centre of `thing` is on the axis, because then no line of the side faces it.
   if (length == 0) return;
   const double scale = cylinder.size_m.x() / 2 / length;
   for (const double height : {-0.4, 0.0, 0.4})

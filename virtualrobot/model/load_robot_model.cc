@@ -92,11 +92,14 @@ void ReadJoint(const JsonReader& row, RobotModel* model) {
   if (model->FindJoint(joint.name) >= 0) row.Fail("a second joint '{}'", joint.name);
   joint.parent = BodyNamed(*model, row.At("parent"));
   joint.child = BodyNamed(*model, row.At("child"));
+  // Demands that parents come first, because the dynamics compute the place of each part from its
+  // parent's place in the order of the bodies.
   if (joint.parent >= joint.child) row.At("child").Fail("must come after its parent in bodies");
   BodyPart& child = model->bodies[joint.child];
   if (child.joint >= 0) row.At("child").Fail("'{}' already hangs on a joint", child.name);
   child.joint = static_cast<int>(model->joints.size());
   joint.axis = row.At("axis").Vector();
+  // Tests both lengths, because a slanted vector can have the sum 1 or the length 1, but not both.
   if (joint.axis.cwiseAbs().sum() != 1 || joint.axis.norm() != 1) {
     row.At("axis").Fail("must be one of the axes of B, as [0, -1, 0]");
   }
@@ -192,6 +195,8 @@ void ReadSensor(const JsonReader& row, RobotModel* model) {
     sensor.joint = model->FindJointByLocator(sensor.locator);
     if (sensor.joint < 0) row.At("locator").Fail("no joint has '{}'", sensor.locator);
     const JointModel& joint = model->joints[sensor.joint];
+    // Compares the number in the joint's row with the place in the list, because the file says the
+    // same thing twice.
     if (joint.sensor != index) {
       row.Fail("joint '{}' says it is sensor {}, the list says {}", joint.name, joint.sensor,
                index);

@@ -25,6 +25,7 @@ OdeReference::OdeReference(const RobotModel& model, const World& world, const Is
   dWorldSetGravity(world_, 0, 0, -kGravity_m_s2);
   dWorldSetERP(world_, 0.2);
   dWorldSetCFM(world_, 1e-9);
+  // Keeps ODE from stopping bodies that rest, because OdeBody does not do so either.
   dWorldSetAutoDisableFlag(world_, 0);
   dWorldSetContactMaxCorrectingVel(world_, settings.depart_speed_m_s);
   const std::vector<Isometry3d> X_BL = LinkPoses(model, angles_rad);
@@ -40,6 +41,8 @@ OdeReference::OdeReference(const RobotModel& model, const World& world, const Is
     const Vector3d anchor = X_WL * joint.anchor_m, axis = X_WL.linear() * joint.axis;
     dJointSetHingeAnchor(hinge, anchor.x(), anchor.y(), anchor.z());
     dJointSetHingeAxis(hinge, axis.x(), axis.y(), axis.z());
+    // Sets no limit to the torque, because the parameters vel and cfm alone give the torque of the
+    // servo.
     dJointSetHingeParam(hinge, dParamFMax, dInfinity);
     hinges_.push_back(hinge);
     servos_.emplace_back(joint, settings.servo);

@@ -42,6 +42,8 @@ PhysicsWorld::PhysicsWorld(const World& world, const OdeSettings& settings)
   for (size_t i = 0; i < things_.size(); ++i) {
     if (things_[i].mass_kg > 0) AddMover(i);
   }
+  // Takes the addresses only when all movers exist, because movers_ moves its elements when it
+  // grows.
   for (Mover& mover : movers_) trees_.push_back(&mover.tree);
   finder_ = std::make_unique<ContactFinder>(things_, thing_bodies_);
 }
@@ -138,6 +140,8 @@ void PhysicsWorld::AddRows(const std::vector<ContactPoint>& points) {
     if (point.paw >= 0)
       robots_[static_cast<size_t>(point.side.tree) - movers_.size()]->NotePawContact(point.paw);
     const Vector3d& normal_W = point.normal_W;
+    // Chooses an axis that is not nearly parallel to the normal, because the cross product would be
+    // inexact otherwise.
     const Vector3d side_W = std::fabs(normal_W.x()) > 0.5 ? Vector3d::UnitY() : Vector3d::UnitX();
     const Vector3d ground_W = normal_W.cross(side_W.cross(normal_W)).normalized();
     for (const Vector3d& direction_W : {normal_W, ground_W, Vector3d(normal_W.cross(ground_W))}) {
@@ -165,6 +169,8 @@ void PhysicsWorld::FindGroups(const std::vector<ContactPoint>& points) {
   for (const ContactPoint& point : points) {
     if (point.other.tree < 0) continue;
     const int a = GroupOf(point.side.tree), b = GroupOf(point.other.tree);
+    // Makes the lower number the number of both groups, because Step() looks for the tree whose
+    // number is that of its group.
     groups_[std::max(a, b)] = std::min(a, b);
   }
 }
@@ -179,6 +185,8 @@ int PhysicsWorld::GroupOf(int tree) const {
 void PhysicsWorld::SolveGroup(const std::vector<ContactPoint>& points, int group, double step_s) {
   contacts_of_group_.clear();
   for (size_t i = 0; i < points.size(); ++i) {
+    // Tests only one side, because the side that can move and the other side, if it can move too,
+    // are in one group.
     if (GroupOf(points[i].side.tree) == group) contacts_of_group_.push_back(i);
   }
   size_t robots = 0;
@@ -217,6 +225,8 @@ void PhysicsWorld::FillEquations(const std::vector<ContactPoint>& points, double
     }
     for (int column = 0; column <= row; ++column)
       equations_.At(row, column) = equations_.At(column, row) = Mobility(sides, row_of(column));
+    // Makes the contact a little soft, so that the diagonal is above 0 and the equations have a
+    // solution.
     equations_.At(row, row) += settings_.contact_cfm / step_s;
   }
 }

@@ -31,6 +31,7 @@ std::string Objection(const OSoundInfo& info, const Primitive* primitive) {
 // Returns a warning if `info` names a rate, sample size or number of channels that differs from the
 // speaker's settings; otherwise "".
 std::string Mismatch(const OSoundInfo& info, const SoundType& type) {
+  // Takes 0 for a field that the program did not set.
   const auto says = [](word said, int set) { return said != 0 && said != set; };
   if (!says(info.samplingRate, type.rate_hz()) &&
       !says(info.bitsPerSample, 8 * type.bytes_per_sample) && !says(info.channel, 1))
@@ -89,6 +90,8 @@ void SoundQueue::ReadSound(const SentVector& vector, int index, longword frame_n
   if (!problem.empty()) problems->push_back("sound vector: it " + problem);
   Sound sound;
   sound.bytes_per_sample = type.bytes_per_sample;
+  // Plays each sample of a slower type more than once, because a frame always has
+  // kSoundSamplesPerFrame samples.
   sound.repeat = kSoundSamplesPerFrame / type.samples_per_frame;
   sound.data = audible ? reinterpret_cast<const byte*>(vector.At(info.dataOffset, bytes)) : nullptr;
   sound.samples = static_cast<int64_t>(bytes) / type.bytes_per_sample * sound.repeat;
@@ -186,6 +189,7 @@ void SoundQueue::HashState(Hasher* hasher) const {
   hasher->Add(turn_.announced());
   hasher->Add(playing_.region ? playing_.region->MemID() : 0);
   for (const Sound& sound : sounds_) {
+    // Adds only whether there is data, because addresses differ between runs.
     hasher->Add(sound.data != nullptr);
     hasher->Add(sound.samples);
     hasher->Add(sound.repeat);
