@@ -56,6 +56,7 @@ bool NamesRegister(const std::string& code, size_t previous, size_t next) {
   size_t begin = previous;
   while (begin > 0 && IsWordCharacter(code[begin - 1])) --begin;
   const std::string_view before = WordAt(code, begin);
+  // Excludes these two words, because asm begins a statement after them.
   return before != "else" && before != "do";
 }
 
@@ -178,6 +179,8 @@ std::vector<Edit> AssemblyRepairOf(const Complaint& complaint, const std::string
     return edits;
   }
   const bool wants_register = complaint.message.find("invalid register name") != std::string::npos;
+  // Searches from the end, because the lines of an earlier statement may reach into the next one
+  // (LastLineOf()).
   for (auto use = uses.rbegin(); use != uses.rend(); ++use) {
     if (use->names_register != wants_register) continue;
     if (LineOf(text, use->begin) > complaint.line || LastLineOf(*use, text) < complaint.line)
@@ -203,6 +206,8 @@ std::vector<Edit> AssemblyMacroRepairOf(const std::string& line, const std::stri
     const std::string name = match[1];
     for (size_t at = line.find(name); at != kNone; at = line.find(name, at + 1)) {
       if (!HasWordAt(line, at, name)) continue;
+      // Counts the assembly as code in a function, because macros are defined outside of functions
+      // but used in them.
       use.is_in_function = true;
       use.names_register = false;
       edits.push_back(EditOf(use, header));

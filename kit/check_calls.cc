@@ -79,6 +79,7 @@ bool HasOwn(const std::string& code, const std::string& name) {
         std::string_view(";,[=").find(code[next]) != std::string_view::npos)
       return true;
     if (code.compare(last - 1, 2, "::") != 0) continue;
+    // Does not count std::, because std::time() is the clock of the C library, too.
     const std::string_view space = WordBefore(code, last - 1);
     if (!space.empty() && space != "std") return true;
   }
@@ -153,7 +154,9 @@ class CallCheck {
       const std::string name = (*it)[1];
       const size_t at = static_cast<size_t>(it->position(0));
       const size_t open = at + static_cast<size_t>(it->length(0)) - 1;
+      // Looks at the text of the source, because code_ has blanks in place of strings.
       const size_t first = NextOf(source_.text, open + 1);
+      // Skips directives, because a program may define such a macro itself.
       if (first == kNone || LineAround(code_, at).find('#') != kNone) continue;
       const bool has_text =
           source_.text[first] == '"' || source_.text.compare(first, 7, "osyslog") == 0;

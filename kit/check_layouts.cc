@@ -89,14 +89,18 @@ const StructLayout::Member* FindMember(const StructLayout& layout, const std::st
 // which `receiver` reads something else than `sender` has sent; "" if there is none.
 std::string DifferenceOf(const End& sender, const End& receiver) {
   for (const StructLayout::Member& theirs : receiver.layout.members) {
+    // Skips a member that no source of the receiver names, because nothing reads it.
     if (!HasWord(receiver.code.sources, theirs.name)) continue;
     const StructLayout::Member* const ours = FindMember(sender.layout, theirs.name);
     if (ours == nullptr) {
       const bool is_behind = theirs.begin >= sender.layout.bytes;
+      // Accepts a receiver that asks for the size of the data, because it may read only what was
+      // sent.
       if (!is_behind || theirs.bytes == 0 || AsksForSize(receiver.code)) continue;
       return fmt::format("{} reads '{}' at byte {}, and {} sends {} bytes", receiver.object,
                          theirs.name, theirs.begin, sender.object, sender.layout.bytes);
     }
+    // Skips a member that no source of the sender names, because nothing sets it.
     if (!HasWord(sender.code.sources, theirs.name)) continue;
     if (ours->begin != theirs.begin) {
       return fmt::format("'{}' begins at byte {} in {}, at byte {} in {}", theirs.name, ours->begin,

@@ -172,6 +172,7 @@ class ObjectCheck {
   }
 
   void CheckThreads(const fs::path& file, const std::string& text) {
+    // Leaves out std::thread::, because names such as std::thread::id start no thread.
     static const std::regex kThread(
         "\\b(pthread_create|thrd_create)[ \t]*\\(|\\b(std[ \t]*::[ \t]*(thread|async))\\b(?![ "
         "\t]*::)");
@@ -254,6 +255,7 @@ bool IsDummy(const StubService& service) {
 }
 
 void CheckStickPaths(const std::string& file, const std::string& text, Remarks* remarks) {
+  // Leaves out strings with '%' or a backslash, because their text is not the name of the file.
   static const std::regex kPath("\"(/[mM][sS]/[^\"%\\\\]*)\"");
   std::vector<Diagnostic> ignored;
   for (const FilePosition& line : SplitLines(file, text, &ignored)) {

@@ -123,6 +123,8 @@ CompileCommand TranslateCompile(const std::vector<std::string>& arguments, bool 
     const std::string& word = arguments[i];
     const bool has_next = i + 1 < arguments.size();
     if (word == "-w") command.is_quiet = true;
+    // Skips a flag that is about the robot's compiler or processor, and its value, which would
+    // otherwise count as a file.
     if (word == "-G" || word == "-V" || word == "-b") {
       i += has_next;
     } else if (StartsWith(word, "-std=")) {
@@ -145,6 +147,7 @@ CompileCommand TranslateCompile(const std::vector<std::string>& arguments, bool 
   }
   ModerniseIncludes(&command.arguments);
   command.language = LanguageOf(command, language, is_cxx);
+  // Adds the level only now, because the names of the sources may decide which language it is for.
   const std::vector<std::string> level = StandardFlags(standard, command.language);
   command.arguments.insert(command.arguments.end(), level.begin(), level.end());
   command.links = !command.compiles && !asks;

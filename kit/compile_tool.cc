@@ -74,6 +74,7 @@ CompileRun::CompileRun(const Arguments& arguments, bool is_cxx)
     variant_ = VariantCompileFlags(VariantOfBuild());
     compiler_.push_back("-g");
     for (const SourceCopy& copy : SourceCopies()) {
+      // Lets debug information name the user's files, because private copies of them are compiled.
       compiler_.push_back("-ffile-prefix-map=" + copy.copy + "=" + copy.original);
     }
   }
@@ -87,6 +88,7 @@ Arguments CompileRun::WordsWith(const Arguments& extra, const Arguments& own) co
   Arguments all = compiler_;
   all.insert(all.end(), extra.begin(), extra.end());
   all.insert(all.end(), own.begin(), own.end());
+  // Puts the flags of the variant last, because the last one of several flags -O counts.
   all.insert(all.end(), variant_.begin(), variant_.end());
   return all;
 }
@@ -134,6 +136,7 @@ void CompileRun::RepairIfItHelps(ProcessResult* result) {
   if (!now.good()) UsePreludeIfItHelps(&now);
   for (int round = 0; !now.good() && round < kRepairRoundsMax; ++round) {
     Arguments as_json = extra_;
+    // Asks for all errors, because each round then repairs as many as it can.
     as_json.insert(as_json.end(), {"-fdiagnostics-format=json", "-fmax-errors=0"});
     if (!session.Apply(Try(as_json).output, command_.sources)) break;
     now = Try(extra_);

@@ -36,6 +36,8 @@ size_t BodyAfter(const std::string& code, size_t close) {
 
 ControllerCode::ControllerCode(const std::vector<fs::path>& sources) {
   for (const fs::path& file : sources) Read(file);
+  // Expands macros only when all files are read, because a source comes before its headers in
+  // files_ and uses their macros.
   for (CodeFile& file : files_) file.code = macros_.Expand(file.source);
   for (const CodeFile& file : files_) FindFunctions(file);
   for (const CodeFile& file : files_) {
@@ -51,6 +53,7 @@ void ControllerCode::Read(const fs::path& file) {
   const std::string name = file.lexically_normal();
   const bool is_known = std::any_of(files_.begin(), files_.end(),
                                     [&](const CodeFile& each) { return each.name == name; });
+  // Reads no file twice, because headers may include each other.
   const std::optional<std::string> text = is_known ? std::nullopt : ReadText(file);
   if (!text) return;
   files_.push_back({name, *text, {}});

@@ -50,6 +50,7 @@ std::optional<Arguments> CompileController(const std::vector<fs::path>& sources,
         Joined({"-O2", "-Dmain=controller_main", "-I" + folder.string(), "-I" + include.string(),
                 "-I" + (include / "device").string(), "-c", "-o", object, source.string()},
                flags);
+    // Goes on after a source with errors, so that the user sees the errors of all sources at once.
     good = RunCompiler(compile, source.extension() != ".c") == 0 && good;
     objects.push_back(object);
   }

@@ -33,6 +33,7 @@ class LoopFinder {
       i = ClosingOf(code_, i);
       if (i == kNone) return code_.size();
       const size_t next = NextOf(code_, i + 1);
+      // A block does not end the statement if "else", or the "while" of a do loop, follows.
       const bool goes_on = next != kNone && (HasWordAt(code_, next, "else") || IsEndOfDo(next));
       if (is_block && !goes_on) return i + 1;
     }
@@ -66,6 +67,7 @@ class LoopFinder {
       const size_t second = first == kNone ? kNone : condition.find(';', first + 1);
       if (second == kNone) return;
       condition = condition.substr(first + 1, second - first - 1);
+      // Takes an empty condition, as in for (;;), as true.
       if (NextOf(condition, 0) == kNone) condition.assign(1, '1');
     }
     Judge(at, condition, close + 1, EndOfStatement(close + 1));

@@ -116,6 +116,8 @@ class Matcher {
 std::vector<int> MatchImages(const std::vector<std::string>& wanted,
                              const std::vector<ImageCandidate>& candidates) {
   Matcher matcher(wanted, candidates);
+  // Applies strict rules before loose ones, so that a loose rule is asked only about names that no
+  // strict rule could pair.
   matcher.Pair([](const std::string& a, const std::string& b) { return a == b; });
   matcher.Pair(&IsPrefix);
   matcher.Pair(&IsSubsequenceFromTheFirst);

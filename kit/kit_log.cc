@@ -122,6 +122,8 @@ KitLog ReadKitLog(const std::string& file) {
   for (std::string line; std::getline(stream, line);) {
     const std::vector<std::string> words = Split(line);
     if (words.size() >= 4 && words[0] == "image") {
+      // Keeps only the last record of each file, because a file may be made more than once in a
+      // build.
       std::erase_if(log.images, [&](const KitLog::Image& other) { return other.file == words[1]; });
       log.images.push_back({words[1], words[2], words[3], From(4, words)});
       EraseFailuresOf(words[1], &log);

@@ -44,6 +44,7 @@ LinkCommand TranslateMkbin(const std::vector<std::string>& arguments,
       command.objects.push_back(word);
     }
   }
+  // Looks for the libraries only now, because a folder (-L) may come after the library (-l).
   for (const std::string& name : wanted) {
     for (const std::string& folder : folders) {
       const std::string file = folder + "/lib" + name + ".a";

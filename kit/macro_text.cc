@@ -13,6 +13,7 @@ namespace {
 constexpr size_t kExpandedMax = 4 << 20;
 
 bool IsNumber(std::string_view word) {
+  // Limits the length, so that std::stoi() in NumberOf() cannot fail.
   return !word.empty() && word.size() < 8 &&
          std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
@@ -72,12 +73,15 @@ std::string WithoutDirectives(std::string code) {
   };
   int depth = 0;  // number of conditions open since "#if 0"
   size_t dead = 0;
+  // Reads the directives in a copy, because they refer to the text and blank() changes `code`.
   const std::string text = code;
   for (const Directive& directive : DirectivesOf(text)) {
     const bool opens = directive.word.starts_with("if");
     const std::string rest = Trimmed(text.substr(directive.rest, directive.end - directive.rest));
     if (depth > 0) {
       if (opens) ++depth;
+      // Ends the part at an #else or #elif of "#if 0" itself, because the code after it is
+      // compiled.
       if (directive.word == "endif" || (directive.word.starts_with("el") && depth == 1)) --depth;
       if (depth == 0) blank(dead, directive.begin);
     } else if (opens && rest == "0") {

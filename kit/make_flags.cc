@@ -50,6 +50,7 @@ Words FlagsOfMakefiles(const fs::path& folder, const KitLog& log,
     if (IsBelow(compile.file, folder) || IsBelow(compile.folder, folder))
       AddFlags(compile.flags, &flags);
   }
+  // Prefers the flags of real compilations, because a variable may hold flags that no rule uses.
   if (!flags.empty() || !HasMainMakefile(folder)) return flags;
   Words arguments{std::string("--eval=") + kShowVariables, "openr-kit-flags"};
   for (const auto& [name, value] : variables) arguments.push_back(name + "=" + value);

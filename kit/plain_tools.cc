@@ -35,6 +35,8 @@ std::string Gzipped(std::string bytes) {
   // Number to add to the size of zlib's window, so that zlib writes the file format of gzip.
   constexpr int kGzipFormat = 16;
   z_stream stream{};
+  // Compresses with level 6, as gzip -6 does, because the robot is known to read such images
+  // (field-notes.md 5.8).
   if (deflateInit2(&stream, 6, Z_DEFLATED, kGzipFormat + MAX_WBITS, MAX_MEM_LEVEL - 1,
                    Z_DEFAULT_STRATEGY) != Z_OK) {
     throw std::bad_alloc();

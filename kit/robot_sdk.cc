@@ -41,6 +41,7 @@ RobotSdk::RobotSdk(const fs::path& root) : root_(fs::absolute(root).lexically_no
     throw std::runtime_error(
         fmt::format("OPENRSDK_ROOT={}: there is no such folder", root.string()));
   }
+  // Recognises our own SDK tree by a file that Sony's SDK does not have.
   if (fs::exists(root_ / "compile-flags.txt", error)) {
     throw std::runtime_error(fmt::format(
         "OPENRSDK_ROOT={} is openr-host's own tree, which makes images for this machine; for the "

@@ -8,6 +8,7 @@ namespace openr_host {
 
 std::string ShellWord(const std::string& text) {
   const auto is_plain = [](char c) {
+    // Bytes of characters outside of ASCII need no quotes, because they mean nothing to the shell.
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || (c & 0x80) != 0 ||
            std::string_view("/._+-=:,@%").find(c) != std::string_view::npos;
   };

@@ -102,6 +102,7 @@ std::string WideTypeIn(Dwarf_Die* structure) {
 std::optional<StructLayout::Member> MemberOf(Dwarf_Die* die) {
   const char* const name = dwarf_diename(die);
   const std::optional<uint64_t> begin = NumberOf(die, DW_AT_data_member_location);
+  // Leaves out bit fields, because they have no size in whole bytes.
   const bool is_bit_field = dwarf_hasattr(die, DW_AT_bit_size) != 0;
   if (dwarf_tag(die) != DW_TAG_member || name == nullptr || !begin || is_bit_field)
     return std::nullopt;
@@ -166,6 +167,8 @@ std::optional<StructLayout> LayoutIn(const fs::path& image, const std::string& n
   const fs::path beside = FindEntry(image.parent_path(), image.stem().string() + ".DBG");
   if (layouts.empty() && !beside.empty()) layouts = LayoutsIn(ReadText(beside).value_or(""), name);
   for (const StructLayout& layout : layouts) {
+    // Gives no answer if the sources of the image differ, because nothing says which of them
+    // counts.
     if (layout != layouts.front()) return std::nullopt;
   }
   if (layouts.empty()) return std::nullopt;

@@ -81,6 +81,8 @@ fs::path FindEntry(const fs::path& folder, const std::string& name) {
     if (strcasecmp(entry.path().filename().c_str(), name.c_str()) == 0)
       matches.push_back(entry.path());
   }
+  // Takes the first name in order, because the order of entries in a folder differs between
+  // machines.
   return matches.empty() ? fs::path() : *std::min_element(matches.begin(), matches.end());
 }
 

@@ -160,6 +160,8 @@ void WorkCopy::AddFolder(const fs::path& original) {
   copies_.push_back({copy, original});
   fs::create_directories(copy);
   for (const fs::path& file : FilesBelow(original)) {
+    // Leaves out the work folder, which may be inside the user's folder and would be copied into
+    // itself.
     if (!IsBelow(file, work_)) CopyFile(file);
   }
   // Creates all folders in the private copy, also empty ones, because rules of Makefiles write into
