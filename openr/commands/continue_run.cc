@@ -81,6 +81,8 @@ class ContinuedRun {
  private:
   // Gives each robot a network that first repeats the recorded data, and then uses a real network.
   void Prepare(SimulationOptions* simulation) {
+    // Gives the robots real networks, which the replay does not use, because the run goes on live
+    // after it.
     simulation->host_network = true;
     simulation->network_filter = [this, recorded = simulation->network_filter](
                                      int robot, std::unique_ptr<Network> inner) {
@@ -148,6 +150,7 @@ RunPlan PlanOf(const ContinueOptions& options) {
 }  // namespace
 
 int ContinueRun(const ContinueOptions& options) {
+  // Ignores the end of the terminal if the run ends by itself.
   InterruptCounter interrupts(options.for_us ? HangUp::kIgnored : HangUp::kCounts);
   ContinuedRun run(options);
   System& system = run.simulation().system();

@@ -48,6 +48,8 @@ DistributedRun::DistributedRun(const PlacementFlags& placement, const Ros2Flags&
     own_bus_ = MakeBus(placement);
     bus_ = own_bus_.get();
   }
+  // Removes the crash records of earlier runs, because each worker adds its record to the end of
+  // the file.
   if (workers_ != nullptr) CrashLog::RemoveOldRecords(stick.crash_log());
   RefuseIdleFlags(placement, workers_ != nullptr, bus_ != nullptr);
 }
@@ -118,6 +120,8 @@ void DistributedRun::ShortenTimeouts() {
 void DistributedRun::Describe(nlohmann::ordered_json* report) const {
   if (workers_ == nullptr) return;
   (*report)["processes"] = DescribeProcesses(*workers_);
+  // Leaves out the hash of the messages, because no free run is like another and nobody could
+  // compare it.
   if (is_free_) report->erase("trace_hash");
   for (const auto& [id, bytes] : workers_->HeapMax())
     (*report)["objects"][static_cast<size_t>(id)]["heap_bytes_max"] = bytes;

@@ -169,9 +169,13 @@ std::unique_ptr<WorkerGroup> MakeWorkerGroup(const PlacementFlags& flags, const 
   const auto wrong_hosts = WrongHosts(options.placement, flags.bus.address);
   if (!wrong_hosts.empty()) throw CLI::ValidationError("--placement", Render(wrong_hosts));
   options.bus = flags.bus;
+  // Takes a fixed name if processes run on other hosts, because their users have to start `openr
+  // join` with the same name.
   if (options.bus.run.empty())
     options.bus.run = options.placement.host_of.empty() ? RunNameOfItsOwn() : "openr";
   const int watched_s = WatchedLease(flags);
+  // Takes the long lease only if all workers are on this host, because the end of a worker on
+  // another host is noticed only when its lease is over.
   if (options.placement.host_of.empty()) options.bus.lease_s = watched_s;
   for (const auto& [process, host] : options.placement.host_of) options.bus.peers.push_back(host);
   options.stick = std::filesystem::absolute(stick.folder()).lexically_normal();

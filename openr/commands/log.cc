@@ -136,6 +136,7 @@ void LogInfo(const LogFlags& flags) {
   if (duration_s) {
     fmt::print("  {:.3f} s\n", *duration_s);
   } else {
+    // Leaves out the name of the file, with which the error begins, because the line above has it.
     fmt::print("  no times: {}\n", why_not.substr(flags.file.size() + 2));
   }
 }
@@ -167,6 +168,8 @@ void LogCsv(const LogFlags& flags) {
   try {
     times_ms = TimesOfLog(flags.file, log, flags.motion);
   } catch (const std::runtime_error& error) {
+    // Prints the table without times if the user has named no motion, because the other columns
+    // need none.
     if (!flags.motion.empty()) throw;
     fmt::print(stderr, "{}; the column time_ms is empty\n", error.what());
   }

@@ -98,6 +98,8 @@ void FromCsv(const FromCsvFlags& flags) {
     motion = ParseMotionCsv(ReadInput(flags.file, {"table of openr mtn dump", ".csv"}));
   } catch (const std::runtime_error& error) {
     const std::string text = error.what();
+    // Adds the name of the file only to errors of the table, because errors of reading begin with
+    // it already.
     throw std::runtime_error(text.find(flags.file) == 0 ? text : flags.file + ": " + text);
   }
   SetNames(flags, &motion);
@@ -148,6 +150,7 @@ void UnpackOda(const OdaFlags& flags) {
   const std::string bytes = ReadInput(flags.file, {"container", ".ODA"});
   const std::vector<OdaMember> members = MembersOf(flags.file, bytes);
   const std::filesystem::path folder = flags.folder;
+  // Checks all names before the first file is written, so that an error leaves nothing unpacked.
   for (const OdaMember& member : members) {
     // Does not write a file of the container over a symbolic link, even with --overwrite, because
     // the link may lead to a file outside of the folder.

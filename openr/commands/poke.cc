@@ -215,6 +215,7 @@ class RunConsole {
     const Json answer = Ask(std::move(request));
     if (answer.contains("error")) return Complain(answer.at("error").get<std::string>());
     PrintAnswer(text(answer));
+    // Sends the answer on at once, because a program may read it through a pipe and wait for it.
     FlushAnswer();
     return true;
   }

@@ -99,6 +99,7 @@ int RunProgram(int argc, char** argv) {
   const auto has_word = [&](std::string_view wanted) {
     return std::any_of(argv, argv + argc, [&](const char* word) { return word == wanted; });
   };
+  // Describes all commands for --help-all, and not only the one that the user has called.
   DescribeProgram(&app, &exit_code, argc > 1 && !has_word("--help-all") ? argv[1] : "");
   const bool as_json = has_word("--json");
   try {

@@ -32,6 +32,8 @@ int Perform(const RcFlags& flags, const RcAction& action) {
   // --log, performs one action for both robots together instead, because the log has the records of
   // both robots.
   if (!flags.with.empty() && flags.log.empty()) {
+    // Reads HOST here as well, so that a wrong address is an error of the command line, as it is
+    // with one robot.
     AddressOf(flags);
     return PerformAtBoth(flags, action);
   }
@@ -117,6 +119,7 @@ class RcCommands {
         "File with the token that openr run --listen asks for; with --with it is sent to both");
     rc_->add_flag("--json", flags_->json, "One JSON object per answer");
     rc_->require_subcommand(1);
+    // Lets the flags of `rc` also stand behind its commands, as in "rc HOST info --json".
     rc_->fallthrough();
   }
 

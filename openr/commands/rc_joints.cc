@@ -37,6 +37,7 @@ JointGoal ParseGoal(const std::string& text) {
 
 void RcPoseAction(remote::Connection* robot, const RcFlags& flags) {
   std::vector<JointGoal> goals;
+  // Reads all goals before it asks the robot anything, so that a misspelt goal is refused at once.
   for (const std::string& text : flags.goals) goals.push_back(ParseGoal(text));
   std::vector<remote::Call> calls;
   for (JointGoal& goal : goals) {
@@ -56,6 +57,8 @@ void RcPoseAction(remote::Connection* robot, const RcFlags& flags) {
     const double in_force = robot->InForce(answer);
     json[goals[i].joint] = in_force;
     text += fmt::format("\n  {:<12} {:8.2f} deg", goals[i].joint, in_force);
+    // Allows a little more than half of a hundredth, because the robot rounds to hundredths of a
+    // degree.
     if (std::abs(in_force - goals[i].degrees) > 0.006) {
       text += fmt::format(", the limit of this joint; {:.2f} asked for", goals[i].degrees);
     }

@@ -178,7 +178,9 @@ SimulationOptions RobotJobs::Options() {
   SimulationOptions options = flags_.simulation;
   options.stick = stick_.folder();
   options.robots = 1;
+  // Protects the stick, because all robots share it.
   options.writable_stick = false;
+  // Opens no ports, because all robots would open the same.
   options.host_network = false;
   options.log_level = flags_.log == "error" ? 1 : flags_.log == "warning" ? 2 : 3;
   options.console = [this](std::string_view text) { Print(text); };
@@ -215,6 +217,7 @@ void RobotJobs::RunInCopy(int robot, int answer) {
   };
   const EndingAction action([&](Ending* ending) {
     NoteTheEnding(*ending, &simulation_);
+    // Ends a line that the robot has begun, because Print() prints only whole lines.
     if (!line_.empty()) Print("\n");
     WriteAll(answer, JsonText(report()));
     ending->answered = true;
@@ -281,6 +284,7 @@ void RobotJobs::RunAll() {
     if (running.empty()) return;
     std::vector<pollfd> wanted;
     for (const RunningCopy& copy : running) wanted.push_back({copy.process.answers, POLLIN, 0});
+    // Looks for a Ctrl-C again after each wait, because poll() also ends when a signal comes.
     if (poll(wanted.data(), wanted.size(), kInterruptMs) <= 0) continue;
     for (size_t i = running.size(); i-- > 0;) {  // goes backwards, because the loop erases elements
       if (wanted[i].revents == 0 || ReadSome(&running[i])) continue;

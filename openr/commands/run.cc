@@ -265,6 +265,8 @@ int CommandedRun::Run() {
     facts_.standing.assign(simulation_.robots().size(), StandingMonitor(simulation_.model()));
   }
   good = Report() && good;
+  // Waits for the process that goes on in place of this one, because the shell waits only for this
+  // one.
   if (rewind_.has_branched()) return rewind_.WaitForBranch([this] { return interrupts_.count(); });
   return good && !system().findings().HasError() ? kExitGood : kExitWrong;
 }

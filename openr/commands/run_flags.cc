@@ -201,6 +201,7 @@ void CheckThatFilesDiffer(const RunFlags& flags) {
   for (const std::string& file : flags.snapshot_files) named.emplace_back("-o", file);
   std::map<std::string, std::string> flag_of;
   for (const auto& [flag, file] : named) {
+    // Allows /dev/null for several flags, because nothing is lost there.
     if (file.empty() || file == "-" || file == "/dev/null") continue;
     std::error_code error;  // set for a stream such as /dev/stdout; its name is then used as it is
     const std::string real = std::filesystem::weakly_canonical(file, error);

@@ -33,6 +33,7 @@ int RunServe() {
   const bool is_copy = server->is_copy();
   server.reset();
   if (!is_copy) return exit_code;
+  // Writes out all streams, because _exit() does not do so.
   std::fflush(nullptr);
   // Ends the process without exit handlers.  The exit handler of Mesa would wait for threads of
   // Mesa, and a copy of a process that has drawn a picture does not have these threads.

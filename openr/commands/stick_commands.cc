@@ -48,6 +48,7 @@ void SetByFlag(const std::string& flag, const std::string& key, const std::strin
 void AddWlanFlags(CLI::App* command, WlanFlags* flags) {
   for (const WlanQuestion& question : WlanQuestions()) {
     const std::string key = question.key, flag = question.flag;
+    // Leaves out the keys whose flags are added below, because these flags take no value or a word.
     if (key == "WEPENABLE" || key == "USE_DHCP" || key == "APMODE") continue;
     command
         ->add_option_function<std::string>(

@@ -129,8 +129,11 @@ std::string TableText(const std::vector<Row>& rows, size_t columns) {
 // except the first are indented.
 std::string Fold(const std::string& line, size_t columns) {
   constexpr size_t kIndent = 4;
+  // Does not break lines for a very narrow terminal, because the indent would leave hardly any
+  // room.
   if (columns <= 2 * kIndent || line.size() <= columns) return line + "\n";
   size_t end = line.rfind(' ', columns);
+  // Cuts a word that alone is longer than a line, because there is no space at which to break.
   if (end == std::string::npos || end <= kIndent) end = columns;
   const size_t next = line.find_first_not_of(' ', end);
   if (next == std::string::npos) return line.substr(0, end) + "\n";
