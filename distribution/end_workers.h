@@ -7,7 +7,7 @@
 
 namespace openr_host {
 
-// What EndWorkers() can do with one worker.
+// The steps that EndWorkers() does with one worker.
 struct EndingWorker {
   // Tells the worker that the run is over, and does not wait.  Returns false if no worker is there
   // that could be told.

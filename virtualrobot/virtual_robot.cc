@@ -230,8 +230,8 @@ OStatus VirtualRobot::Shutdown(const OBootCondition& condition) {
   }
   const std::string who = t_current.object == nullptr ? "an object" : t_current.object->name;
   if (parts_.power.pause()) {
-    parts_.system.robot_table().NoteEnd(parts_.robot_index,
-                          {EndKind::kPause, who + " shut the robot down after the pause button"});
+    parts_.system.robot_table().NoteEnd(
+        parts_.robot_index, {EndKind::kPause, who + " shut the robot down after the pause button"});
   } else if (parts_.power.is_battery_low()) {
     parts_.system.robot_table().NoteEnd(
         parts_.robot_index,

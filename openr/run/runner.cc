@@ -150,8 +150,9 @@ void Runner::AnnounceBoots() {
       plan_.say(fmt::format("{} has booted again; all its images are new loads", name));
     const bool is_off = system.robot_table().off_robots().Contains(robot);
     if (std::exchange(announced.is_off, is_off) == is_off || !is_off) continue;
-    plan_.say(fmt::format("{} is off, and boots again at t={:.3f} s", name,
-                          static_cast<double>(system.robot_table().off_robots().BootUs(robot)) / 1e6));
+    plan_.say(
+        fmt::format("{} is off, and boots again at t={:.3f} s", name,
+                    static_cast<double>(system.robot_table().off_robots().BootUs(robot)) / 1e6));
   }
 }
 
@@ -180,9 +181,10 @@ void Runner::HandleInterrupt() {
     shutdown_posted_ = true;
     plan_.say("no object handles the pause button; shutting down");
     for (int robot = 0; robot < system.robot_count(); ++robot) {
-      system.robot_table().NoteEnd(robot, {EndKind::kPause,
-                             "no object shut the robot down within 1 s after the pause button, so "
-                             "openr did"});
+      system.robot_table().NoteEnd(
+          robot, {EndKind::kPause,
+                  "no object shut the robot down within 1 s after the pause button, so "
+                  "openr did"});
     }
     AddInputToAll("shutdown");
   }

@@ -162,7 +162,8 @@ void ServedRun::Watch(const MessageFilter& filter) { filters_.push_back(filter);
 
 std::string ServedRun::Finish() {
   if (std::exchange(is_finished_, true)) return "";
-  system().robot_table().NoteRunEnd({EndKind::kTime, "the program that drives the run has finished it"});
+  system().robot_table().NoteRunEnd(
+      {EndKind::kTime, "the program that drives the run has finished it"});
   ReportStacks(&system());
   simulation_->ReportUnusedCosts();
   simulation_->CloseFiles();

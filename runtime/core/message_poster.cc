@@ -89,7 +89,8 @@ int32_t MessagePoster::Post(OwnedMessage&& message, Object* target, int64_t dela
     CountWaiting(target);
   }
   Number(message.get(), delay_us);
-  if (schedule_ != nullptr) message->due_us += schedule_->ExtraDelayUs(*message, queue_.now_us(), delay_us);
+  if (schedule_ != nullptr)
+    message->due_us += schedule_->ExtraDelayUs(*message, queue_.now_us(), delay_us);
   queue_.Push(std::move(message), target->limits.priority);
   return sSUCCESS;
 }

@@ -14,7 +14,7 @@ namespace openr_host {
 
 class MessagePoster {
  public:
-  // `are_calls_local` tells whether the calls of handlers (System::calls()) are LocalCalls.  Chooses
+  // `are_calls_local` tells whether the calls of handlers (System::calls()) are LocalCalls. Chooses
   // the schedule for `seed` (SystemOptions::seed).
   MessagePoster(bool are_calls_local, uint64_t seed);
   MessagePoster(const MessagePoster&) = delete;
