@@ -74,8 +74,11 @@ class ControllerBuild {
     std::vector<Diagnostic> diagnostics;
     for (const auto& entry : fs::directory_iterator(folder_)) {
       const std::string name = entry.path().filename();
-      if (LowerCase(name) == "wlanconf.txt")
-        diagnostics = CheckWlanConfig(entry.path(), ReadText(entry.path()).value_or(""));
+      if (LowerCase(name) == "wlanconf.txt") {
+        const std::vector<Diagnostic> more =
+            CheckWlanConfig(entry.path(), ReadText(entry.path()).value_or(""));
+        diagnostics.insert(diagnostics.end(), more.begin(), more.end());
+      }
       const std::string problem = IsMotion(entry.path()) ? WhyNotShortName(name) : "";
       if (!problem.empty())
         diagnostics.push_back({Severity::kError, entry.path(), 0, 0, problem, ""});

@@ -34,6 +34,22 @@ OStatus WithRegion(MemoryRegionID memory, size_t offset, size_t size, Set set) {
   return status;
 }
 
+// Calls `set` with a new RCRegion that has a copy of the `size` bytes at `bytes`.  Returns
+// oNO_MEMORY if there is no memory for the copy.
+template <typename Set>
+OStatus WithCopyOf(const void* bytes, size_t size, Set set) {
+  RCRegion* const region = new RCRegion(size);
+  OStatus status = oNO_MEMORY;
+  if (region->Base() != nullptr) {
+    std::memcpy(region->Base(), bytes, size);
+    status = set(region);
+  }
+  // Gives back the reference that the constructor of RCRegion took.  The links hold references of
+  // their own by now, so the region lives until the last observer has given it back.
+  region->RemoveReference();
+  return status;
+}
+
 // Returns the number of bytes from the byte that `locator` names to the end of its region, or 0 if
 // the region does not exist.
 size_t SizeFrom(const OMemoryLocator& locator) {
@@ -90,14 +106,7 @@ OStatus OSubject::SetData(const void* buf, size_t size) {
   // Makes no region if there are no observers, because nobody would take a reference to the region
   // and it would be deleted at once.
   if (state_->links.empty()) return oSUCCESS;
-  RCRegion* const region = new RCRegion(size);
-  if (region->Base() == nullptr) return oNO_MEMORY;
-  std::memcpy(region->Base(), buf, size);
-  const OStatus status = SetData(region);
-  // Gives back the reference that the constructor of RCRegion took.  The links hold references of
-  // their own by now, so the region lives until the last observer has given it back.
-  region->RemoveReference();
-  return status;
+  return WithCopyOf(buf, size, [this](RCRegion* region) { return SetData(region); });
 }
 
 OStatus OSubject::SetData(RCRegion* region) {
@@ -118,12 +127,7 @@ OStatus OSubject::SetData(const OShmPtrBase& ptr) { return SetData(ptr.RCRPtr())
 
 OStatus OSubject::SetData(const ObserverID& id, const void* buf, size_t size) {
   const ApiScope scope;
-  RCRegion* const region = new RCRegion(size);
-  if (region->Base() == nullptr) return oNO_MEMORY;
-  std::memcpy(region->Base(), buf, size);
-  const OStatus status = SetData(id, region);
-  region->RemoveReference();
-  return status;
+  return WithCopyOf(buf, size, [&](RCRegion* region) { return SetData(id, region); });
 }
 
 OStatus OSubject::SetData(const ObserverID& id, RCRegion* region) {

@@ -264,6 +264,19 @@ TEST(ControllerBuildTest, NetworkAndMotionsTravelWithTheController) {
   EXPECT_EQ(ModeLight(folder.Run(stick)), 1);
 }
 
+TEST(ControllerBuildTest, AllFilesThatNoStickCanHaveAreNamed) {
+  const ControllerFolder folder;
+  folder.Write("main.c", kLightsUp);
+  folder.Write("light.c", kLight);
+  folder.Write("WLANCONF.TXT", "HOSTNAME=mine\n");
+  const std::vector<std::string> motions = {"a-nod.for-a-yes.mtn", "bow-to-the-left.mtn",
+                                            "circle-around.mtn", "dance-on-3-legs.mtn"};
+  for (const std::string& motion : motions) folder.Write(motion, "OMTN");
+  const ProgramResult built = folder.BuildController();
+  EXPECT_EQ(built.status, 1);
+  for (const std::string& motion : motions) EXPECT_THAT(built.err, HasSubstr(motion));
+}
+
 TEST(ControllerBuildTest, OnAStickThatIsThereOnlyTheControllerIsReplaced) {
   const ControllerFolder folder;
   folder.Write("main.c", kLightsUp);

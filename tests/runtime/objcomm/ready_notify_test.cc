@@ -2,6 +2,7 @@
 // section 1); each test is for one line of that section.
 #include <gtest/gtest.h>
 
+#include "runtime/core/connection_state.h"
 #include "tests/runtime/objcomm/probe.h"
 
 namespace openr_host {
@@ -239,6 +240,23 @@ TEST_F(ReadyNotifyTest, WithSkipTwoEveryThirdNotifyArrives) {
   AssertReady();
   for (int value = 1; value <= 7; ++value) Send(value);
   EXPECT_EQ(receiver->events, (Events{"3", "6"}));
+}
+
+TEST_F(ReadyNotifyTest, DataForWhichThereIsNoMemoryLeaveNoRegion) {
+  constexpr size_t kTooMany = size_t{1} << 40;  // bytes
+  const auto count_regions = [] {
+    int count = 0;
+    RegionAccess::VisitPool([](const void*, size_t) {}, [&](const RCRegion*) { ++count; });
+    return count;
+  };
+  Boot();
+  RunAs(sender, [&] {
+    const int before = count_regions();
+    EXPECT_EQ(sender->out->SetData("", kTooMany), oNO_MEMORY);
+    EXPECT_EQ(sender->out->SetData(sender->out->begin()->GetObserverID(), "", kTooMany),
+              oNO_MEMORY);
+    EXPECT_EQ(count_regions(), before);
+  });
 }
 
 TEST_F(ReadyNotifyTest, NoRegionIsNoData) {
