@@ -1,7 +1,7 @@
 // OPENR_ROBOT_CALLS: the table of the OPENR:: functions that a robot answers, such as
 // OPENR::GetVolumeSwitch().
 //
-// Other files are generated from the table in whole or in part, so they do not name the functions:
+// These classes and lists take the functions, all or most of them, from the table:
 //   RobotServices        the interface, and the results of a robot without devices
 //   VirtualRobot         the declarations of the functions of the simulated robot
 //   ForwardingServices   passes calls to other services in the same process

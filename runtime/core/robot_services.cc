@@ -5,8 +5,8 @@
 namespace openr_host {
 namespace {
 
-// Uses parameters for nothing, because the compiler warns of parameters that a function never uses,
-// and most results of a robot without devices do not depend on the parameters.
+// Does nothing with the parameters of a function.  The compiler warns of parameters that a function
+// never uses, and most functions of a robot without devices use none.
 template <typename... Parameters>
 void UseNothing(const Parameters&...) {}
 
