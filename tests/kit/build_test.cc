@@ -437,6 +437,21 @@ TEST(BuildTest, NeighboursOfTheFolderAreLeftAlone) {
       std::filesystem::exists(folder.scratch().File("neighbour/MS/OPEN-R/MW/OBJS/GREETER.BIN")));
 }
 
+// The sources name a header in the folder above them, and only this folder shows that they are a
+// program.
+TEST(BuildTest, SourcesMayBeInAFolderBelowTheirEntryTable) {
+  const KitFolder folder("handmade");
+  const std::string header = "#include \"Greeter.h\"";
+  std::string source = folder.Read("Greeter/Greeter.cc");
+  ASSERT_EQ(source.find(header), 0u);
+  source.replace(0, header.size(), "#include \"../Greeter.h\"");
+  std::filesystem::remove(folder.File("Greeter/Greeter.cc"));
+  folder.Write("Greeter/src/Greeter.cc", source);
+  const ProgramResult result = RunProgram({"build", folder.File("Greeter/src")});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(folder.Say("Greeter/src/MS"), "handmade: init\nhandmade: start\n");
+}
+
 // A work folder within DIR holds copies of what was built before.
 TEST(BuildTest, AnOldWorkFolderIsNothingToBuild) {
   const KitFolder folder("handmade");
