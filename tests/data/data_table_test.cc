@@ -150,7 +150,7 @@ TEST(McapTableTest, NestedChunkIsRefused) {
 }
 
 TEST(McapTableTest, DeepObjectsAreRefused) {
-  for (const int depth : {33, 1000, 1'000'000}) {
+  for (const int depth : {33, 1000, 100'000}) {
     std::string bytes, deep;
     for (int i = 0; i < depth; ++i) deep += "{\"a\":";
     deep += "1" + std::string(static_cast<size_t>(depth), '}');
