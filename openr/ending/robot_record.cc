@@ -1,5 +1,6 @@
 #include "openr/ending/robot_record.h"
 
+#include "runtime/core/api.h"
 #include "runtime/core/message.h"
 #include "runtime/core/object.h"
 #include "runtime/core/system.h"
