@@ -56,7 +56,8 @@ bool NamesRegister(const std::string& code, size_t previous, size_t next) {
   size_t begin = previous;
   while (begin > 0 && IsWordCharacter(code[begin - 1])) --begin;
   const std::string_view before = WordAt(code, begin);
-  // Excludes these two words, because asm begins a statement after them.
+  // Accepts no "else" or "do" as the name of a variable, because an asm after these words is a
+  // statement.
   return before != "else" && before != "do";
 }
 
@@ -179,8 +180,9 @@ std::vector<Edit> AssemblyRepairOf(const Complaint& complaint, const std::string
     return edits;
   }
   const bool wants_register = complaint.message.find("invalid register name") != std::string::npos;
-  // Searches from the end, because the lines of an earlier statement may reach into the next one
-  // (LastLineOf()).
+  // Searches from the last asm statement to the first: the assembler may name a line after the end
+  // of a statement (LastLineOf()), and a later statement that begins on or before this line fits
+  // better.
   for (auto use = uses.rbegin(); use != uses.rend(); ++use) {
     if (use->names_register != wants_register) continue;
     if (LineOf(text, use->begin) > complaint.line || LastLineOf(*use, text) < complaint.line)

@@ -57,9 +57,9 @@ void BuildReport::AddFailures(BuildOutcome* outcome) const {
   }
   const std::vector<std::string> libraries = LeftOutAndMissed();
   outcome->problems.insert(outcome->problems.end(), libraries.begin(), libraries.end());
-  // Prints the reason why make has failed.  Leaves it out if it only says that a rule has failed
-  // and the log has the failure of the compiler or linker, because that failure says more and was
-  // printed before.
+  // Prints the reason why make has failed.  Leaves out a reason that only says which rule has
+  // failed if the log has the failure of the compiler or linker, because that failure says more and
+  // was printed before.
   if (!outcome->is_made &&
       (log.failures.empty() || outcome->make_cause.find("the rule for") != 0) &&
       !outcome->make_cause.empty())

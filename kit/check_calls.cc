@@ -79,7 +79,8 @@ bool HasOwn(const std::string& code, const std::string& name) {
         std::string_view(";,[=").find(code[next]) != std::string_view::npos)
       return true;
     if (code.compare(last - 1, 2, "::") != 0) continue;
-    // Does not count std::, because std::time() is the clock of the C library, too.
+    // Does not count a name after std:: as a declared name, because std::time() also reads the
+    // clock of the C library.
     const std::string_view space = WordBefore(code, last - 1);
     if (!space.empty() && space != "std") return true;
   }
@@ -156,7 +157,7 @@ class CallCheck {
       const size_t open = at + static_cast<size_t>(it->length(0)) - 1;
       // Looks at the text of the source, because code_ has blanks in place of strings.
       const size_t first = NextOf(source_.text, open + 1);
-      // Skips directives, because a program may define such a macro itself.
+      // Skips directives such as #define, because a program may define OSYSPRINT or OSYSLOG itself.
       if (first == kNone || LineAround(code_, at).find('#') != kNone) continue;
       const bool has_text =
           source_.text[first] == '"' || source_.text.compare(first, 7, "osyslog") == 0;

@@ -147,7 +147,8 @@ CompileCommand TranslateCompile(const std::vector<std::string>& arguments, bool 
   }
   ModerniseIncludes(&command.arguments);
   command.language = LanguageOf(command, language, is_cxx);
-  // Adds the level only now, because the names of the sources may decide which language it is for.
+  // Adds the language standard (-std) only now, because the names of the sources may decide whether
+  // they are C or C++.
   const std::vector<std::string> level = StandardFlags(standard, command.language);
   command.arguments.insert(command.arguments.end(), level.begin(), level.end());
   command.links = !command.compiles && !asks;

@@ -136,7 +136,7 @@ void CompileRun::RepairIfItHelps(ProcessResult* result) {
   if (!now.good()) UsePreludeIfItHelps(&now);
   for (int round = 0; !now.good() && round < kRepairRoundsMax; ++round) {
     Arguments as_json = extra_;
-    // Asks for all errors, because each round then repairs as many as it can.
+    // Asks for all errors, because each round of repairs then repairs as many errors as it can.
     as_json.insert(as_json.end(), {"-fdiagnostics-format=json", "-fmax-errors=0"});
     if (!session.Apply(Try(as_json).output, command_.sources)) break;
     now = Try(extra_);

@@ -65,8 +65,9 @@ class ControllerCode {
 
   static FilePosition PlaceOf(const CodeFile& file, size_t at);
 
-  // Returns the text of the source from the first argument of the call on.  If the argument is a
-  // word, returns the text of the macro with this name, or "" if there is no such macro.
+  // Returns the text of the source that begins with the first argument of the call and ends with
+  // the file.  If the argument is an identifier, returns instead the text of the macro with this
+  // name, or "" if there is no such macro.
   std::string FirstArgument(const CodeFile& file, const CodeCall& call) const;
 
  private:

@@ -84,7 +84,7 @@ void ReadList(const fs::path& folder, ControllerSources* sources) {
       has_words = true;
       if (!IsControllerSource(word)) continue;
       const fs::path file = (folder / word).lexically_normal();
-      // Takes each source once, because several variables may name it.
+      // Takes each source once, because several variables of the Makefile may name it.
       if (std::find(sources->files.begin(), sources->files.end(), file) != sources->files.end())
         continue;
       sources->files.push_back(file);

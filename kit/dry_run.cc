@@ -117,7 +117,8 @@ bool DryRunRunsCommands(const std::string& makefiles) {
     const std::string paths = match.suffix();
     for (const std::string& path : SplitBlanks(paths.substr(0, paths.find('#')))) {
       const std::string name = PathEnd(path);
-      // Answers yes to be safe, because the text of such a file may not be in `makefiles`.
+      // Returns true to be safe if the name has a variable or a pattern, or is no name of a
+      // Makefile, because the text of such a file may not be in `makefiles`.
       if (name.find_first_of("$*?[") != std::string::npos || !IsMakefileName(name)) return true;
       read.insert(name);
     }

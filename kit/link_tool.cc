@@ -112,8 +112,8 @@ std::string WithoutDangerWarnings(const std::string& output) {
     const bool is_danger = line.find("is dangerous") != std::string::npos;
     if (!is_danger && !last.empty()) kept += last + "\n";
     last = is_danger ? "" : line;
-    // Holds back a line that names a function, because it is to be dropped if the next line is a
-    // warning about danger.
+    // Holds back a line such as "in function `main'", because it is to be dropped if the next line
+    // is a warning like "the `gets' function is dangerous".
     if (line.find(": in function `") == std::string::npos && !last.empty()) {
       kept += last + "\n";
       last.clear();

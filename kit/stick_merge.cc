@@ -70,8 +70,8 @@ std::string MergeConfig(const std::string& base, const std::string& ours) {
       text += line + "\n";
     }
   };
-  // Puts our common lines before the sections of the base, because after a section's first line
-  // they would belong to this section.
+  // Puts our lines that are outside of sections before the sections of the base, because after the
+  // first line of a section they would belong to this section.
   add(theirs.common, false);
   add(mine.common, false);
   add(theirs.sections, true);

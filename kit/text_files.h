@@ -49,8 +49,8 @@ bool IsIgnoredFolder(const std::filesystem::path& folder);
 
 bool IsBelow(const std::filesystem::path& path, const std::filesystem::path& folder);
 
-// Returns all regular files below `folder`, sorted by name, without ignored folders.  Follows
-// links, but not to a folder that contains the link.
+// Returns all regular files below `folder`, sorted by name, without the files in folders for which
+// IsIgnoredFolder() is true.  Follows links, but not to a folder that contains the link.
 std::vector<std::filesystem::path> FilesBelow(const std::filesystem::path& folder);
 
 // Returns the reason why the existing file or folder `path` cannot be read, such as "cannot be
