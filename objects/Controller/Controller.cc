@@ -241,9 +241,10 @@ Controller::SendLeds(Uint32 on, int frames)
     FinishVector(sbjLed, region);
 }
 
-// Sends a vector with one command frame for each ear.  One frame lasts 128 ms, in which an ear
-// reaches its position (Hohl 2004, 5.3.4); more frames would only warm the coil of the ear.  STATE1
-// is the position of an ear that is on (see the robot model).
+// Sends a vector with one value for each ear: STATE1 for an ear whose bit is set in `on` (see
+// "plungers" in virtualrobot/model/ers210.json), else STATE0.  The value holds for 128 ms, in which
+// an ear reaches its position (Hohl 2004, 5.3.4, in docs/report.md); a longer time would only warm
+// the coil of the ear.
 void
 Controller::SendEars(Uint32 on)
 {

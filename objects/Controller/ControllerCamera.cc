@@ -48,9 +48,10 @@ Convert(OFbkImageVectorData* vector, int width, int height, Uint8* out)
             const int cr = crImage.Pixel(x, row) - 128;
             const int cb = cbImage.Pixel(x, row) - 128;
             *out++ = Clip(y + cr);
-            // 131 / 256 is 0.51, and 49 / 256 is 0.19.  Adding 128 x 256 makes the dividend
-            // positive, because C++98 leaves open how a negative quotient is rounded; y + 128 makes
-            // up for this.  The last 128 rounds to the nearest.
+            // Computes green as y - 0.51 cr - 0.19 cb: 131 / 256 is 0.51, and 49 / 256 is 0.19.
+            // Adding 128 x 256 makes the dividend positive, because C++98 leaves open how a
+            // negative quotient is rounded; y + 128 makes up for this.  The last 128 rounds to the
+            // nearest.
             *out++ = Clip(y + 128 - (131 * cr + 49 * cb + 128 * 256 + 128) / 256);
             *out++ = Clip(y + cb);
         }

@@ -181,8 +181,8 @@ ControllerCore::LedReady()
     } else if (isStepping_) {
         isStepping_ = false;
         port_->ContinueLoop();
-        // Forgets the place, because main() may have ended normally here, and EndIfItDidNotReturn()
-        // would take it for ended by exit().
+        // Notes that no code of the program runs, because main() may have ended normally here, and
+        // EndIfItDidNotReturn() would take it for ended by exit().
         place_ = NOWHERE;
     } else if (!ledChanged_) {
         return;

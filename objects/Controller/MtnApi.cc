@@ -78,8 +78,8 @@ mtn_play(MTN* motion)
         core->Port()->Remark("mtn_play: the motion before is not over; ignored");
         return;
     }
-    // Ends the motion before: it is at its last key frame, but JointMover has not reported its end
-    // yet, and such a report reaches only the motion that plays.
+    // Marks the motion that played before as over.  It is at its last key frame, but JointMover has
+    // not reported its end yet, and such a report changes only `thePlaying`, now the new motion.
     if (thePlaying != 0) thePlaying->keyFrame = -1;
     thePlaying = motion;
     motion->keyFrame = 0;

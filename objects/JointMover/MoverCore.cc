@@ -103,7 +103,8 @@ MoverCore::MakeFrame(Sint32 urad[MAX_JOINTS])
         const JointConstants& limits = robot_->joints[joint];
         urad[joint] = Clamp(player_.Position(j), limits.minUrad - MTN_LIMIT_TOLERANCE_URAD,
                             limits.maxUrad + MTN_LIMIT_TOLERANCE_URAD);
-        // Keeps the joint's own trajectory at this position, so that its next command begins here.
+        // Keeps the trajectory for the joint's own commands at this position, so that the next
+        // command begins here.
         joints_.Place(joint, urad[joint]);
     }
 }

@@ -55,8 +55,9 @@ public:
     // size.  Returns 0 if no packet is due.  REQUIRES: NextAnswers() has just returned 0.
     int NextEvents(Uint8* buffer);
 
-    // Writes to `buffer` an answer that says that the client gets no place, and returns its size.
-    // The session ends after this answer.  Used when the client has sent no request.
+    // Writes to `buffer` an answer that says that the server has too many clients to serve this
+    // client, and returns its size.  The session ends after this answer.  Used when the client has
+    // sent no request.
     int TurnAway(Uint8* buffer) { return TurnAway(buffer, 0); }
 
     // Returns whether the connection must be closed now: the last answer was made, and no part of

@@ -206,8 +206,8 @@ RequestHandler::HandleVersion1(int command, RcReader* in, RcWriter* out)
     case rcLOG:
     case rcREBOOT:
     case rcSHUTDOWN:
-        // Version 1 reserves these numbers.  Its clients must get the answers that they always got,
-        // although version 2 has the commands.
+        // Refuses the commands that version 1 of the protocol only reserves, although version 2 has
+        // them, because clients of version 1 must get the answers that they always got.
         return Fail(rcerrorNOT_IMPLEMENTED,
                     TextFormat("command %02x is reserved in protocol version %d", command,
                                version_));

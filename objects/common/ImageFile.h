@@ -10,7 +10,8 @@
 
 #include "FixedTypes.h"
 
-// Processors of images.  The numbers are part of the remote control's protocol (INFO).
+// Kinds of CPU for which the code of an image can be compiled.  The numbers are part of the remote
+// control's protocol (INFO).
 enum ImageProcessor { imageUNKNOWN = 0, imageMIPS = 1, imageX86_64 = 2 };
 
 // Number of bytes at the beginning of an image that are needed to find its processor.

@@ -25,8 +25,8 @@
 // Time unit of key frames and interpolation counts, in ms (section 0 of the file, frame rate).
 const Sint32 MTN_FRAME_MS = 16;
 
-// Largest angle of a joint: one full turn, because the mechanical stops of all joints lie within
-// +-150 degrees.
+// Largest angle of a joint that a motion may have: one full turn.  Greater angles are errors of the
+// file, because the mechanical stops of all joints lie within +-150 degrees.
 const Sint32 MTN_MAX_ANGLE_URAD = 6283186;
 
 // Largest angle of the body's attitude (roll, pitch, yaw): ten turns, because a motion may turn the

@@ -29,7 +29,8 @@ struct RcSubscribe {
     bool Read(RcReader* in);
 };
 
-// The beginning of the payload of EVENT, a packet of a stream, before the values of the stream.
+// The first fields of an EVENT packet, by which a robot sends a client the values of a stream
+// (RcStream) that the client has subscribed to.  The values follow these fields.
 struct RcEventHead {
     Uint8 stream;    // a value of RcStream
     Uint16 leftOut;  // number of values that the client has missed since the packet before
