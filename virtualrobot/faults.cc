@@ -102,8 +102,8 @@ std::string Faults::FindPrimitives(const std::string& name, std::vector<OPrimiti
 }
 
 std::optional<Faults::Place> Faults::PlaceOf(Kind kind, int sensor) const {
-  // From kStuck on, the faults that this function is asked about are faults of the sensor.  The
-  // faults before kStuck are faults of the motor, so they need a joint.
+  // Gives a fault of kind kStuck, or of a kind declared after it, to the sensor itself.  The kinds
+  // before kStuck are faults of a motor, so they need a sensor that belongs to a joint.
   if (kind >= Kind::kStuck) return Place{Part::kSensor, sensor};
   const int joint = robot_.model.sensors[static_cast<size_t>(sensor)].joint;
   if (joint < 0) return {};

@@ -218,9 +218,9 @@ OStatus VirtualRobot::GetBootCondition(OBootCondition* condition) {
 // because System::Shutdown() does not know these two reasons.
 OStatus VirtualRobot::Shutdown(const OBootCondition& condition) {
   parts_.power.next_boot = condition;
-  // Adds a note when an object asks for the second time for a restart by the boot timer, some time
-  // after the shutdown.  One developer's robot did only the first such restart, and only restarts
-  // without a waiting time were reliable (field-notes.md 5.13).
+  // Adds a note when an object shuts the robot down and asks the boot timer, for the second time,
+  // to start the robot again after a waiting time.  One developer's robot did only the first such
+  // restart, and only restarts without a waiting time were reliable (field-notes.md 5.13).
   const bool is_timed = (condition.bitmap & obcbBOOT_TIMER) != 0 && condition.bootTime > 0;
   if (is_timed && ++timed_restarts_ == 2) {
     parts_.system.AddFinding(

@@ -228,7 +228,8 @@ const std::array<uint8_t, 3>& CameraDevice::ColourOfChannel(int channel) {
 }
 
 void CameraDevice::SwitchOff(int64_t frame) {
-  // Counts on, because frames begin at 0 again in the next boot but the source of pictures goes on.
+  // Adds the images of this boot to those of earlier boots, because the frame number begins at 0 in
+  // the next boot, but the source of pictures goes on with its next picture.
   earlier_images_ += ImagesBefore(frame);
   settings_ = {};
   tables_ = {};

@@ -160,7 +160,8 @@ Canvas::Span Canvas::FindSpans(const Face& face) {
 }
 
 void Canvas::DrawPaint(Face face, const RgbBytes& colour) {
-  // Draws no paint if the lens is below the floor, because the floor hides its upper side.
+  // Draws no paint if the lens is below the floor, because the floor hides the upper side of the
+  // paint.
   if (p_WC_.z() <= 0) return;
   const Face in_lens = InLens(face);
   if (in_lens.count() < 3) return;

@@ -145,8 +145,8 @@ double ContactForces::Sweep(const ContactEquations& equations) {
     double* const p = &impulses_[n];
     const double press = std::max(0.0, p[0] + Missing(equations, impulses_, n) / k0[0]);
     const double change = press - p[0];
-    // Takes into account that `press` is to change by `change`, because this also changes the speed
-    // along the ground.
+    // Computes the friction that is missing after the impulse along the normal has changed by
+    // `change`, because that change also changes the speed along the ground.
     const Friction missing{Missing(equations, impulses_, n + 1) - k1[0] * change,
                            Missing(equations, impulses_, n + 2) - k2[0] * change};
     const Friction friction =

@@ -16,8 +16,9 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kCameraPixelsMax = 4096;  // limit for the width and the height of a picture
-// Limits of other numbers, far above those of every robot.  Programs convert these numbers to
-// integers of 32 bits, in hundredths of a degree or in millionths of a metre.
+// Limits for speeds, accelerations and lengths in the model, far above those of every robot.
+// Programs convert these numbers to integers of 32 bits, in hundredths of a degree or in millionths
+// of a metre.
 constexpr double kSpeedMax_deg_s = 100'000;
 constexpr double kAccelerationMax_deg_s2 = 1'000'000;
 constexpr double kPawRadiusMax_mm = 1000;
@@ -195,8 +196,8 @@ void ReadSensor(const JsonReader& row, RobotModel* model) {
     sensor.joint = model->FindJointByLocator(sensor.locator);
     if (sensor.joint < 0) row.At("locator").Fail("no joint has '{}'", sensor.locator);
     const JointModel& joint = model->joints[sensor.joint];
-    // Compares the number in the joint's row with the place in the list, because the file says the
-    // same thing twice.
+    // Checks that the joint's row names the number that this sensor has in the list of sensors,
+    // because the file says twice which sensor belongs to a joint.
     if (joint.sensor != index) {
       row.Fail("joint '{}' says it is sensor {}, the list says {}", joint.name, joint.sensor,
                index);
@@ -274,7 +275,8 @@ void ReadCamera(const JsonReader& camera, RobotModel* model) {
   if (c.frames_per_s > 125)
     camera.At("fps").Fail("is {}, must be at most 125 (one in 8 ms)", c.frames_per_s);
   const std::vector<double> fov = camera.At("fov").Numbers(2);
-  // Refuses half a turn, because the picture would be infinitely wide.
+  // Refuses a camera whose angle of view is 180 degrees or more, because its picture would be
+  // infinitely wide.
   for (const JsonReader& angle : camera.At("fov").Elements()) {
     if (angle.NumberAbove(0) >= 180) angle.Fail("is {}, must be < 180", angle.Number());
   }

@@ -169,8 +169,8 @@ void PhysicsWorld::FindGroups(const std::vector<ContactPoint>& points) {
   for (const ContactPoint& point : points) {
     if (point.other.tree < 0) continue;
     const int a = GroupOf(point.side.tree), b = GroupOf(point.other.tree);
-    // Makes the lower number the number of both groups, because Step() looks for the tree whose
-    // number is that of its group.
+    // Makes the lower of the two numbers the number of both groups, because Step() looks for a tree
+    // whose number is also the number of its group.
     groups_[std::max(a, b)] = std::min(a, b);
   }
 }

@@ -31,7 +31,7 @@ std::string Objection(const OSoundInfo& info, const Primitive* primitive) {
 // Returns a warning if `info` names a rate, sample size or number of channels that differs from the
 // speaker's settings; otherwise "".
 std::string Mismatch(const OSoundInfo& info, const SoundType& type) {
-  // Takes 0 for a field that the program did not set.
+  // Accepts a field that is 0, because the program did not set it.
   const auto says = [](word said, int set) { return said != 0 && said != set; };
   if (!says(info.samplingRate, type.rate_hz()) &&
       !says(info.bitsPerSample, 8 * type.bytes_per_sample) && !says(info.channel, 1))
