@@ -150,7 +150,7 @@ RunPlan PlanOf(const ContinueOptions& options) {
 }  // namespace
 
 int ContinueRun(const ContinueOptions& options) {
-  // Ignores the end of the terminal if the run ends by itself.
+  // Ignores SIGHUP, which comes when the terminal is closed, if the run ends by itself.
   InterruptCounter interrupts(options.for_us ? HangUp::kIgnored : HangUp::kCounts);
   ContinuedRun run(options);
   System& system = run.simulation().system();

@@ -265,8 +265,8 @@ int CommandedRun::Run() {
     facts_.standing.assign(simulation_.robots().size(), StandingMonitor(simulation_.model()));
   }
   good = Report() && good;
-  // Waits for the process that goes on in place of this one, because the shell waits only for this
-  // one.
+  // Waits for the branch that goes on in place of this process, because the shell waits only for
+  // this process.
   if (rewind_.has_branched()) return rewind_.WaitForBranch([this] { return interrupts_.count(); });
   return good && !system().findings().HasError() ? kExitGood : kExitWrong;
 }
@@ -328,8 +328,8 @@ void CommandedRun::BeginRewind(LiveServer* live, Runner* runner, Watchdog* watch
 }
 
 // Returns the text that follows the name of the crash record in the finding about a crash; nullopt
-// if the finding need not name the record.  Users do not know the folder of the record of a run on
-// the default stick, so the finding then names the file.  No text needs to follow the name.
+// if the finding need not name the record.  Names the record, with no text behind it, if the run
+// has the default stick, because users do not know the folder of that stick's record.
 std::optional<std::string> CommandedRun::PlaceOfCrashRecord() const {
   if (stick_.is_default()) return "";
   return std::nullopt;

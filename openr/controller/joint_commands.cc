@@ -16,7 +16,7 @@ RobotCommand LimitCommand(RcCommand command, int joint, Sint32 value, const std:
 JointCommands::JointCommands(const RobotConstants* robot) : robot_(robot) {
   for (int j = 0; j < robot->numJoints; ++j) {
     Sent sent;
-    // These are the limits that a robot has after its start, so the first change is noticed.
+    // Begins with the limits that a robot has after its start, so that the first change is noticed.
     sent.speed = robot->joints[j].maxSpeedCdeg;
     sent.acceleration = robot->defaultAccelerationCdeg;
     sent_.push_back(sent);
@@ -25,7 +25,8 @@ JointCommands::JointCommands(const RobotConstants* robot) : robot_(robot) {
 
 std::vector<RobotCommand> JointCommands::Changes(const BatchMoverCommand& now, bool is_playing) {
   std::vector<RobotCommand> commands;
-  // The order of Hohl 2004, section 4.2: positions, then speeds, then accelerations.
+  // Sends positions first, then speeds, then accelerations, which is the order in Hohl 2004,
+  // section 4.2 (docs/report.md).
   for (int j = 0; j < robot_->numJoints; ++j) {
     AddPosition(j, now.joint[j], is_playing, &commands);
   }

@@ -239,7 +239,8 @@ void RemotePort::SendLeds(Uint32 on, int frames) {
   AddLights(rcEAR, "ear", constants_->numPlungers, wanted_ears_, &sent_ears_, &commands);
   AddLights(rcLED, "light", constants_->numLeds, on, &sent_leds_, &commands);
   std::string ignored;
-  // Ignores the text of an error, because Check() throws the error after the iteration.
+  // Ignores the text of an error, because Check() throws this error after the iteration of the
+  // controller's loop.
   Guarded([&] { Send(commands); }, &ignored);
 }
 

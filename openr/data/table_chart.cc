@@ -81,7 +81,8 @@ Curve CurveOf(const Series& series, const PlotRequest& request, size_t points_ma
     const auto first = curve.y.begin() + static_cast<ptrdiff_t>(begin);
     const auto last = curve.y.begin() + static_cast<ptrdiff_t>(std::min(begin + stretch, count));
     const auto [low, high] = std::minmax_element(first, last);
-    // Adds the two points in the order of their times.
+    // Adds the two points in the order of their times, because the curve is drawn from left to
+    // right.
     for (const auto point : {std::min(low, high), std::max(low, high)}) {
       thin.x.push_back(curve.x[static_cast<size_t>(point - curve.y.begin())]);
       thin.y.push_back(*point);

@@ -110,8 +110,8 @@ void BeginEnding(Ending* ending) {
     sigaction(signal, &action, nullptr);
     sigaddset(&signals, signal);
   }
-  // The signal that has brought us here is blocked while its handler runs, so a second one would
-  // end the process at once.
+  // Unblocks the signals, because the signal whose handler is running is blocked: the kernel would
+  // end the process at once if that signal came a second time.
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
   alarm(kActionsMaxS);
   EndConsoleLine();

@@ -34,10 +34,11 @@ class SignalText {
 bool AddCurrentHandler(SignalText* text);
 
 // Adds a line about the message that is being handled on this thread: its kind, its sender and its
-// number of bytes, such as "MESSAGE notification from RCServer, 84 bytes".  The kind is left out
-// for plain bytes, and the sender if the runtime may be changing its table of objects.  Adds
-// nothing if no message is handled.  Does not add the values in the message, because making text of
-// them allocates memory.  The finding about the crash has them (Finding::said).
+// number of bytes, such as "MESSAGE notification from RCServer, 84 bytes".  A message of kind
+// PayloadKind::kBytes is printed without a kind.  The sender is left out if the runtime may be
+// changing its table of objects.  Adds nothing if no message is handled.  Does not add the values
+// in the message, because making text of them allocates memory.  The finding about the crash has
+// them (Finding::said).
 void AddCurrentMessage(SignalText* text);
 
 // Adds less than AddCurrentHandler(): only the name and the number (selector) of the object's

@@ -99,7 +99,8 @@ void Watchdog::StartAgain() {
 Watchdog::~Watchdog() {
   if (!armed_) return;
   timer_delete(g_timer);
-  // Ignores the signal, because a last one may still come and would end the process.
+  // Ignores the signal of the timer, because the signal may come once more and would end the
+  // process.
   ::signal(kSignal, SIG_IGN);
 }
 

@@ -50,8 +50,8 @@ size_t ExactSchedule::PickOf(const Deviation& spot, const std::vector<ObjectId>&
   const size_t index = nodes_.size();
   if (index < choices_.size()) {
     node.chosen = std::min(choices_[index], candidates.size() - 1);
-    // The run comes to the branch that is new in this run, for which the search has given the
-    // deliveries that sleep.
+    // Takes over the sleeping deliveries at the last choice that the search has made for this run,
+    // because the search has computed them for the moment before this choice.
     if (index + 1 == choices_.size() && !is_start) sleep_ = std::move(next_sleep_);
   } else {
     node.sleep = sleep_;
@@ -84,7 +84,7 @@ void ExactSchedule::BeginEvent(ObjectId target, size_t node) {
 }
 
 void ExactSchedule::SawDelivery(const Message& message) {
-  // A message whose receiver was the only candidate comes without a choice.
+  // Recognises a message that came without a choice, because its receiver was the only candidate.
   const bool was_chosen = has_event_ && !is_begun_ && event_target_ == message.target;
   if (!was_chosen) {
     FinishEvent();

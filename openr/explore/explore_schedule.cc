@@ -80,8 +80,8 @@ int64_t ExploreSchedule::ExtraDelayUs(const Message& message, int64_t now_us, in
   if (!of_its_own && message.reply_box == 0) {
     Stream* const stream = &streams_[{message.sender, message.target, message.selector}];
     due_us += PickedDelayUs(message, stream, from_network);
-    // Data from the network keep only the order among themselves: late data do not hold up messages
-    // of other objects.
+    // Delays data from the network only behind earlier data from the network, so that late data do
+    // not hold up messages of other objects.
     if (from_network) last_due_us = &stream->last_due_us;
   }
   due_us = std::max(due_us, *last_due_us);
@@ -136,7 +136,8 @@ RandomSchedule::RandomSchedule(const System& system, uint64_t seed, const Schedu
       cost_(seed, "explore/cost"),
       frame_(seed, "explore/frame"),
       fault_(seed, "explore/fault") {
-  // The default seed leaves all rates at 0 and so gives the canonical order.
+  // Leaves the rates of all kinds of deviations at 0 for the default seed, which stands for the
+  // canonical order.
   if (seed == SystemOptions().seed) return;
   Rng temper(seed, "explore/temper");
   const auto one_of = [&temper](auto... rates) {

@@ -55,8 +55,8 @@ char* PutWords(uint32_t mask, const char* now, char* out) {
 void LastPayload::Write(std::string_view now, ByteWriter* out) {
   ASSERT(now.size() == size_);
   const size_t blocks = bytes_.size() / kPayloadBlock;
-  // Makes room for the largest result: all words of each block, their mask, and the number of equal
-  // blocks before it.
+  // Makes room for the largest result.  Each block has the number of unchanged blocks before it, a
+  // mask with a bit for each changed word, and in the worst case all its words.
   char* at = out->Room(blocks * (kPayloadBlock + kMaskBytes + 1) + 2 * ByteWriter::kVarintBytesMax);
   size_t equal = 0;
   const auto compare = [&](const char* block, char* last) {

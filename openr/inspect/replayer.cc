@@ -354,8 +354,8 @@ void Replayer::EndAtLoss() {
 
 void Replayer::CompareEnd(const TraceEntry& end) {
   at_end_ = true;
-  // Goes on to the recorded end, because the recorded state hash is of that time, and no message
-  // may come up to it.
+  // Runs until the recorded end, because the recorded state hash is of that time.  When the robots
+  // are off, no message may take the replay to that time.
   if (system().now_us() < end.time_us) system().RunUntil(end.time_us);
   // Does not compare the hashes of messages and state if a message differs, because the hashes then
   // differ, too.

@@ -69,7 +69,8 @@ uint32_t TraceCoder::LinkOf(const TraceRecord& record) {
 
 void TraceCoder::WriteMessage(const TraceRecord& record, std::string_view payload,
                               uint32_t number_of_link, ByteWriter* out) {
-  // The kind, nine numbers and the hash, whose eight bytes are written as they are.
+  // Room for the kind, for nine numbers of variable length, and for the hash, which has eight
+  // bytes.
   constexpr size_t kHeadMax = 1 + 9 * ByteWriter::kVarintBytesMax + 8;
   ASSERT(number_of_link <= defined_links_ && number_of_link < links_.size());
   Link& link = links_[number_of_link];

@@ -1,5 +1,5 @@
-// Couplings: the robots of this run that clients control together with a second robot, which may be
-// a real robot.
+// Couplings: the requests by which clients control robots of this run together with a second robot,
+// which may be a real robot.
 #pragma once
 
 #include <cstdint>

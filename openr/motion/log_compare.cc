@@ -105,7 +105,8 @@ class LagSearch {
         end_ms_(std::min(a.times_ms.back(), b.times_ms.back())) {}
 
   void Search(JointDifference* found) {
-    // A quarter is left out at each end, so at least half of the common time is compared.
+    // Limits the lag to a quarter of the common time, so that half of this time is left when a
+    // quarter is cut off at each end.
     const double most = std::min(kLagMaxMs, (end_ms_ - begin_ms_) / 4);
     TakeRecords(most);
     if (times_.size() < static_cast<size_t>(kSamplesMin) || !Moves(a_.deg[joint_])) return;
@@ -114,7 +115,8 @@ class LagSearch {
     for (int s = -steps; s <= steps; ++s) {
       if (Unexplained(s * kShiftStepMs) < Unexplained(best * kShiftStepMs)) best = s;
     }
-    // At the end of the range, the real minimum may lie outside of it, so no lag is known.
+    // Reports no lag if the best lag is the first or the last of the tried lags, because the real
+    // minimum may then lie outside of the range.
     if (best == -steps || best == steps) return;
     const double near_ms = best * kShiftStepMs;
     TakeRecords(std::abs(near_ms) + kNearMs);

@@ -90,14 +90,15 @@ class SpareDescriptor {
   SpareDescriptor(const SpareDescriptor&) = delete;
   SpareDescriptor& operator=(const SpareDescriptor&) = delete;
 
-  // Opens the descriptor again if CloseNext() could not, because another thread had taken the last
-  // one.  Called before connections are accepted, which may need all descriptors that are free.
+  // Opens the spare descriptor again if CloseNext() could not, because another thread had taken the
+  // last descriptor.  Called before connections are accepted, which may need all descriptors that
+  // are free.
   void OpenAgain() {
     if (descriptor_ < 0) Open();
   }
 
-  // Closes the next connection that waits at `listener`.  Returns false if there is none, or if the
-  // descriptor could not be opened again.
+  // Closes the next connection that waits at `listener`.  Returns false if no connection waits, or
+  // if the spare descriptor could not be opened again.
   bool CloseNext(int listener) {
     OpenAgain();
     if (descriptor_ < 0) {
@@ -403,7 +404,8 @@ std::unique_ptr<WebAnswer> Panel::Refuse(const WebRequest& request) {
 }
 
 std::unique_ptr<WebPage> Panel::Open(const WebRequest& request, WebConnection* connection) {
-  // Counts before OpenPage() adds the new page to the set.
+  // Counts the pages before OpenPage() adds the new page to pages_, because the new page does not
+  // count.
   const bool is_full = pages_.size() >= kPagesMax;
   auto page = std::make_unique<OpenPage>(this, connection);
   if (is_full) {

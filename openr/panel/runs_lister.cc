@@ -105,8 +105,8 @@ void RunsLister::Ask(std::shared_ptr<Outbox> outbox, nlohmann::json id) {
       --g_lister_threads;
     }).detach();
   } catch (const std::system_error&) {
-    // Drops the question, because this computer cannot make a thread, so that the next question
-    // tries again to make it.
+    // Drops the questions, because this computer cannot make a thread now.  The next question tries
+    // again to make a thread.
     --g_lister_threads;
     questions_->waiting.clear();
     questions_->is_answering = false;

@@ -315,8 +315,8 @@ std::optional<Colour> FloorColour(const World& world) {
 }
 
 std::vector<Shape> ShapesOfWorld(const World& world) {
-  // Greatest height over the floor of paint (coloured areas of the floor, drawn as plates); too
-  // small to be seen as a step.
+  // Largest height above the floor at which coloured areas of the floor are drawn, as flat plates.
+  // The height is so small that nobody sees a step in the picture.
   constexpr double kPaintTop_m = 0.004;
   const auto is_paint = [](const WorldThing& thing) { return !thing.is_solid; };
   const auto paints = std::count_if(world.things.begin(), world.things.end(), is_paint);

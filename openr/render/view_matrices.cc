@@ -42,7 +42,8 @@ Eigen::Matrix4f CameraMatrix(const Camera& camera, double aspect) {
 Eigen::Matrix4f LightMatrix(const Eigen::Vector3d& target_W, const Eigen::Vector3d& to_light,
                             double half_m) {
   const double distance = 4 * half_m;
-  // The upward direction must not be that of the light.
+  // Takes an upward direction that differs from the direction of the light, because LookAt() cannot
+  // compute a view in which both are the same.
   const Eigen::Vector3d up =
       std::abs(to_light.x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
   Eigen::Matrix4d box = Eigen::Matrix4d::Identity();

@@ -171,7 +171,8 @@ void Rewind::DropOld() {
       Drop(&checkpoints_[i]);
       checkpoints_.erase(checkpoints_.begin() + static_cast<ptrdiff_t>(i));
     }
-    // Makes UpdateMemory() measure at once the next time.
+    // Makes UpdateMemory() measure at its next call, because the last result counts the checkpoints
+    // that were dropped here.
     memory_ns_ = 0;
   }
   log_.DropBefore(checkpoints_.front().log_end);

@@ -252,7 +252,7 @@ std::string ProcessFiles::MoveCopy(const std::string& path, const std::string& t
     struct stat status;
     if (fstat(file.descriptor, &status) != 0) Throw(errno, copy);
     const off_t offset = lseek(file.descriptor, 0, SEEK_CUR);
-    // CopyBytes() makes new files only.
+    // Removes the old file first, because CopyBytes() only makes new files.
     fs::remove(target);
     CopyBytes(file.descriptor, status.st_size, target);
     Replace(file.descriptor, target, FlagsAgain(file.flags), offset);

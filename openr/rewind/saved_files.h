@@ -1,5 +1,5 @@
-// Saved files of a run, for a fork of its process.  The fork gets files of its own, with the
-// content at the moment of the fork, so that it changes no file of the original run.
+// Files of a run that a fork of its process must not change: those of the Memory Stick, and those
+// that are open.  The fork works with copies, which have the content at the moment of the fork.
 #pragma once
 
 #include <sys/types.h>

@@ -52,7 +52,8 @@ std::string ConsoleFeed::TakeLines() {
 void ConsoleFeed::Feed(System* system) {
   const std::string lines = TakeLines();
   if (lines.empty()) return;
-  // A terminal shows typed text itself.
+  // Echoes the typed text only if it does not come from a terminal, because a terminal shows it
+  // itself.
   system->console_input().set_echo(!is_terminal_);
   for (int robot = 0; robot < system->robot_count(); ++robot) TypeText(system, robot, lines);
 }

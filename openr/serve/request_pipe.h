@@ -29,8 +29,8 @@ class RequestPipe {
   // RequestTooLong if the request is longer than kRequestMax.
   bool Receive(std::string* text, std::string* bytes);
 
-  // Sends the answer to a request.  Returns false if the other end of the pipe is closed.  May be
-  // called in a signal handler that ends the process.
+  // Sends the answer to a request: `text`, and after it `bytes`.  Returns false if the other end of
+  // the pipe is closed.  May be called in a signal handler that ends the process.
   bool Send(std::string_view text, std::string_view bytes);
 
   // Returns the descriptor that came with the last request; -1 if no descriptor came.  The caller

@@ -105,8 +105,8 @@ class ServedRun {
   std::string crash_log_;
   ConsoleLog console_;
   Recorder recorder_;
-  // A Rewind that is never begun, because the program that drives the run goes back by forks of
-  // this process.
+  // Answers requests to rewind the run, which live_ passes on.  Makes no checkpoints, because
+  // Begin() is never called: the program that drives the run goes back by forks of this process.
   Rewind rewind_;
   RunClock clock_{0};
   RobotClients clients_;
