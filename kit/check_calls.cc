@@ -284,8 +284,8 @@ void CheckExtraEntries(const StubConfig& config, const std::vector<SourceOfObjec
   // Matches the arguments "myOID_, entryX", because Send() and OServiceEntry() take the object's
   // own id and then the selector.
   static const std::regex kSelector("\\bmyOID_[ \t\r\n]*,[ \t\r\n]*(entry(\\w+))[ \t\r\n]*[,)]");
-  // Looks for definitions of the selector in the rest of the code, because the comma before a
-  // selector looks like the comma in a list that defines constants.
+  // Removes the uses of selectors before the search for their definitions, because a selector
+  // behind "myOID_," looks like a member of an enum, a list of constants with commas between them.
   const std::string rest = std::regex_replace(code, kSelector, "");
   for (const SourceOfObject& source : sources) {
     const std::string own = WithoutConditionalCode(WithoutComments(source.text));

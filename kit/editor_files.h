@@ -21,7 +21,7 @@ struct EditorPlaces {
 struct EditorFolder {
   bool is_controller = false;  // true: `openr controller build` builds it; false: `openr build`
   std::string stick = "MS";    // path of the stick, below the folder; ".": the folder itself
-  bool has_tests = true;       // true: its CMakeLists.txt uses the package openr-host
+  bool has_tests = true;       // true: CMakeLists.txt in the folder uses the package openr-host
 };
 
 // Returns the paths of this installation.

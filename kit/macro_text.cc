@@ -73,7 +73,8 @@ std::string WithoutDirectives(std::string code) {
   };
   int depth = 0;  // number of conditions open since "#if 0"
   size_t dead = 0;
-  // Reads the directives in a copy, because they refer to the text and blank() changes `code`.
+  // Reads the directives in a copy of the text, because blank() overwrites `code` with blanks while
+  // the directives are still needed.
   const std::string text = code;
   for (const Directive& directive : DirectivesOf(text)) {
     const bool opens = directive.word.starts_with("if");

@@ -114,7 +114,8 @@ Project ScanProject(const std::vector<fs::path>& folders) {
   Project project;
   project.root = folders[0];
   std::map<fs::path, std::vector<fs::path>> files_of;
-  // Files found already; they would come twice if a folder is inside another folder.
+  // The files found already.  Without this set, the files of a folder inside another folder of the
+  // list would be taken twice.
   std::set<fs::path> seen;
   for (const fs::path& folder : folders) {
     // Searches folders outside of the project for sticks only if the project has no stick of its

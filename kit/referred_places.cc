@@ -57,8 +57,8 @@ std::string Expanded(const std::string& text, const Variables& variables) {
     }
     if (done == 0) break;
     result = next + result.substr(done);
-    // Returns `text` with its variables if the text with their values is so long that a variable
-    // must contain itself.
+    // Returns `text` unchanged if the values of its variables make it so long that a variable must
+    // contain itself.
     if (result.size() > 100 * text.size() + 1000) return text;
   }
   return result;
