@@ -184,8 +184,8 @@ void
 RCServer::Receive(int index)
 {
     Client& client = client_[index];
-    // Takes what has arrived, from 1 byte on, because nothing is known of the size of the next
-    // packet.
+    // Asks for at least 1 byte, and so takes whatever has arrived, because nothing is known of the
+    // size of the next packet.
     TCPEndpointReceiveMsg receive(client.endpoint, client.receiveData, 1, RECEIVE_SIZE);
     receive.continuation = Continuation(index);
     receive.Send(ipstack_, myOID_, Extra_Entry[entryReceiveCont], sizeof(receive));

@@ -243,8 +243,8 @@ MtnFile::ReadKeyFrames(Cursor* cursor)
         return Refuse(*cursor, TextFormat("data type is %u, only 0 (angles) is known", type));
     }
     const Uint32 frames = (Uint32)numKeyFrames_;
-    // Fits 32 bits: at most 32767 key frames (MTN_MAX_KEYFRAMES) of 64 joints (MTN_MAX_JOINTS) have
-    // less than 9 MB.
+    // The number fits 32 bits: at most 32767 key frames (MTN_MAX_KEYFRAMES) of 64 joints
+    // (MTN_MAX_JOINTS) have less than 9 MB.
     const Uint32 data = frames * (12 + 4 * (Uint32)NumJoints()) + 4 * (frames - 1);
     if (!cursor->Has(data)) {
         return Refuse(*cursor,

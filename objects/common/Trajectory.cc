@@ -118,8 +118,8 @@ SquareRoot(Sint64 value)
 Sint64
 Trajectory::LargestStep(Sint64 distance) const
 {
-    // Divides distance by a before the comparison with n (n + 1) / 2, which loses nothing: a whole
-    // number is at most distance / a exactly if it is at most the whole part of distance / a.
+    // n is the largest number with n (n + 1) / 2 <= distance / acceleration_.  The division drops
+    // the fraction, which changes nothing, because n (n + 1) / 2 is a whole number.
     const Sint64 n = (SquareRoot(8 * (distance / acceleration_) + 1) - 1) / 2;
     return (distance + acceleration_ * n * (n + 1) / 2) / (n + 1);
 }
