@@ -122,9 +122,9 @@ double EnterHeights(const WorldThing& thing, const Vector3d& p, const Vector3d& 
     const Vector3d at = p + t * d;
     return at.z() + thing.size_m.z() / 2 - SurfaceAt(thing, at.x(), at.y()).height_m;
   };
-  // The surface of the heightfield is plane between the lines of its grid and the diagonals of its
-  // squares, so `over` (the height of the ray over the surface) is linear in t between two points
-  // at which the ray crosses such a line.  The ray enters the solid where `over` becomes 0.
+  // The surface of the heightfield is flat between the lines of its grid and the diagonals of its
+  // squares.  So between two points at which the ray crosses such a line, the height `over` of the
+  // ray above the surface is linear in t.  The ray enters the solid where `over` becomes 0.
   const double u = InPoints(p.x(), thing.size_m.x(), grid.columns);
   const double v = InPoints(p.y(), thing.size_m.y(), grid.rows);
   const double du = d.x() / thing.size_m.x() * (grid.columns - 1);

@@ -51,10 +51,10 @@ class Hull {
   // than the lowest point found so far.
   struct BallPair {
     Pair x{}, y{}, z{};  // coordinates of the balls' centres
-    // The radii of the two balls.  If the number of boxes is odd, the last element of around_ has
-    // only one ball, and its second radius stays minus infinity.  Then the lowest point of the
-    // missing ball (height of the centre minus radius) is infinitely high, so LowestAlong() never
-    // looks at the missing box.
+    // The radii of two balls, each of which encloses a box.  If the number of boxes is odd, the
+    // second ball of the last BallPair is missing, and its radius stays minus infinity.  Then the
+    // lowest point of this ball (height of the centre minus radius) is infinitely high, so
+    // LowestAlong() never looks at a box in it.
     Pair radius = {-std::numeric_limits<double>::infinity(),
                    -std::numeric_limits<double>::infinity()};
   };

@@ -135,8 +135,8 @@ class SensorSource {
   int body_c_ = 30;
   bool has_sample_ = false;  // whether a sample was taken since the robot was switched on
   int64_t first_frame_ = 0;  // number of the first frame whose samples are in frames_
-  // Number of frames of the next sensor vector whose samples are in frames_; below
-  // kFramesPerVector.
+  // Number of frames whose samples are in frames_ already; with kFramesPerVector frames, the next
+  // sensor vector is complete.
   int collected_ = 0;
   VectorPool pool_;
 };
