@@ -58,8 +58,8 @@ Ticks TicksOf(const Span& span, int count) {
   for (const double factor : {5.0, 2.0, 1.0}) {
     if (factor * power >= rough) step = factor * power;
   }
-  // 1e-6 keeps a number at the begin of the axis, which an error of rounding could move off the
-  // axis.
+  // Subtracts 1e-6, because an error of rounding could otherwise leave out the number at the
+  // beginning of the axis.
   return {std::ceil(span.low / step - 1e-6) * step, step,
           std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)))};
 }

@@ -10,14 +10,14 @@ namespace openr_host {
 
 // An input (docs/inputs.md), such as "press chin".
 struct InputInfo {
-  std::string verb;                // its first word, such as "press"
+  std::string verb;                // first word of the input, such as "press"
   std::vector<std::string> words;  // the words that may follow, such as names of sensors
 };
 
 // Names in the data of the program that a user types in command lines, each list sorted.
 struct DataNames {
-  std::vector<std::string> joints;   // of all robot models
-  std::vector<std::string> sensors;  // of all robot models, without the sensors of joints
+  std::vector<std::string> joints;   // joints of all robot models
+  std::vector<std::string> sensors;  // sensors of all robot models, without the sensors of joints
   std::vector<std::string> models;
   std::vector<std::string> worlds;
   std::vector<InputInfo> inputs;

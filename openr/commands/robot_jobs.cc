@@ -245,8 +245,8 @@ ProcessCopy RobotJobs::Start(int robot) {
   sigaddset(&signals, SIGINT);
   sigaddset(&signals, SIGTERM);
   sigprocmask(SIG_BLOCK, &signals, &before);
-  // The copy is killed with the original, because signals of the terminal do not reach its process
-  // group.
+  // Makes a copy of this process that is killed when this process ends, because signals of the
+  // terminal do not reach the process group of the copy.
   const ProcessCopy copy = StartCopy(Orphan::kIsKilled, [&](int answer) {
     // Gives the robot's process a process group of its own.  So Ctrl-C on the terminal reaches only
     // the process that the user has started.

@@ -64,14 +64,14 @@ struct TraceEntry {
     // The name of an entry (handler) of the object `id`, before the first message to this handler;
     // fields: id, selector, name.
     kEntry = 2,
-    kOldMessage = 3,  // kind of an old version, see kOldestTraceVersion
+    kOldMessage = 3,  // a message in a file of version 2 to 4; converted to kMessage
     // Network events that Poll() returned while the message before this entry was handled; fields:
     // robot, events.
     kNetwork = 4,
-    kOldPause = 5,     // kind of an old version, see kOldestTraceVersion
-    kOldShutdown = 6,  // kind of an old version, see kOldestTraceVersion
+    kOldPause = 5,     // an input in a file of version 2 or 3; converted to kInput
+    kOldShutdown = 6,  // an input in a file of version 2 or 3; converted to kInput
     kEnd = 7,          // the last entry; fields: time_us, trace_hash, state_hash
-    kOldConsole = 8,   // kind of an old version, see kOldestTraceVersion
+    kOldConsole = 8,   // an input in a file of version 2 or 3; converted to kInput
     kStick = 9,  // content of a path of the stick before a change; fields: what, name, payload
     kLoss = 10,  // loss of a worker process; what follows cannot be replayed; fields: time_us, name
     // The end of the run.  The field `name` says how the run ended, as a word of EndName(), and

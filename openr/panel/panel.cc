@@ -339,7 +339,8 @@ std::string Panel::Announcement() const {
 void Panel::EndPages() {
   if (is_leaving_) return;
   for (OpenPage* const page : pages_) {
-    // The run may have answered shortly before its end, and the event loop may see the end first.
+    // Takes the answers that the run sent shortly before its end, because the event loop may see
+    // the end of the run first.
     page->TakeRestOfRun();
     page->End(kCloseRunEnded, "the run has ended");
   }

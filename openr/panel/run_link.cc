@@ -71,7 +71,8 @@ bool RunLink::OnReadable() {
 
 void RunLink::TakeRest() {
   char buffer[64 << 10];
-  // A run that has ended has left no more than a socket holds, which is far below this limit.
+  // Limits the reads of what is left of a run that has ended.  A socket holds far less than so many
+  // reads take, so nothing is lost.
   constexpr int kReadsMax = 256;
   for (int i = 0; i < kReadsMax; ++i) {
     const ssize_t count = recv(descriptor_, buffer, sizeof buffer, 0);
