@@ -80,8 +80,8 @@ int64_t ExploreSchedule::ExtraDelayUs(const Message& message, int64_t now_us, in
   if (!of_its_own && message.reply_box == 0) {
     Stream* const stream = &streams_[{message.sender, message.target, message.selector}];
     due_us += PickedDelayUs(message, stream, from_network);
-    // Delays data from the network only behind earlier data from the network, so that late data do
-    // not hold up messages of other objects.
+    // Delays data from the network only behind earlier data of the same stream, so that late data
+    // do not hold up messages of other objects.
     if (from_network) last_due_us = &stream->last_due_us;
   }
   due_us = std::max(due_us, *last_due_us);

@@ -1,5 +1,5 @@
-// Couplings: the requests by which clients control robots of this run together with a second robot,
-// which may be a real robot.
+// Couplings: requests of clients that make the run go on in real time while they control a robot of
+// the run together with a second robot, which may be a real robot.
 #pragma once
 
 #include <cstdint>

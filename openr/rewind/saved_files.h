@@ -1,5 +1,6 @@
 // Files of a run that a fork of its process must not change: those of the Memory Stick, and those
-// that are open.  The fork works with copies, which have the content at the moment of the fork.
+// that the process has open.  The fork works with copies, which have the content at the moment of
+// the fork.
 #pragma once
 
 #include <sys/types.h>
