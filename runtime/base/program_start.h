@@ -11,7 +11,7 @@
 //   blocked, unless UnblockSignals() is called.
 // - End of this process: the program goes on.  A program that must end, too, finds out by itself:
 //   workers by openr join --child-of, the panel's server by a pipe.
-// - End of the program: this process waits for the program's end with waitpid() and its kind,
+// - End of the program: this process waits for the program's end with waitpid() or the like,
 //   because the program stays as a zombie until then.
 //
 // A program that replaces this process (execv()) is not started by this class.

@@ -11,9 +11,10 @@
 
 namespace openr_host {
 
-// Sets the upper halves to zero, so that SSE instructions no longer wait for each other.  Called
-// before long stretches of SSE code.  Does nothing on a processor without AVX.  Does nothing in a
-// build for AVX either, because the compiler itself clears the registers there.
+// Sets the upper halves of the vector registers to zero, so that SSE instructions no longer wait
+// for each other.  Called before long stretches of SSE code.  Does nothing on a processor without
+// AVX.  Does nothing in a build for AVX either, because the compiler itself clears the registers
+// there.
 #if defined(__x86_64__) && !defined(__AVX__)
 inline void ClearUpperRegisters() {
   if (__builtin_cpu_supports("avx")) asm volatile("vzeroupper");

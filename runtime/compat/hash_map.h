@@ -1,5 +1,5 @@
-// The header <hash_map.h> of old C++: the hash maps from before the C++ standard, without their
-// namespace.
+// The header <hash_map.h> of old C++: `hash_map` and `hash_multimap`, which the C++ standard does
+// not have, outside of any namespace.
 #ifndef OPENR_COMPAT_HASH_MAP_H_INCLUDED
 #define OPENR_COMPAT_HASH_MAP_H_INCLUDED
 

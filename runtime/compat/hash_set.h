@@ -1,5 +1,5 @@
-// The header <hash_set.h> of old C++: the hash sets from before the C++ standard, without their
-// namespace.
+// The header <hash_set.h> of old C++: `hash_set` and `hash_multiset`, which the C++ standard does
+// not have, outside of any namespace.
 #ifndef OPENR_COMPAT_HASH_SET_H_INCLUDED
 #define OPENR_COMPAT_HASH_SET_H_INCLUDED
 

@@ -1,5 +1,5 @@
-// The header <rope.h> of old C++: strings for long texts from before the C++ standard, without
-// their namespace.
+// The header <rope.h> of old C++: `rope`, a string for long texts that the C++ standard does not
+// have, outside of any namespace.
 #ifndef OPENR_COMPAT_ROPE_H_INCLUDED
 #define OPENR_COMPAT_ROPE_H_INCLUDED
 

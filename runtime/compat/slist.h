@@ -1,5 +1,5 @@
-// The header <slist.h> of old C++: the singly linked list from before the C++ standard, without its
-// namespace.
+// The header <slist.h> of old C++: `slist`, a singly linked list that the C++ standard does not
+// have, outside of any namespace.
 #ifndef OPENR_COMPAT_SLIST_H_INCLUDED
 #define OPENR_COMPAT_SLIST_H_INCLUDED
 

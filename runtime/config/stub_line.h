@@ -37,7 +37,8 @@ int ParseCount(const StubLine& line, std::vector<Diagnostic>* diagnostics);
 // that the number of services is right and causes no further error.
 std::optional<StubService> ParseService(const StubLine& line, std::vector<Diagnostic>* diagnostics);
 
-// Returns the function of an Extra line, or nullopt after an error.  Ignores the rest of the line.
+// Returns the function that a line of stub.cfg such as "Extra : Name()" gives, or nullopt after an
+// error.  Ignores the rest of the line.
 std::optional<StubExtra> ParseExtra(const StubLine& line, std::vector<Diagnostic>* diagnostics);
 
 }  // namespace openr_host

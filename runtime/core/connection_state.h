@@ -268,8 +268,9 @@ struct ObserverState {
     return AddHeld(subject);
   }
   Held& AddHeld(const SubjectID& subject);
-  // Sends `command`, ready or not ready, to all subjects.  Missing subjects
-  // (ObserverState::missing) get the command when they are connected.
+  // Sends `command`, ready or not ready, to all subjects.  Subjects whose process is lost or whose
+  // object is being replaced (ObserverState::missing) get the command when they are connected
+  // again.
   OStatus SendReadyToAll(ObjcommCommand command);
   // Records that this observer is connected with `subject`, which has registered `subject_service`.
   // Sends the command that the observer has given while this subject was missing.

@@ -1,5 +1,5 @@
-// DeliveryState: everything that makes the delivery of a message to an object more than a call of
-// the object's handler.
+// DeliveryState: all reasons why a message to an object may not be passed to its handler at once.
+// For example, the robot is off, or a handler of the object waits or has the processor.
 #pragma once
 
 #include <utility>
@@ -13,9 +13,9 @@ class Fiber;
 
 class DeliveryState {
  public:
-  // Whether a delivery is only a call of the handler.  Every delivery reads this flag, so it lies
-  // apart from the DeliveryState, on a cache line of the object that every delivery reads anyway.
-  // Only its DeliveryState can change the flag.
+  // A flag that is true if a message to the object needs nothing but a call of its handler.  Every
+  // delivery reads this flag, so it lies apart from the DeliveryState, on a cache line of the
+  // object that every delivery reads anyway.  Only the object's DeliveryState can change the flag.
   class PlainFlag {
    public:
     explicit PlainFlag(const DeliveryState& state) : is_plain_(state.IsPlain()) {}
@@ -28,8 +28,7 @@ class DeliveryState {
 
   // `flag` is the PlainFlag that this DeliveryState sets.  The constructor of the flag reads this
   // DeliveryState, so the object makes the flag later.  `is_image` tells whether the object was
-  // loaded from a file: the handlers of such objects are measured, so their deliveries are never
-  // plain.
+  // loaded from a file: the handlers of such an object are measured, so its flag is never true.
   DeliveryState(PlainFlag* flag, bool is_image) : flag_(flag), is_image_(is_image) {}
   DeliveryState(const DeliveryState&) = delete;
   DeliveryState& operator=(const DeliveryState&) = delete;
@@ -55,8 +54,9 @@ class DeliveryState {
     SetFlag();
   }
 
-  // Messages that the object cannot handle yet, oldest first, because its handler waits or has the
-  // processor, or because it is in its boot (ObjectManager::IsTooEarly()).
+  // Messages that the object cannot handle yet, because its handler waits or has the processor
+  // (cpu.h), or because the object is in its boot (ObjectManager::IsTooEarly()).  The oldest
+  // message is first.
   const std::vector<OwnedMessage>& held() const { return held_; }
   void Hold(OwnedMessage message) {
     held_.push_back(std::move(message));
@@ -75,8 +75,8 @@ class DeliveryState {
   bool IsPlain() const {
     return !is_image_ && !is_off_ && !is_busy_ && blocked_ == nullptr && held_.empty();
   }
-  // Sets the PlainFlag, which tells whether a delivery is only a call of the handler.  Every
-  // function that changes a member calls this function at its end.
+  // Sets the PlainFlag, which is true if a message to the object needs nothing but a call of its
+  // handler.  Every function that changes a member calls this function at its end.
   void SetFlag() { flag_->is_plain_ = IsPlain(); }
 
   PlainFlag* const flag_;

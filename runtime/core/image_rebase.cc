@@ -74,7 +74,8 @@ class Rebase {
 
   std::string bytes_;
   const uint64_t by_;
-  // The program headers (segments) of the image file before it was moved.
+  // The program headers (segments) of the image file, with the addresses that they had before the
+  // code of this class changed them.
   std::vector<Elf64_Phdr> segments_;
   std::vector<Elf64_Dyn> dynamic_;  // the dynamic section before the move
   bool is_bad_ = false;

@@ -22,8 +22,8 @@ using StandIns = std::map<std::string, std::function<void(const std::string& pat
 struct SystemImage {
   std::string file;           // the name of the image in OBJECT.CFG: "TCPGW.BIN"
   std::function<void()> add;  // adds the object; called instead of loading the image
-  // Adds findings if the rest of the stick does not fit this system image.  Called after the whole
-  // stick was loaded.
+  // Adds findings if other files of the stick, such as CONNECT.CFG, do not fit this system image.
+  // Called after the whole stick was loaded.
   std::function<void()> check;
 };
 

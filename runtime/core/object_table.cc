@@ -36,8 +36,9 @@ void ReleaseHeld(ObserverState* observer, const std::function<bool(const Subject
   }
 }
 
-// Ends every connection between `other` and `gone`, an object that is being replaced.  The subjects
-// of `gone` are missing until the observers of `other` are connected with the new object.
+// Ends every connection between `other` and `gone`, an object that is being replaced.  Records in
+// the observers of `other` which subjects of `gone` they have lost, until they are connected with
+// the new object.
 void Disconnect(Object* other, Object* gone) {
   const ObjectId id = gone->id;
   const CurrentScope scope(other->system, other);
@@ -237,9 +238,9 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
   Forget(id);
   std::erase_if(system_->robot(old->robot).directory,
                 [&](const auto& entry) { return entry.second.first == id; });
-  // Calls EndAllOf() for an image that is replaced, and for every object of a robot that was
-  // switched off.  For all other objects, whose process was lost, the caller of Return() has called
-  // it already.
+  // Ends everything that the old object still has in the System (EndAllOf()) if it is an image that
+  // is replaced or an object of a robot that was switched off.  For all other objects, whose
+  // process was lost, this was done before Return() was called.
   if (old->is_image || fresh->is_absent) EndAllOf(id);
   for (const Listener& listener : replace_listeners_) listener(id);
   PassStatistics(*old, fresh.get());

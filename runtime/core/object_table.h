@@ -104,7 +104,8 @@ class ObjectTable {
 
   System* const system_;
   std::vector<std::unique_ptr<Object>> objects_;  // the index is the id of the object
-  // Replaced objects whose handler has not ended.
+  // Replaced objects whose handler waits or still has the processor.  They are kept, because that
+  // handler needs its object until it ends.
   std::vector<std::unique_ptr<Object>> replaced_running_;
   std::vector<Listener> end_listeners_;
   std::vector<Listener> replace_listeners_;

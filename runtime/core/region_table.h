@@ -40,8 +40,9 @@ class RegionTable {
   char* AdoptCopy(uint32_t id, size_t size);
   void KeepCopy(uint32_t id) { Pin(id); }
   void DropCopy(uint32_t id) { Unpin(id); }
-  // Removes region `id` of an object in this worker process (AdoptOwn()).  Called when the master
-  // process has deleted the region.  The memory stays while the region is pinned (Pin()).
+  // Removes region `id`, which AdoptOwn() has made for an object in this worker process, because
+  // the master process has deleted the region.  The memory stays while the region is pinned
+  // (Pin()).
   void Lose(uint32_t id);
 
   // Finds the region in which `address` lies, and sets `*id` to the region's id and `*offset` to
@@ -177,9 +178,10 @@ class RegionTable {
 
   RegionMemory memory_;
   std::vector<Slot> slots_;
-  // The memory of copies of regions of another process that were still pinned (being read) when
-  // another region got their slot.  This happens only if a subject is replaced while an observer in
-  // this process still reads its data.  The memory is freed when the table is destroyed.
+  // Memory of regions that were copied from another process.  When another region got the slot of
+  // such a copy, the copy was still pinned (being read), so its memory could not be freed.  This
+  // happens only if a subject is replaced while an observer in this process still reads its data.
+  // The memory is freed when the table is destroyed.
   std::vector<char*> outlived_;
   std::vector<uint32_t> free_;  // indices of the slots that New() may use again
   int live_count_ = 0;          // number of live slots

@@ -4,7 +4,7 @@
 // These classes and lists take the functions, all or most of them, from the table:
 //   RobotServices        the interface, and the results of a robot without devices
 //   VirtualRobot         the declarations of the functions of the simulated robot
-//   ForwardingServices   passes calls to other services in the same process
+//   ForwardingServices   passes calls to other RobotServices in the same process
 //   RemoteServices       passes calls of a worker process to the master
 //   WorkerCallList       the numbers of the functions in samples to the master
 // docs/architecture.md, "How to add a function that the robot answers", says what a new row needs.

@@ -47,10 +47,11 @@ std::vector<Stall> FindStalls(const System& system, int64_t least_us);
 // t=1.248 s".
 std::vector<std::string> WhoWaits(const System& system);
 
-// Adds a finding for every stall that has lasted for kStallUs or longer: a note if the observer has
-// probably stopped on purpose (`is_chosen`), otherwise a warning.  `is_silent` says whether no
-// object sends messages any more; only then are stalls reported that may be no mistake
-// (`may_be_done`).  Called at the end of a run.
+// Adds a finding for every stall (an object that waits for a ready, for a reply or for the
+// processor) that has lasted for kStallUs or longer.  The finding is a note if the observer has
+// probably stopped asking for data on purpose (`is_chosen`), otherwise a warning.  `is_silent` says
+// whether no object sends messages any more; only then are the stalls reported in which the
+// observer may want no more data (`may_be_done`).  Called at the end of a run.
 void ReportStalls(System* system, bool is_silent);
 
 }  // namespace openr_host

@@ -1,7 +1,8 @@
-// ForwardingServices: passes each call to other services of this process.
+// ForwardingServices: passes each call of an OPENR:: function to other RobotServices in the same
+// process.
 //
-// A derived class overrides the functions that it executes itself, and chooses the services for all
-// other functions.
+// A derived class overrides the functions that it executes itself, and chooses the RobotServices
+// for all other functions.
 #pragma once
 
 #include "runtime/core/robot_services.h"
@@ -16,7 +17,7 @@ class ForwardingServices : public RobotServices {
 #undef OPENR_FORWARD
 
  private:
-  // Returns the services that execute this call of the function with the name `function`.
+  // Returns the RobotServices that execute this call of the function with the name `function`.
   virtual RobotServices& ServicesFor(const char* function) = 0;
 };
 

@@ -196,9 +196,9 @@ class GatewayLoader {
     return text ? ParseGatewayConfig(file, *text, Design(), side) : GatewayConfig();
   }
 
-  // Returns whether HOSTGW.CFG names a robot to which calls of OPENR:: functions are sent.  If so,
-  // the stick belongs to a PC, and the gateway is needed even if neither OBJECT.CFG nor CONNECT.CFG
-  // names the gateway.
+  // Returns whether HOSTGW.CFG names a robot to which calls of OPENR:: functions are sent.  In this
+  // case the run plays a PC, whose stick need not name the gateway in OBJECT.CFG or CONNECT.CFG, so
+  // the gateway is added without that.
   bool CallsARobot() const { return config_.proxy && !config_.proxy->host.empty(); }
 
   static bool NamesGateway(const ConnectConfig& wires) {

@@ -1,4 +1,4 @@
-// The common base of TCP, UDP and DNS endpoints.
+// Endpoint: the common base class of TCP, UDP and DNS endpoints.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Identifies one of the observers of a subject.
+// OObserverInfo: identifies one of the observers with which a subject is connected.
 #ifndef OPENR_OOBSERVERINFO_H_INCLUDED
 #define OPENR_OOBSERVERINFO_H_INCLUDED
 

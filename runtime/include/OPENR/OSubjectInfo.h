@@ -1,4 +1,4 @@
-// Identifies one of the subjects of an observer.
+// OSubjectInfo: identifies one of the subjects with which an observer is connected.
 #ifndef OPENR_OSUBJECTINFO_H_INCLUDED
 #define OPENR_OSUBJECTINFO_H_INCLUDED
 

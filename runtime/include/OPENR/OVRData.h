@@ -1,4 +1,5 @@
-// Refers to a data vector in messages between the OPENR:: functions and the system.
+// OVRData: names the region with a vector, in messages between the OPENR:: functions and the
+// system.
 #ifndef OPENR_OVRDATA_H_INCLUDED
 #define OPENR_OVRDATA_H_INCLUDED
 
