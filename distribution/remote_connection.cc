@@ -147,7 +147,8 @@ std::string RemoteConnection::FindLoss() {
 }
 
 bool RemoteConnection::SendEnd(const std::string& why) {
-  // Returns if there is no worker, or if a restarted worker has not joined yet.
+  // Sends nothing if there is no worker that could receive the sample: none has joined, or a
+  // restarted one has not joined yet.
   if (!slot_.has_joined()) return false;
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_END);
   WireArena arena;

@@ -34,7 +34,7 @@ struct ProcessRefused : ProcessLost {
 // After this time without an answer, the user is told that the worker is silent.
 constexpr int64_t kSilenceMs = 2'000;
 
-// Returns a sample of this kind in which everything else is 0.
+// Returns a sample of the kind `kind` for a worker, with 0 in all other fields.
 openr_wire_ToWorker NewToWorker(openr_wire_ToWorkerKind kind);
 
 class RemoteConnection {

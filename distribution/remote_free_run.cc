@@ -13,9 +13,10 @@
 namespace openr_host {
 namespace {
 
-// First number of the reply boxes in which the master's objects get a reply when a handler in a
-// worker has stopped in a free run.  The boxes that objects open count from 1 and never get so
-// large, so the two kinds of boxes stay different.
+// First number of the wake boxes.  In a free run, the stand-in of an object whose handler runs in a
+// worker waits for a reply to such a box; the master posts the reply when the handler has returned
+// or waits.  The boxes that objects open count from 1 and never get so large, so the two kinds of
+// boxes stay different.
 constexpr uint64_t kFirstWakeBox = uint64_t{1} << 40;
 
 }  // namespace

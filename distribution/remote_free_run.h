@@ -68,8 +68,8 @@ class RemoteFreeRun {
   RemoteConnection* const connection_;
   RemoteResources* const resources_;
   RemoteEffects* const effects_;
-  const std::string wait_reason_;  // tells the user what a RemoteObject waits for
-  uint64_t wake_box_count_ = 0;    // number of reply boxes made for RemoteObjects
+  const std::string wait_reason_;  // tells the user what a stand-in waits for
+  uint64_t wake_box_count_ = 0;    // number of reply boxes made for stand-ins
   // The objects of which a handler runs in the worker now; the value is the reply box for which the
   // object's stand-in waits in the master.
   std::map<ObjectId, uint64_t> running_;

@@ -30,9 +30,9 @@ class RemoteLoader {
   // loaded its own objects among them.
   void Load(const openr_wire_Load& load);
 
-  // Begins to load the objects of a restarted worker: sends new entries of the master's tables of
-  // robots and objects, as Load() does, but does not wait.  The worker counts as lost until
-  // RemoteProcess::Rejoin().
+  // Begins to load the objects of a restarted worker: sends the entries of the master's tables of
+  // robots and objects, as Load() does, but does not wait until the worker has loaded them.  The
+  // worker counts as lost until RemoteProcess::Rejoin().
   void BeginLoad(const openr_wire_Load& load);
   // Returns whether the worker has loaded its objects after BeginLoad().  `objects` are the
   // master's new stand-ins for these objects.

@@ -415,7 +415,8 @@ void Worker::SendState(ObjectId id) {
 // later.
 void Worker::Forget(ObjectId id) {
   if (system_->object(id) != nullptr) system_->object_table().Forget(id);
-  // Forgets which entries the old object had, because the new object may have other entries.
+  // Forgets which entries object `id` had before it was replaced, because the new object with this
+  // id may have other entries.
   std::erase_if(known_entries_, [id](const auto& entry) { return entry.first == id; });
   openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_FORGOTTEN);
   to_master.body._u.forgotten = {id, arena_.Numbers(marshaller_->TakeDroppedTokens())};

@@ -58,7 +58,8 @@ struct CallList {
   }
 };
 
-// Each of these macros becomes a comma and a function, so no comma stands before the table.
+// Makes a comma and a function from each row of OPENR_ROBOT_CALLS.  So the table follows the last
+// function of the list below without a comma before it.
 #define OPENR_CALL_ROBOT(name, parameters, arguments, without_devices) , &RobotServices::name
 #define OPENR_CALL_WITH_MEMORY(name, parameters, arguments, without_devices) , &CheckedCalls::name
 

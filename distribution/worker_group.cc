@@ -23,8 +23,8 @@ namespace {
 // The interval at which a free run checks that its workers still exist.  Each check costs system
 // calls, so we do not check in every call of Pump().
 constexpr int64_t kHealthIntervalNs = 10'000'000;
-// Time for all workers together to receive the samples that end them.  A busy machine may not run a
-// worker for seconds.
+// Time for all workers together to receive the samples that end them.  It is so long because a
+// worker on a busy machine may get no processor time for seconds.
 constexpr int64_t kEndFlushMs = 5'000;
 constexpr int64_t kExitWaitMs = 5'000;  // time for a worker to end after it was told to end
 // The time for a worker to end after a second Ctrl-C, when the user does not want to wait.

@@ -74,8 +74,9 @@ class WorkerGroup {
     std::string lost;  // the reason of the loss, "" while the worker runs
     int losses = 0;    // number of times that the worker was lost
     int returns = 0;   // number of times that the worker was restarted
-    // Number of handlers that the worker has run.  The three times below are the median, the 99th
-    // percentile and the maximum of the handlers' durations, which include the time for sending.
+    // Number of times that the worker has run a handler.  The three times below are the median, the
+    // 99th percentile and the maximum of the time from sending a message to the worker until the
+    // master knows that the message's handler is done.
     uint64_t handlers = 0;
     double median_us = 0;
     double p99_us = 0;

@@ -186,14 +186,14 @@ void WorkerGroup::ReplaceObjects(Member* member) {
   system_->object_table().Return(std::move(new_objects));
 }
 
-// Handles the replacement of object `id`.  First the other workers disconnect their objects from
-// the old object.  If `id` was the last object of a restarted worker, the worker counts as running
-// again.
+// Handles the replacement of object `id`.  First the other workers drop the connections of their
+// objects to the object that was replaced.  If `id` was the last object of a restarted worker, the
+// worker counts as running again.
 void WorkerGroup::OnReplaced(ObjectId id) {
   for (auto& [name, member] : members_) {
-    // Skips workers whose objects have no connections to the old object.  These are the worker of
-    // the object itself, which knows only the new object, workers that have not joined the run, and
-    // lost workers.
+    // Skips workers that have no connections to the object that was replaced: the worker of object
+    // `id`, which is a new process and knows only the new object; workers that have not joined the
+    // run; and lost workers.
     if (member.objects.contains(id) || !member.is_welcomed || member.process->is_lost()) continue;
     try {
       member.process->Forget(id);
