@@ -28,7 +28,7 @@ class RefusedMessage {
 
   bool happened() const { return matches_ == nth_; }
   uint64_t matches() const { return matches_; }  // messages that fitted so far; at most n
-  // Returns a description of the refused message; "" if it has not come yet.
+  // Returns a description of the refused message; "" as long as no message was refused.
   const std::string& text() const { return text_; }
 
  private:

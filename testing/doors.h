@@ -91,8 +91,8 @@ class RepeatedMessage {
   RepeatedMessage& Optional() { return is_optional_ = true, *this; }
 
   bool happened() const { return matches_ == nth_; }
-  // Returns a description of the message that was posted again; "" if this message has not come
-  // yet.
+  // Returns a description of the message that comes twice; "" as long as it has not come for the
+  // first time.
   const std::string& text() const { return text_; }
 
  private:
