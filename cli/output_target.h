@@ -1,5 +1,5 @@
-// Finds out what the name of an output file means, and makes the file that replaces it.  For the
-// files of this folder that write files; the rules are in output_file.h.
+// Finds out what the name of an output file means, and makes the file that replaces it.  Used by
+// the code in cli/ that writes files; output_file.h has the rules.
 #pragma once
 
 #include <sys/stat.h>
@@ -9,7 +9,7 @@
 
 namespace openr_host {
 
-constexpr int kTemporaryNamesMax = 100;  // number of tries to find a name that no file has
+constexpr int kTemporaryNamesMax = 100;  // number of tries to find a name that no other file has
 
 // The open stream or the file that a file name means.
 struct OutputTarget {
