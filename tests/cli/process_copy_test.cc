@@ -39,7 +39,8 @@ TEST(ProcessCopyTest, FilesOfOthersAreNotFlushedWithOurOwnStreams) {
   EXPECT_EQ(FileAfterCopy(Flushed::kNone), "a line\na line\n");
 }
 
-// A copy of a copy, whose original ends first, writes "alive" after 20 s if nothing has killed it.
+// The process `middle` is a copy of the test, makes a copy of itself and ends.  The second copy
+// would write "alive" after 20 s, but the kernel kills it at the end of `middle`, its original.
 TEST(ProcessCopyTest, CopyIsKilledWhenItsOriginalEnds) {
   const ProcessCopy middle = StartCopy(Orphan::kIsKilled, [](int answers) {
     if (CopyProcess(Flushed::kNone, Orphan::kIsKilled) != 0) return;
@@ -53,7 +54,7 @@ TEST(ProcessCopyTest, CopyIsKilledWhenItsOriginalEnds) {
 }
 
 TEST(ProcessCopyTest, CopyGoesOnWhenItsOriginalEnds) {
-  int gone[2];  // is closed when the original of the second copy has ended
+  int gone[2];  // a pipe; closed when the original of the second copy has ended
   ASSERT_EQ(pipe2(gone, O_CLOEXEC), 0);
   const ProcessCopy middle = StartCopy(Orphan::kGoesOn, [&gone](int answers) {
     if (CopyProcess(Flushed::kNone, Orphan::kGoesOn) != 0) return;

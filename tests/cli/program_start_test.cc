@@ -46,7 +46,8 @@ TEST(ProgramStartTest, IgnoredSigpipeIsNotInherited) {
   EXPECT_EQ(WTERMSIG(status), SIGPIPE);
 }
 
-// A descriptor that is given under its own number stays open, although it is marked to be closed.
+// A descriptor that is given under its own number stays open in the program, although O_CLOEXEC
+// asks to close it when a program is started.
 TEST(ProgramStartTest, DescriptorMayBeGivenUnderItsOwnNumber) {
   const int descriptor = open("/dev/null", O_RDONLY | O_CLOEXEC);
   ASSERT_GT(descriptor, 2);

@@ -452,7 +452,8 @@ TEST(BuildTest, SourcesMayBeInAFolderBelowTheirEntryTable) {
   EXPECT_EQ(folder.Say("Greeter/src/MS"), "handmade: init\nhandmade: start\n");
 }
 
-// A work folder within DIR holds copies of what was built before.
+// A work folder within DIR, the folder to build, holds copies of sources that were built before.
+// These copies are not built again.
 TEST(BuildTest, AnOldWorkFolderIsNothingToBuild) {
   const KitFolder folder("handmade");
   const std::string work = folder.File("work");

@@ -277,7 +277,7 @@ TEST(CommandLineTest, AWorldThatCannotBeReadIsRefused) {
                 "--world nowhere.json: No such file or directory\n");
 }
 
-// The JSON library would copy this JSON by recursion.
+// The JSON library copies JSON by recursion, so a copy of this JSON would overflow the stack.
 TEST(CommandLineTest, AWorldOrAScheduleThatIsNestedTooDeeplyIsRefused) {
   constexpr size_t kLevels = 1'000'000;  // enough to overflow the stack
   const ScratchFolder folder;

@@ -172,8 +172,8 @@ TEST_F(RcBridgeTest, CallsBeyondTheLimitAreRefused) {
   EXPECT_EQ(Answers(RcBridge::kCallsMax + 1).size(), RcBridge::kCallsMax + 1);
 }
 
-// While it exists, no new thread of this process can be made, because its stack would be larger
-// than the memory of any computer.
+// While a NoThreads exists, this process cannot make threads: the size of new stacks is set so high
+// that no computer has memory for one.
 class NoThreads {
  public:
   NoThreads() {
@@ -195,14 +195,15 @@ class NoThreads {
   pthread_attr_t before_;
 };
 
-// Threads that cannot be made must not count as threads that run: then the server would make none
-// any more, and would wait for them at its end.  Each test tries more often than threads may run.
+// A thread that could not be made must not count as a thread that runs.  Otherwise the server would
+// soon reach its limit of threads and make no more, and would wait for such threads at its end.
+// Each test fails to make more threads than this limit.
 class NoThreadsTest : public ::testing::Test {
  protected:
   NoThreadsTest() { setenv("XDG_RUNTIME_DIR", folder_.path().c_str(), 1); }
   ~NoThreadsTest() override { unsetenv("XDG_RUNTIME_DIR"); }
 
-  // Waits until no thread of `Maker` runs any more, as those of other tests may do.
+  // Waits until no thread of `Maker` runs any more, because threads of other tests may still run.
   template <typename Maker>
   static void WaitForThreads() {
     while (Maker::HasThreads()) usleep(1000);

@@ -411,8 +411,9 @@ TEST_F(PanelDescriptorsTest, AConnectionForWhichNoDescriptorIsLeftIsClosed) {
   ExpectConnectionsAreClosed();
 }
 
-// With a limit at the number of the spare descriptor, which is the first /dev/null that the server
-// has opened, the server closes it and can open nothing in its place.
+// The limit of descriptors is set to the number of the server's spare descriptor, which is the
+// first /dev/null that the server has opened.  So the server closes this descriptor and can open
+// nothing in its place.
 TEST_F(PanelDescriptorsTest, ASpareDescriptorThatWasLostIsOpenedAgain) {
   int spare = 0;
   for (const auto& [number, target] : Descriptors()) {
@@ -436,13 +437,14 @@ TEST_F(PanelServerTest, CtrlCEndsAServerThatWasStartedByHand) {
   EXPECT_EQ(run_.Line(), "");
 }
 
-// A run that has started its server tells it of its end by a pipe, and answers by a socket.  The
-// server is stopped meanwhile, so it finds the answer and the end at the same time.
+// The server learns the end of the run, which has started it, by a pipe, and gets the answers of
+// the run by a socket.  The server is stopped meanwhile, so it finds the last answer and the end at
+// the same time.
 TEST_F(PanelTest, ThePageGetsTheLastAnswerOfARunThatEnds) {
   FakeRun run("played");
   int ends[2];
   ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
-  fcntl(ends[0], F_SETFD, 0);  // for the server
+  fcntl(ends[0], F_SETFD, 0);  // the server inherits this end of the pipe
   ProgramRun server({"panel", "--port", "0", "--fd", std::to_string(ends[0]), "--run", run.id()});
   close(ends[0]);
   ASSERT_TRUE(server.WaitFor("\n"));

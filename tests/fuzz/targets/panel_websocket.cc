@@ -45,7 +45,7 @@ class Socket final : public WebConnection {
 // Returns whether a request would make the server look for other runs, or connect to a robot.
 // Such requests are left out, because their answers depend on the computer.
 bool LeavesProcess(const std::string& text) {
-  // Reads only JSON that the page reads, too, because deeper JSON is refused.
+  // Ignores JSON that is nested so deeply that the panel's server refuses it, too (TryParseJson()).
   const auto request = TryParseJson<nlohmann::json>(text);
   if (!request.is_object() || !request.contains("do")) return false;
   const nlohmann::json& what = request["do"];
