@@ -12,7 +12,8 @@
 namespace openr_host {
 namespace {
 
-// The limits of the network settings below are from the Installation Guide, 3.2.2.
+// The longest host name and the longest name of a wireless network (ESSID) in WLANCONF.TXT, in
+// characters (Installation Guide, 3.2.2).
 constexpr size_t kHostNameMax = 8;
 constexpr size_t kEssidMax = 32;
 

@@ -83,7 +83,8 @@ std::string Render(const SourcePlace& place) {
 // processor ("exception 15").  With --strict the object crashes.  Otherwise a finding is added,
 // once for each place in the source.
 void Report(SourcePlace* place, const std::string& what, const char* exception) {
-  // Does nothing if the check that found the fault is not in code of an object.
+  // Does nothing if the check is in code that no object runs, because a fault is reported as the
+  // fault of an object.
   if (t_current.system == nullptr || t_current.object == nullptr) return;
   if (t_current.system->options().strict)
     StopAsTheRobotDoes(fmt::format("{} at {} ({})", what, Render(*place), exception));

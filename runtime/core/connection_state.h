@@ -133,9 +133,9 @@ struct ObserverLink {
 
   ObserverID observer;
   ObjectId target = kNoObject;  // the object of `observer`
-  // Whether the observer accepts the next notification: 1 if it is ready; 0 if it has not asserted
-  // ready since the last data were sent to it, or not at all; -1 if it has deasserted ready.  Two
-  // asserts in a row count as one, as on the robot.
+  // The observer's last word about the next notification: 1 if the observer is ready; 0 if it has
+  // not asserted ready since the last data were sent to it, or not at all; -1 if it has deasserted
+  // ready.  Two asserts in a row count as one, as on the robot.
   int ready = 0;
   struct Unit {
     int data;  // number of regions in `pending` that belong to this notification

@@ -33,14 +33,14 @@ class DeliveryState {
   DeliveryState(const DeliveryState&) = delete;
   DeliveryState& operator=(const DeliveryState&) = delete;
 
-  // Whether the robot is off; messages to the object are then dropped.
+  // Returns whether the robot is off.  Messages to the object are dropped while the robot is off.
   bool is_off() const { return is_off_; }
   void set_off(bool is_off) {
     is_off_ = is_off;
     SetFlag();
   }
 
-  // Whether a handler of the object has the processor (cpu.h).
+  // Returns whether a handler of the object has the processor (cpu.h).
   bool is_busy() const { return is_busy_; }
   void set_busy(bool is_busy) {
     is_busy_ = is_busy;

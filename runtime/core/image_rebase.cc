@@ -54,8 +54,9 @@ class Rebase {
  public:
   Rebase(std::string bytes, uint64_t by) : bytes_(std::move(bytes)), by_(by) {}
 
-  // Adds the distance of the move to all addresses in the image file, and returns the changed
-  // bytes.  Returns "" if the file cannot be changed or needs more than `size_max` bytes of memory.
+  // Adds the distance by which the image is moved (`by_`) to all addresses in the image file, and
+  // returns the changed bytes.  Returns "" if the file cannot be changed or needs more than
+  // `size_max` bytes of memory.
   std::string Run(uint64_t size_max);
 
  private:
@@ -77,7 +78,7 @@ class Rebase {
   // The program headers (segments) of the image file, with the addresses that they had before the
   // code of this class changed them.
   std::vector<Elf64_Phdr> segments_;
-  std::vector<Elf64_Dyn> dynamic_;  // the dynamic section before the move
+  std::vector<Elf64_Dyn> dynamic_;  // the dynamic section before any change
   bool is_bad_ = false;
 };
 
@@ -130,9 +131,9 @@ void Rebase::MoveSegments(const Elf64_Ehdr& header) {
   }
 }
 
-// Adds the distance of the move to the values of `symbols`, which are addresses of functions and
-// variables of the image.  Symbols of other libraries, of constants and of thread-local variables
-// are not changed, because their values are no addresses in the image.
+// Adds the distance by which the image is moved (`by_`) to the values of `symbols`, which are
+// addresses of functions and variables of the image.  Symbols of other libraries, of constants and
+// of thread-local variables are not changed, because their values are no addresses in the image.
 void Rebase::MoveSymbols(Elf64_Sym* symbols, uint64_t count) {
   if (symbols == nullptr) return;
   for (uint64_t i = 0; i < count; ++i) {

@@ -197,7 +197,7 @@ std::vector<OwnedMessage> ObjectTable::TakeMessagesTo(Object* object) {
   }
   // Subtracts only the messages that were taken so far from the count of waiting messages.  The
   // messages in outboxes (posted by handlers whose processor time is not over), which are taken
-  // below, were never counted as waiting.
+  // next, were never counted as waiting.
   object->waiting -= static_cast<int>(messages.size());
   ASSERT(object->waiting >= 0, "{} has {} waiting messages", object->name, object->waiting);
   for (const auto& sender : objects_) TakeOutgoing(sender.get(), object->id, &messages);
@@ -254,10 +254,10 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
 
 ObjectTable::Readies ObjectTable::Replace(std::vector<std::unique_ptr<Object>> fresh) {
   Readies readies;
-  // Marks all old objects before the first message to one of them is taken out of the queue.  A
-  // notification from one old object to another is not delivered any more.  Because its sender is
-  // marked, SendDeassert() gives the regions of such a notification back by a direct call: a
-  // message to the sender would be lost.
+  // Marks all objects that will be replaced (is_leaving) before the first message to one of them is
+  // taken out of the queue.  A notification from one of them to another is not delivered any more.
+  // Because its sender is marked, SendDeassert() gives the regions of such a notification back by a
+  // direct call: a message to the sender would be lost.
   for (const auto& object : fresh) {
     FlushStreams(Get(object->id));
     Get(object->id)->is_leaving = true;

@@ -71,8 +71,8 @@ uint32_t RegionTable::New(size_t size, ObjectId owner) {
 // pinned), the memory is moved to outlived_ instead.  Returns null if the slot has a live region.
 RegionTable::Slot* RegionTable::SlotFor(uint32_t id) {
   const uint32_t index = (id & 0xffff) - 1;
-  // Refuses an id that names no slot (its lower 16 bits are 0): the subtraction above has made its
-  // index a very large number.
+  // Refuses an id that names no slot, because its lower 16 bits are 0: `index`, which is these bits
+  // less 1, is then a very large number.
   if (index >= 0xffff) return nullptr;
   if (index >= slots_.size()) slots_.resize(index + 1);
   Slot& slot = slots_[index];

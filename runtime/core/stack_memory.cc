@@ -75,7 +75,7 @@ StackMemory::~StackMemory() {
   StackMemory** link = &t_newest;
   while (*link != nullptr && *link != this) link = &(*link)->older_;
   // Takes this stack out of the list of the stacks of this thread.  If another thread has made this
-  // stack, this list does not contain it, and the loop above has ended at null.
+  // stack, `link` is at the end of the list, because this list does not contain the stack.
   if (*link != nullptr) *link = older_;
 #ifdef VALGRIND_STACK_DEREGISTER
   VALGRIND_STACK_DEREGISTER(valgrind_id_);
@@ -97,8 +97,8 @@ size_t StackMemory::UsedBytes(size_t gap_bytes) const {
     if (!IsZero(step)) lowest = step;
     if (static_cast<size_t>(lowest - step) >= gap_bytes) break;
   }
-  // Moves `lowest` up to the lowest byte of the stack that is not zero, because the loop above has
-  // looked only at whole steps of kStepBytes.
+  // Moves `lowest` up to the lowest byte of the stack that is not zero.  The search has found only
+  // the step of kStepBytes in which this byte lies.
   uint64_t word = 0;
   while (lowest < top() && (std::memcpy(&word, lowest, sizeof word), word == 0))
     lowest += sizeof word;

@@ -19,12 +19,12 @@ namespace openr_host {
 namespace {
 
 int g_fibers = 0;  // number of WatchedFibers that have a fiber of their own
-// Whether this process is a copy, made by fork(), of a process that had fibers.  In the copy,
+// True if this process is a copy, made by fork(), of a process that had fibers.  In the copy,
 // ThreadSanitizer takes the fibers for threads that fork() did not copy, and from then on ignores
-// the fiber that has called fork().  Enter() then makes it ignore all other fibers too.  Otherwise
-// ThreadSanitizer would not see that the ignored fiber puts accesses of the others in order, and
-// would report races that do not exist.  No race is missed, because such a copy has only one
-// thread.
+// the fiber that has called fork().  Enter() then makes ThreadSanitizer ignore all other fibers
+// too.  Otherwise ThreadSanitizer would not see that the ignored fiber puts accesses of the others
+// in order, and would report races that do not exist.  No race is missed, because such a copy has
+// only one thread.
 bool g_is_copy = false;
 
 void NoteCopy() { g_is_copy = g_is_copy || g_fibers > 0; }

@@ -94,8 +94,8 @@ std::optional<OControlReplyMessage> AskSubject(ObserverState* state, const OServ
   System* const system = state->system;
   OControlReplyMessage reply;
   std::memset(static_cast<void*>(&reply), 0, sizeof reply);
-  // Sets the status of the subject's reply to oFAIL.  If the call of the subject's entry below
-  // fails, this status remains, and the connection counts as refused.
+  // Sets the status of the subject's reply to oFAIL.  If the subject's entry cannot be called, this
+  // status remains, and the connection counts as refused.
   reply.status = oFAIL;
   const ObjectId target = ObjectIdOf(entry.GetOID());
   if (target != state->object->id) {
@@ -181,8 +181,8 @@ void CheckUnchanged(ObserverState* state, const ONotifyMessage& notify) {
 [[gnu::always_inline]] inline OStatus HandleNotification(ObserverState* state,
                                                          const ONotifyMessage& msg,
                                                          ONotifyEvent* event) {
-  // Refuses a message whose bytes are no notification, because the code below would take some of
-  // these bytes for addresses.
+  // Refuses a message whose bytes are no notification, because this function takes some bytes of a
+  // notification for addresses.
   if (!IsRunningMessage(*state->object, PayloadKind::kNotify)) return oUNKNOWN_COMMAND;
   if (state->system->options().guard_regions) CheckUnchanged(state, msg);
   // Starts the count of readies anew.  The count shows how often the observer asserts ready without

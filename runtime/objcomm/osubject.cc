@@ -288,16 +288,16 @@ namespace {
 
 // Does the work of OSubject::ReadyHandler() for the subject of `state`.
 [[gnu::always_inline]] inline OStatus HandleReady(SubjectState* state, const OReadyMessage& msg) {
-  // Refuses a message whose bytes are no ready, because the code below would take some of these
-  // bytes for addresses.
+  // Refuses a message whose bytes are no ready, because this function takes some bytes of a ready
+  // for addresses of regions.
   if (!IsRunningMessage(*state->object, PayloadKind::kReady)) return oUNKNOWN_COMMAND;
   // A ready also lists the regions of earlier notifications that the observer no longer uses.
   // Removes the subject's reference to each of these regions, so that the subject can write into
   // them again.
   for (int i = 0; i < msg.numOfData; ++i) RegionAccess::RemoveReference(msg.rcRegion[i]);
   ObserverLink* const link = state->Find(msg.observerID);
-  // Returns an error if the observer was removed after it had sent this message.  In this case too,
-  // the loop above has given back the regions that the message lists.
+  // Returns an error if the observer was removed after it had sent this ready.  The regions that
+  // the ready gives back were released already, because this is right in this case, too.
   if (link == nullptr) return oNOT_FOUND;
   if (msg.command == objcommCMD_DEASSERT_READY) {
     link->ready = -1;
