@@ -52,8 +52,8 @@ class RemoteConnection {
   const std::string& name() const { return name_; }
   ProcessSlot& slot() { return slot_; }
   const ProcessSlot::Identity& identity() const { return slot_.identity(); }
-  // The channel to the worker, or null.  The functions below throw ProcessLost for a worker that is
-  // lost; those of the channel do not.
+  // The channel to the worker, or null.  Functions of the channel do not throw ProcessLost if the
+  // worker is lost; functions of this class, such as Send() and Next(), do.
   MasterChannel* channel() const { return slot_.channel(); }
   // Prints a line for the user.
   void Say(const std::string& line) const { say_(line); }

@@ -45,8 +45,9 @@ void RemoteProcess::SetLost() {
 }
 
 void RemoteProcess::ReleaseAll() {
-  // Calls SetLost() first.  The calls below post messages to the master's stand-ins for the
-  // worker's objects, and the stand-ins must not send these messages to the worker.
+  // Calls SetLost() before the worker's things are released, because the release posts messages to
+  // the master's stand-ins for the worker's objects, and the stand-ins must not send these messages
+  // to the worker.
   SetLost();
   resources_.ReleaseAll();
   free_run_.ForgetHandlers();

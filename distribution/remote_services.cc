@@ -16,7 +16,9 @@ OStatus RemoteServices::Ask(const Arguments&... arguments) {
 
 #define OPENR_ASK(name, parameters, arguments, without_devices) \
   OStatus RemoteServices::name parameters { return Ask<&RobotServices::name> arguments; }
-#define OPENR_ASK_WITH_MEMORY(name, parameters, arguments, without_devices)  // defined below
+// Expands to nothing, because the functions of these rows send bytes of memory and are written by
+// hand.
+#define OPENR_ASK_WITH_MEMORY(name, parameters, arguments, without_devices)
 OPENR_ROBOT_CALLS(OPENR_ASK, OPENR_ASK_WITH_MEMORY)
 #undef OPENR_ASK
 #undef OPENR_ASK_WITH_MEMORY

@@ -276,7 +276,8 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
   const openr_wire_Message& in = deliver.message;
   Object* const object = system_->object(in.target);
   if (object == nullptr) throw std::runtime_error("a message to an object that is not there");
-  // Sets the clock of this System to the time of the master's clock.
+  // Sets the clock of this System to the time of the master's clock, because the handler that runs
+  // now reads this System's clock.
   if (now_us > system_->now_us()) system_->RunUntil(now_us);
   OwnedMessage message = system_->queue().Allocate();
   const std::string problem = marshaller_->Decode(in, message.get());

@@ -30,7 +30,7 @@ struct WorkerGroupOptions {
   // Command line that is put before `command`, for a debugger or Valgrind.
   std::vector<std::string> wrapper;
   std::string stick;  // folder of the run's Memory Stick, as a path on the master's host
-  // Whether the run is a free run, in which the master does not wait for handlers
+  // True for a free run, in which the master does not wait for handlers
   // (RemoteHandlers::RunFree()).
   bool is_free = false;
   int64_t wait_ms = 60'000;  // time limit for a worker to join, in ms of the wall clock

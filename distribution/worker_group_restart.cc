@@ -138,8 +138,8 @@ void WorkerGroup::Restart(Member* member) {
   if (!member->is_cleaned_up || !system_->booted()) return;
   if (member->attempt_failed && WallClockMs() - member->since_ms < kRetryPauseMs) return;
   if (member->child != nullptr && member->child->HowItEnded().empty()) {
-    // Gives a crashed process time to write its crash record on the Memory Stick, before it is
-    // killed below.
+    // Gives a crashed process time to write its crash record on the Memory Stick, before the
+    // process is killed.
     if (member->crashed && WallClockMs() - member->since_ms < kCrashRecordMs) return;
     member->child.reset();  // kills the old process, which was unreachable or stopped
   }
