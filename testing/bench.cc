@@ -180,7 +180,7 @@ Object& Bench::AddImage(const std::string& file) {
   stick_->ImportImage(file, name);
   Object* const object = openr_host::LoadImage(system_.get(), 0, name, "AddImage");
   if (object == nullptr) {
-    // Makes the bench accept this finding.  The exception below reports the same problem, and the
+    // Makes the bench accept this finding, because the exception reports the same problem, and the
     // test should not fail twice for it.
     AllowFinding(findings().size() - 1);
     throw std::runtime_error(findings().back().text);
