@@ -218,7 +218,7 @@ void __ubsan_handle_builtin_unreachable(const SourcePlace* place) {
   StopAsTheRobotDoes(fmt::format("code that cannot be reached was, at {}", Render(*place)));
 }
 
-// The functions below are only called by images of openr build --sanitize.
+// This function and the functions after it are called only by images of openr build --sanitize.
 void __ubsan_handle_add_overflow(ArithmeticData* data, uintptr_t left, uintptr_t right) {
   ReportOverflow(data, left, "+", right);
 }

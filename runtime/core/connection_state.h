@@ -107,7 +107,7 @@ class RegionList {
 
   // Adds `region` as the newest region of the notification.  REQUIRES: size() < MAX_NUM_DATA.
   void Append(RCRegion* region) { regions_[size_++] = region; }
-  // Removes the oldest region and returns it.  REQUIRES: !empty().
+  // Removes the oldest region of the notification and returns the region.  REQUIRES: !empty().
   RCRegion* TakeFirst();
   void Clear() { size_ = 0; }
 

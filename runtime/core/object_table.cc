@@ -88,7 +88,8 @@ class AbsentObject : public Object {
     delivery.set_off(true);
   }
 
-  // Accepts messages to all entries.  They are dropped, because the object is off.
+  // Accepts messages to all entries.  The messages are dropped, because the robot of the object is
+  // off.
   bool HasEntry(uint32_t) const override { return true; }
   bool Dispatch(uint32_t, void*) override { return false; }
 };

@@ -133,7 +133,8 @@ class RegionTable {
   // A slot, the table's record of one region, fills one cache line, so that finding a region reads
   // memory once.
   struct alignas(64) Slot {
-    // The id by which Find() finds the region; kNoRegion if the slot has no memory or `is_idle`.
+    // The id by which Find() finds the region.  kNoRegion if the slot has no memory, or if no
+    // observer reads its copy at present (`is_idle`).
     uint32_t id = kNoRegion;
     int pins = 0;
     char* base = nullptr;

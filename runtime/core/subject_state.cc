@@ -159,7 +159,7 @@ void SubjectState::SendPending(ObserverLink* link) {
          data_count + link->units[unit_count].data <= MAX_NUM_DATA) {
     data_count += link->units[unit_count++].data;
   }
-  // If the message is refused, returns with the data still pending; the next notification or ready
+  // If Send() refuses the message, these data stay pending, and the next notification or ready
   // tries to send them again.
   const auto sent_count = static_cast<size_t>(data_count);
   if (!Send(link, link->pending.data(), sent_count, unit_count)) return;

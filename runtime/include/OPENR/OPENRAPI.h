@@ -167,7 +167,7 @@ OStatus SetVolumeSwitch(OVolumeSwitch volume);
 OStatus GetVolumeSwitch(OVolumeSwitch* volume);
 // Errors of SetVolumeSwitch() and GetVolumeSwitch(): oFAIL
 
-// ---- "level 1" information, undocumented
+// ---- functions of the "level 1" information service, for which there is no document
 
 OStatus RequireMWInfo(MWIID id);
 OStatus CancelMWInfo(MWIID id);

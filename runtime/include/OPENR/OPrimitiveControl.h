@@ -61,7 +61,7 @@ struct OPrimitiveControl_MasterTuningMIDI {
   OPrimitiveControl_MasterTuningMIDI(sword v) : value(v) {}
 };
 
-// ---- microphone: directional or not, automatic level control
+// ---- requests to the microphone: directional or not, automatic level control
 
 const OPrimitiveRequest oprmreqMIC_UNI = 256;
 const OPrimitiveRequest oprmreqMIC_OMNI = 257;
