@@ -4,6 +4,7 @@ import { button, el, setText } from '../dom';
 import { confirmButton } from '../confirm';
 import type { DeviceData } from '../protocol';
 import type { Session } from '../session';
+import { Touch } from './touch';
 import { makeUpload } from './upload';
 
 function section(title: string, ...children: (HTMLElement | string)[]): HTMLElement {
@@ -59,17 +60,17 @@ function makeDevices(session: Session): HTMLElement[] {
 function makeBattery(session: Session): HTMLElement {
   const slider = el('input', { type: 'range', min: 0, max: 100, step: 1, value: 100, 'aria-label': 'Battery in percent' });
   const text = el('span', { class: 'value' }, '100 %');
-  let isTouched = false;
+  const touch = new Touch();
   slider.addEventListener('input', () => {
-    isTouched = true;
+    touch.begin();
     setText(text, `${slider.value} %`);
   });
   slider.addEventListener('change', () => {
-    void session.input(`battery ${slider.value}%`).then(() => (isTouched = false));
+    void session.input(`battery ${slider.value}%`).then(touch.change());
   });
   session.on('values', (values) => {
     const percent = values.robots[session.robot]?.battery?.percent;
-    if (percent === undefined || isTouched) return;
+    if (percent === undefined || !touch.isOver()) return;
     slider.value = String(percent);
     setText(text, `${percent} %`);
   });

@@ -4,6 +4,7 @@ import { LastValue } from '../../src/last_value';
 import { Ring } from '../../src/ring';
 import { byError, errorOf, JointGoal } from '../../src/panels/joint_goal';
 import { handledText, matches } from '../../src/panels/log';
+import { Touch } from '../../src/panels/touch';
 import { waitBeforeAttemptMs } from '../../src/connection';
 
 describe('numbers', () => {
@@ -151,5 +152,30 @@ describe('a finding', () => {
 describe('connecting again', () => {
   it('waits longer each time, up to eight seconds', () => {
     expect([0, 1, 2, 3, 4, 5, 50].map(waitBeforeAttemptMs)).toEqual([500, 1000, 2000, 4000, 8000, 8000, 8000]);
+  });
+});
+
+describe('a touched control', () => {
+  it('shows the value of the run again when the last change is answered', () => {
+    const touch = new Touch();
+    expect(touch.isOver()).toBe(true);
+    touch.begin();
+    const first = touch.change();
+    touch.begin();
+    expect(touch.isOver()).toBe(false);
+    const second = touch.change();
+    first();
+    expect(touch.isOver()).toBe(false);
+    second();
+    expect(touch.isOver()).toBe(true);
+  });
+
+  it('is still touched if the person goes on before the answer', () => {
+    const touch = new Touch();
+    touch.begin();
+    const answer = touch.change();
+    touch.begin();
+    answer();
+    expect(touch.isOver()).toBe(false);
   });
 });
