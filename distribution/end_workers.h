@@ -23,8 +23,9 @@ struct EndingWorker {
 // Tells all `workers` that the run is over.  Then waits until they have received this, for all of
 // them together at most `limit_ms`.  Then waits until their processes have ended.
 //
-// Several workers may be stopped and receive nothing.  So all workers are told before the first
-// wait, and each wait has only the time that the waits before it have left.  `now_ms` is the clock.
+// Several worker processes may be suspended (SIGSTOP), so that they receive nothing until they go
+// on.  So all workers are told before the first wait, and each wait has only the time that the
+// waits before it have left.  `now_ms` is the clock.
 void EndWorkers(const std::vector<EndingWorker>& workers, int64_t limit_ms,
                 const std::function<int64_t()>& now_ms);
 

@@ -38,7 +38,7 @@ class RemoteResources {
   // ---- The results of the next three functions are null before Begin().
   System* system() const { return system_; }
   Marshaller* marshaller() const { return marshaller_.get(); }
-  // Returns the functions that check the calls of the worker.
+  // Returns the object that checks what handlers in the worker ask the master to do, and does it.
   CheckedCalls* calls() const { return calls_.get(); }
 
   // Returns the master's stand-ins for the worker's objects.

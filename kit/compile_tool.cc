@@ -124,8 +124,9 @@ void CompileRun::UsePreludeIfItHelps(ProcessResult* result) {
   *result = again;
 }
 
-// Repairs the private copies of the sources in rounds, until the source compiles or no rule fits
-// its errors.  If the source does not compile in the end, undoes all repairs.
+// Repairs the private copies of the source and of its headers in rounds, until the source compiles
+// or no rule of repair_rules.h fits its errors.  If the source does not compile in the end, undoes
+// all repairs.
 void CompileRun::RepairIfItHelps(ProcessResult* result) {
   RepairSession session;
   if (!session.may_repair()) return;

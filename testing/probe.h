@@ -70,9 +70,9 @@ class ProbeObserver {
   }
   void Clear() { events_.clear(); }
 
-  // Sets whether the probe asserts ready by itself, when it starts and after every event; by
-  // default the probe does so.  With `on` false, the observer is ready only after the test has
-  // called AssertReady().
+  // Sets whether this probe, an observer of the test, asserts ready by itself when it starts and
+  // after every notification; by default the probe does so.  With `on` false, the probe is ready
+  // only after the test has called AssertReady().
   void set_auto_ready(bool on) { auto_ready_ = on; }
   OStatus AssertReady();
   OStatus DeassertReady();

@@ -22,8 +22,8 @@ class OVirtualRobotComm : public CodeObject {
   explicit OVirtualRobotComm(RobotParts* robot);
   ~OVirtualRobotComm() override;
 
-  // Sets the object that plays and records sound in the same frames.  Null: no sound is played or
-  // recorded.
+  // Sets the object that plays and records sound in each frame of this object.  Null: no sound is
+  // played or recorded.
   void set_sound(OVirtualRobotAudioComm* sound) { sound_ = sound; }
 
   OStatus DoStart(const OSystemEvent& event) override;

@@ -139,7 +139,7 @@ MoverCore::VectorEnded()
 {
     if (numUnderWay_ == 0) return;
     const UnderWay ended = underWay_[0];
-    // Two records are all: MAX_VECTORS_UNDER_WAY is 2.
+    // Moving one record is enough, because underWay_ has MAX_VECTORS_UNDER_WAY, 2, places.
     underWay_[0] = underWay_[1];
     numUnderWay_--;
     joints_.VectorEnded(ended.number);

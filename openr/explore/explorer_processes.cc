@@ -125,8 +125,8 @@ class PlanServer {
   ExplorerProcesses* const elsewhere_;
 };
 
-// Reads a plan from each line that comes through `channel`, runs the plan, and sends the answer as
-// a line, until the other end of `channel` is closed.
+// Reads the plan of a run (its seed and schedule) from each line that comes through `channel`,
+// makes this run, and sends the answer as a line, until the other end of `channel` is closed.
 void Serve(PlanServer* server, int channel) {
   std::string heard;
   char buffer[65536];
