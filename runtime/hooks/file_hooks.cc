@@ -37,9 +37,9 @@ using openr_host::t_current;
 namespace {
 
 // Makes the host write a file or folder to the disk now, so that a power cut does not lose it.
-// Used by rename(), unlink() and remove(), because a program may replace a file by a new file, or
-// remove a file, and then report success.  So the new file must not be lost, and the removed file
-// must not come back.  Returns 0, or the errno of a disk that has not taken the bytes.
+// Used by rename(), unlink(), rmdir() and remove(), because a program may replace a file by a new
+// file, or remove a file, and then report success.  So the new file must not be lost, and the
+// removed file must not come back.  Returns 0, or the errno of a disk that has not taken the bytes.
 // Other errors are ignored, because some file systems cannot write a single file to the disk.
 // Keeps errno.
 //
@@ -58,6 +58,14 @@ int WriteThrough(const std::string& host_path) {
   }
   errno = error;
   return lost;
+}
+
+// Makes the host write the folder of `host_path` to the disk, as WriteThrough() does, after an
+// entry of the folder has changed.  Ignores errors of the disk, because the change cannot be taken
+// back.
+void WriteFolderThrough(const std::string& host_path) {
+  const ApiScope scope;  // the path of the folder must not take memory of the object's heap
+  WriteThrough(host_path.substr(0, host_path.rfind('/')));
 }
 
 // Returns whether every part of `path` is a name that the robot's file system can hold.
@@ -196,14 +204,15 @@ int WithPath(Function* next, StickUse use, const char* path, Rest... rest) {
   return host.empty() ? -1 : next(host.c_str(), rest...);
 }
 
-// Calls `next`, which is unlink() or remove() of the C library, with `path`.  If an object is the
-// caller, does so as WithPath() does, and then writes the folder of the removed file to the disk.
+// Calls `next`, which is unlink(), rmdir() or remove() of the C library, with `path`.  If an object
+// is the caller, does so as WithPath() does, and then writes the folder of what was removed to the
+// disk.
 int RemoveThrough(int (*next)(const char*), const char* path) {
   if (!InObject()) return next(path);
   const std::string host = HostPath(path, StickUse::kChange);
   if (host.empty()) return -1;
   const int result = next(host.c_str());
-  if (result == 0) WriteThrough(host.substr(0, host.rfind('/')));
+  if (result == 0) WriteFolderThrough(host);
   return result;
 }
 
@@ -366,7 +375,7 @@ int mkdir(const char* path, mode_t mode) noexcept {
 
 int rmdir(const char* path) noexcept {
   static const auto next = OPENR_NEXT(rmdir);
-  return WithPath(next, StickUse::kChange, path);
+  return RemoveThrough(next, path);
 }
 
 int unlink(const char* path) noexcept {
@@ -391,7 +400,7 @@ int rename(const char* from, const char* to) noexcept {
     return -1;
   }
   const int result = next(host_from.c_str(), host_to.c_str());
-  if (result == 0) WriteThrough(host_to.substr(0, host_to.rfind('/')));
+  if (result == 0) WriteFolderThrough(host_to);
   return result;
 }
 

@@ -1,183 +1,152 @@
 #include "Probe.h"
 
-#include "Imports.h"
-
 #include <OPENR/OPENRAPI.h>
 #include <OPENR/OSyslog.h>
 #include <OPENR/core_macro.h>
 #include <dirent.h>
+#include <stdio.h>
 #include <sys/stat.h>
 
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 
+#include "Imports.h"
+
 static int callCount = 0;  // of this image, not of the program
 
 Probe::Probe() : oidWasKnown(myOID_.IsValid()) {}
 
-OStatus
-Probe::DoInit(const OSystemEvent& event)
-{
-    NEW_ALL_SUBJECT_AND_OBSERVER;
-    REGISTER_ALL_ENTRY;
-    SET_ALL_READY_AND_NOTIFY_ENTRY;
-    return event.Reason() == oreasonBOOT ? oSUCCESS : oFAIL;
+OStatus Probe::DoInit(const OSystemEvent& event) {
+  NEW_ALL_SUBJECT_AND_OBSERVER;
+  REGISTER_ALL_ENTRY;
+  SET_ALL_READY_AND_NOTIFY_ENTRY;
+  return event.Reason() == oreasonBOOT ? oSUCCESS : oFAIL;
 }
 
-OStatus
-Probe::DoStart(const OSystemEvent&)
-{
-    OSYSLOG1((osyslogINFO, "state: %s", "probing"));
-    ENABLE_ALL_SUBJECT;
-    ASSERT_READY_TO_ALL_OBSERVER;
-    return oSUCCESS;
+OStatus Probe::DoStart(const OSystemEvent&) {
+  OSYSLOG1((osyslogINFO, "state: %s", "probing"));
+  ENABLE_ALL_SUBJECT;
+  ASSERT_READY_TO_ALL_OBSERVER;
+  return oSUCCESS;
 }
 
-OStatus
-Probe::DoStop(const OSystemEvent&)
-{
-    OSYSPRINT(("stopped\n"));
-    DISABLE_ALL_SUBJECT;
-    DEASSERT_READY_TO_ALL_OBSERVER;
-    return oSUCCESS;
+OStatus Probe::DoStop(const OSystemEvent&) {
+  OSYSPRINT(("stopped\n"));
+  DISABLE_ALL_SUBJECT;
+  DEASSERT_READY_TO_ALL_OBSERVER;
+  return oSUCCESS;
 }
 
-OStatus
-Probe::DoDestroy(const OSystemEvent&)
-{
-    OSYSPRINT(("destroyed\n"));
-    DELETE_ALL_SUBJECT_AND_OBSERVER;
-    return oSUCCESS;
+OStatus Probe::DoDestroy(const OSystemEvent&) {
+  OSYSPRINT(("destroyed\n"));
+  DELETE_ALL_SUBJECT_AND_OBSERVER;
+  return oSUCCESS;
 }
 
-void
-Probe::Say(const std::string& text)
-{
-    subject[sbjOut]->SetData(text.c_str(), text.size() + 1);
-    subject[sbjOut]->NotifyObservers();
+void Probe::Say(const std::string& text) {
+  subject[sbjOut]->SetData(text.c_str(), text.size() + 1);
+  subject[sbjOut]->NotifyObservers();
 }
 
 void Probe::ReadyOut(const OReadyEvent&) {}
 
-static std::string
-ReadAll(const char* path)
-{
-    std::ifstream file(path);
-    if (!file) return "no file";
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
+static std::string ReadAll(const char* path) {
+  std::ifstream file(path);
+  if (!file) return "no file";
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
 }
 
-static std::string
-WriteWithStdio(const char* path, const char* text)
-{
-    FILE* file = fopen(path, "w");
-    if (file == 0) return "cannot write";
-    fputs(text, file);
-    fclose(file);
-    return "written";
+static std::string WriteWithStdio(const char* path, const char* text) {
+  FILE* file = fopen(path, "w");
+  if (file == 0) return "cannot write";
+  fputs(text, file);
+  fclose(file);
+  return "written";
 }
 
-static std::string
-ListFolder(const char* path)
-{
-    DIR* folder = opendir(path);
-    if (folder == 0) return "no folder";
-    int count = 0;
-    while (readdir(folder) != 0) ++count;
-    closedir(folder);
-    return count > 2 ? "listed" : "empty";
+static std::string ListFolder(const char* path) {
+  DIR* folder = opendir(path);
+  if (folder == 0) return "no folder";
+  int count = 0;
+  while (readdir(folder) != 0) ++count;
+  closedir(folder);
+  return count > 2 ? "listed" : "empty";
 }
 
 // As many MiB as it gets, up to `most`; given back before it returns.
-static std::string
-Hoard(int most)
-{
-    std::vector<void*> pieces;
-    while ((int)pieces.size() < most) {
-        void* const piece = malloc(1 << 20);
-        if (piece == 0) break;
-        pieces.push_back(piece);
-    }
-    std::ostringstream out;
-    if ((int)pieces.size() < most) out << "refused after ";
-    out << pieces.size() << " MiB";
-    for (size_t i = 0; i < pieces.size(); i++) free(pieces[i]);
-    return out.str();
+static std::string Hoard(int most) {
+  std::vector<void*> pieces;
+  while ((int)pieces.size() < most) {
+    void* const piece = malloc(1 << 20);
+    if (piece == 0) break;
+    pieces.push_back(piece);
+  }
+  std::ostringstream out;
+  if ((int)pieces.size() < most) out << "refused after ";
+  out << pieces.size() << " MiB";
+  for (size_t i = 0; i < pieces.size(); i++) free(pieces[i]);
+  return out.str();
 }
 
-static int __attribute__((noinline))
-Deep(const char* text)
-{
-    volatile char frame[12000];
-    frame[0] = text[0];
-    return frame[0];
+static int __attribute__((noinline)) Deep(const char* text) {
+  volatile char frame[12000];
+  frame[0] = text[0];
+  return frame[0];
 }
 
-std::string
-Probe::Answer(const std::string& command)
-{
-    std::ostringstream out;
-    out << AnswerImports(command);
-    if (command == "count") out << ++callCount;
-    if (command == "oid") out << (oidWasKnown ? "known" : "unknown");
-    if (command == "stream") out << 3.25 << " " << true << " " << std::hex << 255;
-    if (command == "read") out << ReadAll("/MS/OPEN-R/mw/data/p/hello.txt");
-    if (command == "read outside") out << ReadAll("/etc/passwd");
-    if (command == "read relative") out << ReadAll("HELLO.TXT");
-    if (command == "read dotdot") out << ReadAll("/MS/../../etc/passwd");
-    if (command == "write") out << WriteWithStdio("/MS/OPEN-R/MW/DATA/P/out.txt", "from the probe");
-    if (command == "list") out << ListFolder("/MS/OPEN-R/MW/CONF");
-    if (command == "random") out << rand() << " " << rand();
-    if (command == "size") {
-        struct stat status;
-        out << (stat("/MS/OPEN-R/MW/DATA/P/HELLO.TXT", &status) == 0 ? static_cast<int>(status.st_size) : -1);
-    }
-    if (command == "heap") {
-        std::vector<std::string> many;
-        for (int i = 0; i < 1000; i++) many.push_back(std::string(static_cast<size_t>(i), 'x'));
-        heard.push_back(many.back());
-        out << many.back().size();
-    }
-    if (command == "hoard") out << Hoard(64);
-    if (command == "deep") out << Deep(command.c_str());
-    if (command == "keep") {
-        heard.push_back(std::string(100000, 'k'));
-        out << heard.size();
-    }
-    if (command == "long") {
-        slongword value = -5;
-        OSYSPRINT(("%ld %5ld|\n", value, static_cast<slongword>(42)));
-        out << "printed";
-    }
-    return out.str();
+std::string Probe::Answer(const std::string& command) {
+  std::ostringstream out;
+  out << AnswerImports(command);
+  if (command == "count") out << ++callCount;
+  if (command == "oid") out << (oidWasKnown ? "known" : "unknown");
+  if (command == "stream") out << 3.25 << " " << true << " " << std::hex << 255;
+  if (command == "read") out << ReadAll("/MS/OPEN-R/mw/data/p/hello.txt");
+  if (command == "read outside") out << ReadAll("/etc/passwd");
+  if (command == "read relative") out << ReadAll("HELLO.TXT");
+  if (command == "read dotdot") out << ReadAll("/MS/../../etc/passwd");
+  if (command == "write") out << WriteWithStdio("/MS/OPEN-R/MW/DATA/P/out.txt", "from the probe");
+  if (command == "list") out << ListFolder("/MS/OPEN-R/MW/CONF");
+  if (command == "random") out << rand() << " " << rand();
+  if (command == "size") {
+    struct stat status;
+    out << (stat("/MS/OPEN-R/MW/DATA/P/HELLO.TXT", &status) == 0 ? static_cast<int>(status.st_size)
+                                                                 : -1);
+  }
+  if (command == "heap") {
+    std::vector<std::string> many;
+    for (int i = 0; i < 1000; i++) many.push_back(std::string(static_cast<size_t>(i), 'x'));
+    heard.push_back(many.back());
+    out << many.back().size();
+  }
+  if (command == "hoard") out << Hoard(64);
+  if (command == "deep") out << Deep(command.c_str());
+  if (command == "keep") {
+    heard.push_back(std::string(100000, 'k'));
+    out << heard.size();
+  }
+  if (command == "remove") out << remove("/MS/OPEN-R/MW/DATA/P/GONE.TXT");
+  if (command == "long") {
+    slongword value = -5;
+    OSYSPRINT(("%ld %5ld|\n", value, static_cast<slongword>(42)));
+    out << "printed";
+  }
+  return out.str();
 }
 
-void
-Probe::NotifyIn(const ONotifyEvent& event)
-{
-    const std::string command = static_cast<const char*>(event.Data(0));
-    Say(Answer(command));
-    observer[event.ObsIndex()]->AssertReady(event.SenderID());
+void Probe::NotifyIn(const ONotifyEvent& event) {
+  const std::string command = static_cast<const char*>(event.Data(0));
+  Say(Answer(command));
+  observer[event.ObsIndex()]->AssertReady(event.SenderID());
 }
 
-void
-Probe::DoExit(void*)
-{
-    OSYSPRINT(("before exit\n"));
-    exit(0);
+void Probe::DoExit(void*) {
+  OSYSPRINT(("before exit\n"));
+  exit(0);
 }
 
-void
-Probe::DoAbort(void*)
-{
-    abort();
-}
+void Probe::DoAbort(void*) { abort(); }
 
-void
-Probe::DoThrow(void*)
-{
-    throw std::runtime_error("thrown by the probe");
-}
+void Probe::DoThrow(void*) { throw std::runtime_error("thrown by the probe"); }

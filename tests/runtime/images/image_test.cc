@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <iterator>
 #include <string_view>
+#include <utility>
 
 #include "runtime/core/image_info.h"
 #include "runtime/core/load_image.h"
@@ -243,6 +244,24 @@ TEST_F(ImageTest, ItsHeapIsItsOwnAndCounted) {
   const size_t before = probe->arena->bytes_in_use();
   talker->Ask("keep");
   EXPECT_GE(probe->arena->bytes_in_use(), before + 100000);
+}
+
+// The path of a file on the host has another length on each host, so it must not be in the heap.
+TEST_F(ImageTest, RemovingAFileTakesNothingOfItsHeap) {
+  constexpr int kMany = 1'000'000;
+  Start();
+  const auto count_allocations = [this] {
+    int& left = system->robot(0).memory.allocations_until_failure;
+    left = kMany;
+    talker->Ask("remove");
+    return kMany - std::exchange(left, -1);
+  };
+  count_allocations();  // the first call makes tables that later calls use
+  const int without_file = count_allocations();
+  EXPECT_EQ(talker->answer, "-1");
+  Write("OPEN-R/MW/DATA/P/GONE.TXT", "text");
+  EXPECT_EQ(count_allocations(), without_file);
+  EXPECT_EQ(talker->answer, "0");
 }
 #endif
 
