@@ -50,13 +50,15 @@ std::string ChildProcess::HowItEnded() {
                      WEXITSTATUS(status_));
 }
 
-void ChildProcess::WaitForEnd(int64_t limit_ms) {
-  for (int64_t waited_ms = 0; waited_ms < limit_ms; waited_ms += 2) {
-    if (UpdateStatus(false)) return;
+bool ChildProcess::WaitForEnd(int64_t limit_ms) {
+  for (int64_t waited_ms = 0;; waited_ms += 2) {
+    if (UpdateStatus(false)) return true;
+    if (waited_ms >= limit_ms) break;
     usleep(2000);
   }
   kill(pid_, SIGKILL);
   UpdateStatus(true);
+  return false;
 }
 
 }  // namespace openr_host

@@ -27,7 +27,8 @@ class ChildProcess {
   std::string HowItEnded();
 
   // Waits for the end of the process, and kills the process if it has not ended after `limit_ms`.
-  void WaitForEnd(int64_t limit_ms);
+  // Returns whether the process has ended by itself.
+  bool WaitForEnd(int64_t limit_ms);
 
  private:
   // Asks the kernel whether the process has ended, and returns the answer.  If `waits` is true,

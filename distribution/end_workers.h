@@ -15,18 +15,24 @@ struct EndingWorker {
   // Waits until the worker has received what tell() has sent, at most `limit_ms`.  Returns whether
   // the worker has received it.
   std::function<bool(int64_t limit_ms)> await_receipt;
-  // Waits until the process of the worker has ended, or kills this process.  `is_silent` is true if
-  // await_receipt() has returned false: the process does not know that the run is over.
-  std::function<void(bool is_silent)> await_exit;
+  // Waits until the process of the worker has ended, at most `limit_ms`, and kills this process if
+  // it has not ended then.
+  std::function<void(int64_t limit_ms)> await_exit;
 };
 
-// Tells all `workers` that the run is over.  Then waits until they have received this, for all of
-// them together at most `limit_ms`.  Then waits until their processes have ended.
+struct EndLimits {
+  int64_t receipt_ms;  // time for all workers together to receive that the run is over
+  int64_t exit_ms;     // time for all workers together to end after that
+};
+
+// Tells all `workers` that the run is over.  Then waits until they have received this, and then
+// until their processes have ended.  A worker that has not received it does not know that it has to
+// end, so its process is killed at once.
 //
 // Several worker processes may be suspended (SIGSTOP), so that they receive nothing until they go
-// on.  So all workers are told before the first wait, and each wait has only the time that the
-// waits before it have left.  `now_ms` is the clock.
-void EndWorkers(const std::vector<EndingWorker>& workers, int64_t limit_ms,
+// on, or may run handlers that never end.  So all workers are told before the first wait, and each
+// wait has only the time that the waits before it have left.  `now_ms` is the clock.
+void EndWorkers(const std::vector<EndingWorker>& workers, const EndLimits& limits,
                 const std::function<int64_t()>& now_ms);
 
 }  // namespace openr_host

@@ -78,7 +78,9 @@ void RemoteProcess::Forget(ObjectId id) {
 
 bool RemoteProcess::SendEnd(const std::string& why) {
   resources_.End();
-  return connection_.SendEnd(why);
+  const bool is_told = connection_.SendEnd(why);
+  if (connection_.is_lost()) SetLost();
+  return is_told;
 }
 
 }  // namespace openr_host

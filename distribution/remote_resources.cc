@@ -21,7 +21,10 @@ void RemoteResources::Begin(System* system) {
       [this](const std::string& what) { connection_->Refuse(what); });
 }
 
-void RemoteResources::Add(RemoteObject* object) { objects_[object->id] = object; }
+void RemoteResources::Add(RemoteObject* object) {
+  objects_[object->id] = object;
+  object->is_lost = connection_->is_lost();
+}
 
 void RemoteResources::SetLost(bool is_lost) const {
   for (const auto& [id, object] : objects_) object->is_lost = is_lost;

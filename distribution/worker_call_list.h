@@ -2,8 +2,9 @@
 //
 // The functions of SystemCalls are listed here, and those of RobotServices in the table
 // OPENR_ROBOT_CALLS; call_codec.h converts their arguments and their results.  A new function of
-// SystemCalls needs a line here and a function in WorkerCalls.  The order of the list is part of
-// the protocol, so a change of the order needs a new openr_wire::VERSION.
+// SystemCalls needs a line here and a function in WorkerCalls.  The numbers are part of the
+// protocol, and each new line moves the numbers after it, those of the robot's functions as well.
+// So a new function and a change of the order need a new openr_wire::VERSION.
 #pragma once
 
 #include <cstdint>

@@ -26,9 +26,9 @@ constexpr int64_t kHealthIntervalNs = 10'000'000;
 // Time for all workers together to receive the samples that end them.  It is so long because a
 // worker on a busy machine may get no processor time for seconds.
 constexpr int64_t kEndFlushMs = 5'000;
-constexpr int64_t kExitWaitMs = 5'000;  // time for a worker to end after it was told to end
-// The time for a worker to end after a second Ctrl-C, when the user does not want to wait.
-constexpr int64_t kInterruptedExitWaitMs = 500;
+constexpr int64_t kExitWaitMs = 5'000;  // time for all workers to end after they were told to end
+// Replaces both times above after a second Ctrl-C, when the user does not want to wait.
+constexpr int64_t kInterruptedWaitMs = 500;
 
 // Returns the options of the bus.  Only in a free run does the bus keep many sent samples.  In a
 // free run the master does not wait for workers, so a stopped worker must not block a write of the
@@ -414,19 +414,24 @@ void WorkerGroup::End() {
                        [member](int64_t limit_ms) {
                          return member->process->connection().AwaitReceipt(limit_ms);
                        },
-                       [this, member](bool is_silent) { AwaitExit(member, is_silent); }});
+                       [this, member](int64_t limit_ms) { AwaitExit(*member, limit_ms); }});
   }
-  EndWorkers(workers, kEndFlushMs, WallClockMs);
+  const EndLimits limits = IsInterrupted() ? EndLimits{kInterruptedWaitMs, kInterruptedWaitMs}
+                                           : EndLimits{kEndFlushMs, kExitWaitMs};
+  EndWorkers(workers, limits, WallClockMs);
 }
 
-// Waits for the end of a worker's process, and kills the process if it has not ended in time.  A
-// worker that has not joined was not told that the run is over, and a silent worker has not
-// received that.  Such a worker would not end by itself, so WaitForEnd() kills it at once.
-void WorkerGroup::AwaitExit(Member* member, bool is_silent) {
-  if (member->child == nullptr) return;
-  const bool is_told = member->process->connection().identity().pid != 0 && !is_silent;
-  const int64_t limit_ms = IsInterrupted() ? kInterruptedExitWaitMs : kExitWaitMs;
-  member->child->WaitForEnd(is_told ? limit_ms : 0);
+// Waits for the end of a worker's process, and kills the process if it has not ended within
+// `limit_ms`.  Kills a process that has never joined at once, because it was not told that the run
+// is over.  A worker that is lost was not told either, but may be writing the record of its crash.
+void WorkerGroup::AwaitExit(const Member& member, int64_t limit_ms) const {
+  if (member.child == nullptr) return;
+  const int64_t pid = member.process->connection().identity().pid;
+  if (member.child->WaitForEnd(pid != 0 ? limit_ms : 0) || pid == 0) return;
+  options_.say(
+      fmt::format("process '{}' (pid {}) did not end with the run and was killed; what its "
+                  "objects had not written yet is lost",
+                  member.name, pid));
 }
 
 }  // namespace openr_host

@@ -116,8 +116,8 @@ class WorkerGroup {
   // lost.
   void ReportLosses();
 
-  // Tells all workers that the run has ended, and kills workers of this host that do not hear this
-  // or do not end in time.  REQUIRES: the System still exists.
+  // Tells all workers that the run has ended.  Kills those workers that this run has started and
+  // that do not receive this or do not end in time.  REQUIRES: the System still exists.
   void End();
 
  private:
@@ -179,7 +179,7 @@ class WorkerGroup {
   bool HandleReceived();
   void HandleLoss(const RemoteObject* about, RemoteObject::Loss loss, const std::string& why);
   void StopRun(const RunEnd& why);
-  void AwaitExit(Member* member, bool is_silent);
+  void AwaitExit(const Member& member, int64_t limit_ms) const;
 
   // ---- The restart of a lost worker, in worker_group_restart.cc
   bool MayRestart(const Member& member) const;

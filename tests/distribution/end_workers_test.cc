@@ -17,7 +17,8 @@ namespace {
 
 using ::testing::ElementsAre;
 
-constexpr int64_t kLimitMs = 5000;
+constexpr int64_t kReceiptMs = 5000;
+constexpr int64_t kExitMs = 4000;
 
 class EndWorkersTest : public ::testing::Test {
  protected:
@@ -32,17 +33,20 @@ class EndWorkersTest : public ::testing::Test {
                           now_ms_ += std::min(needed_ms, limit_ms);
                           return needed_ms <= limit_ms;
                         },
-                        [this, name](bool is_silent) {
-                          calls_.push_back((is_silent ? "kill " : "await the end of ") + name);
+                        [this, name](int64_t limit_ms) {
+                          calls_.push_back(
+                              fmt::format("wait {} ms for the end of {}", limit_ms, name));
+                          now_ms_ += std::min(ending_ms_, limit_ms);
                         }});
   }
   // Adds a worker that is stopped, so it never receives anything.
   void AddStopped(const std::string& name) { Add(name, 1'000'000); }
   void End() {
-    EndWorkers(workers_, kLimitMs, [this] { return now_ms_; });
+    EndWorkers(workers_, {kReceiptMs, kExitMs}, [this] { return now_ms_; });
   }
 
   int64_t now_ms_ = 77;
+  int64_t ending_ms_ = 0;  // time that each worker needs to end
   std::vector<EndingWorker> workers_;
   std::vector<std::string> calls_;  // all calls of functions of the workers, in their order
 };
@@ -54,7 +58,20 @@ TEST_F(EndWorkersTest, StoppedWorkersShareOneLimit) {
   End();
   EXPECT_THAT(calls_,
               ElementsAre("tell a", "tell b", "tell c", "wait 5000 ms for a", "wait 0 ms for b",
-                          "wait 0 ms for c", "kill a", "kill b", "await the end of c"));
+                          "wait 0 ms for c", "wait 0 ms for the end of a",
+                          "wait 0 ms for the end of b", "wait 4000 ms for the end of c"));
+}
+
+TEST_F(EndWorkersTest, WorkersThatDoNotEndShareOneLimit) {
+  ending_ms_ = 3000;
+  Add("a", 0);
+  Add("b", 0);
+  Add("c", 0);
+  End();
+  EXPECT_THAT(calls_,
+              ElementsAre("tell a", "tell b", "tell c", "wait 5000 ms for a", "wait 5000 ms for b",
+                          "wait 5000 ms for c", "wait 4000 ms for the end of a",
+                          "wait 1000 ms for the end of b", "wait 0 ms for the end of c"));
 }
 
 TEST_F(EndWorkersTest, ABusyWorkerLeavesTheNextOneTheRestOfTheLimit) {
@@ -62,17 +79,19 @@ TEST_F(EndWorkersTest, ABusyWorkerLeavesTheNextOneTheRestOfTheLimit) {
   Add("b", 2000);
   Add("c", 2000);
   End();
-  EXPECT_THAT(calls_, ElementsAre("tell a", "tell b", "tell c", "wait 5000 ms for a",
-                                  "wait 3000 ms for b", "wait 1000 ms for c", "await the end of a",
-                                  "await the end of b", "kill c"));
+  EXPECT_THAT(calls_,
+              ElementsAre("tell a", "tell b", "tell c", "wait 5000 ms for a", "wait 3000 ms for b",
+                          "wait 1000 ms for c", "wait 4000 ms for the end of a",
+                          "wait 4000 ms for the end of b", "wait 0 ms for the end of c"));
 }
 
 TEST_F(EndWorkersTest, AWorkerThatIsNotThereIsNotWaitedFor) {
   Add("a", 0, false);
   Add("b", 0);
   End();
-  EXPECT_THAT(calls_, ElementsAre("tell a", "tell b", "wait 5000 ms for b", "await the end of a",
-                                  "await the end of b"));
+  EXPECT_THAT(calls_,
+              ElementsAre("tell a", "tell b", "wait 5000 ms for b", "wait 4000 ms for the end of a",
+                          "wait 4000 ms for the end of b"));
 }
 
 class EndOfOneWorkerTest : public ForgedTest {

@@ -40,6 +40,7 @@ class LostObserverTest : public ::testing::Test {
     remote->set_selectors({0, 1, 2, 3, kNotifyEntry});
     remote_ = remote.get();
     system_.object_table().Adopt(std::move(remote));
+    process_.resources().Add(remote_);
     system_.set_schedule(&late_);
     system_.Boot();
     system_.RunFor(1000);
