@@ -45,8 +45,9 @@ Range Span(const JsonReader& pair, double scale) {
 
 // Reads a number that must be > 0 and at most `max`.
 double PositiveUpTo(const JsonReader& number, double max) {
-  number.NumberAbove(0);
-  return number.NumberWithin(0, max);
+  const double value = number.Number();
+  if (!(value > 0 && value <= max)) number.Fail("is {}, must be > 0 and at most {}", value, max);
+  return value;
 }
 
 int BodyNamed(const RobotModel& model, const JsonReader& name) {
@@ -118,7 +119,7 @@ void ReadJoint(const JsonReader& row, RobotModel* model) {
     row.At("hard").Fail("must lie between -360 and 360 degrees");
   joint.speed_rad_s = Span(row.At("speed"), Radians(1));
   if (!(joint.speed_rad_s.min > 0)) row.At("speed").Fail("must be > 0");
-  for (const JsonReader& limit : row.At("speed").Elements()) limit.NumberWithin(0, kSpeedMax_deg_s);
+  for (const JsonReader& limit : row.At("speed").Elements()) PositiveUpTo(limit, kSpeedMax_deg_s);
   joint.gains = ReadGains(row.At("pid"));
   if (row.Has("torque")) joint.stall_torque_nm = row.At("torque").NumberAbove(0);
   joint.sensor = static_cast<int>(row.At("sensor").Whole(0, 255));
@@ -359,6 +360,9 @@ RobotModel ParseRobotModel(const std::string& text, const std::string& name) {
   model.accel_min_rad_s2 = acceleration_rad_s2("min");
   model.accel_default_rad_s2 = acceleration_rad_s2("default");
   model.accel_max_rad_s2 = acceleration_rad_s2("max");
+  if (model.accel_min_rad_s2 > model.accel_default_rad_s2 ||
+      model.accel_default_rad_s2 > model.accel_max_rad_s2)
+    root.At("acceleration").Fail("min, default and max must not fall");
   model.speaker_locator = root.At("audio").At("speaker").Text();
   model.microphone_locator = root.At("audio").At("microphone").Text();
   model.microphone_frames = static_cast<int>(root.At("audio").At("microphone_frames").Whole(1, 16));

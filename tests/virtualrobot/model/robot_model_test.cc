@@ -230,16 +230,18 @@ TEST(RobotModelTest, NumbersThatNoRobotHasAreRefused) {
   const std::string speed = "\"speed\": [2.5, 120.625]", fov = "\"fov\": [57.6, 47.8]";
   const std::string radius = "\"radius\": 12.4", lookup = "[500, 500, 0.1]";
   EXPECT_EQ(ErrorWith(speed, "\"speed\": [2.5, 100001]"),
-            "m.json: joints.rows[0].speed[1]: is 100001, must be 0 to 100000");
+            "m.json: joints.rows[0].speed[1]: is 100001, must be > 0 and at most 100000");
   EXPECT_EQ(ErrorWith(speed, "\"speed\": [0, 120]"), "m.json: joints.rows[0].speed: must be > 0");
   EXPECT_EQ(ErrorWith("\"max\": 312.5", "\"max\": 1000001"),
-            "m.json: acceleration.max: is 1000001, must be 0 to 1000000");
+            "m.json: acceleration.max: is 1000001, must be > 0 and at most 1000000");
   EXPECT_EQ(ErrorWith("\"max\": 312.5", "\"max\": 0"),
-            "m.json: acceleration.max: is 0, must be > 0");
+            "m.json: acceleration.max: is 0, must be > 0 and at most 1000000");
+  EXPECT_EQ(ErrorWith("\"max\": 312.5", "\"max\": 1"),
+            "m.json: acceleration: min, default and max must not fall");
   EXPECT_EQ(ErrorWith(fov, "\"fov\": [57.6, 180]"), "m.json: camera.fov[1]: is 180, must be < 180");
   EXPECT_EQ(ErrorWith(fov, "\"fov\": [0, 47.8]"), "m.json: camera.fov[0]: is 0, must be > 0");
   EXPECT_EQ(ErrorWith(radius, "\"radius\": 1001"),
-            "m.json: paws.rows[0].radius: is 1001, must be 0 to 1000");
+            "m.json: paws.rows[0].radius: is 1001, must be > 0 and at most 1000");
   EXPECT_EQ(ErrorWith(lookup, "[500, 100001, 0.1]"),
             "m.json: sensors.rows[5].lookup[2][1]: is 100001, must be 0 to 100000");
   EXPECT_EQ(ErrorWith(lookup, "[-500, 500, 0.1]"),
