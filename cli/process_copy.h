@@ -12,8 +12,9 @@
 // - Signals: handlers, and signals that are ignored or blocked, are as in the original.
 // - End of the original: the argument `orphan` says what happens to the copy.
 // - End of the copy: the copy ends by EndCopy(), or by _exit() if its buffered text is to be
-//   dropped.  It does not call exit(), because only the original must run exit handlers.  An
-//   exception are the copies of openr join --restart, each of which is a whole worker.
+//   dropped.  It does not call exit(), because only the original must run exit handlers.  Two
+//   kinds of copies go on as whole programs, and leave main(): those of openr join --restart, and
+//   the branch with which a run goes on from its past (Rewind).
 // - Exit status: the original waits for the end of the copy (WaitForEnd() or WaitForAllCopies()),
 //   because the copy stays as a zombie until then.
 //
@@ -38,7 +39,7 @@ enum class Flushed {
 // Says what happens to a copy when its original ends.
 enum class Orphan {
   kGoesOn,    // nothing
-  kIsKilled,  // the kernel kills the copy, also when the original has crashed
+  kIsKilled,  // the kernel kills the copy when the thread that has made it ends, also by a crash
 };
 
 // Makes a copy of this process.  Returns in both processes: 0 in the copy, and in the original the

@@ -72,7 +72,10 @@ class ControllerBuild {
   // stick can have, and a WLANCONF.TXT with which the robot cannot boot.
   bool HasGoodFiles() const {
     std::vector<Diagnostic> diagnostics;
-    for (const auto& entry : fs::directory_iterator(folder_)) {
+    std::vector<fs::directory_entry> entries{fs::directory_iterator(folder_), {}};
+    // Sorts the files, because the order of a folder differs between file systems.
+    std::sort(entries.begin(), entries.end());
+    for (const auto& entry : entries) {
       const std::string name = entry.path().filename();
       if (LowerCase(name) == "wlanconf.txt") {
         const std::vector<Diagnostic> more =

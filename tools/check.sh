@@ -68,7 +68,7 @@ grep_in '#include *["<]cairo' cli kit openr runtime virtualrobot distribution ob
 grep_in '(steady_clock|system_clock|gettimeofday|clock_gettime|random_device|std::(thread|mutex|async)|pthread_create)' \
   runtime virtualrobot | grep -vE '^runtime/(hooks/(process|refused)_hooks|ipstack/host_|base/wall_clock)' |
   rule 'no wall clock, no threads, no raw randomness in runtime/ and virtualrobot/'
-grep_in '(^|[^a-zA-Z_])(v?fork|posix_spawnp?) *\(' cli kit openr runtime virtualrobot distribution testing |
+grep_in '(^|[^a-zA-Z_])(v?fork|posix_spawnp?|popen) *\(' cli kit openr runtime virtualrobot distribution testing |
   grep -vE '^(cli/process_copy|runtime/base/program_start)\.cc:' |
   rule 'only cli/process_copy.cc copies this process, and only runtime/base/program_start.cc starts programs'
 grep_in 'unordered_(map|set|multi)' runtime virtualrobot distribution |

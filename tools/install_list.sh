@@ -6,8 +6,9 @@
 #     tools/install_list.sh LIST LOG     the file LOG gets what apt-get prints
 set -uo pipefail
 
+names=$(sed 's/#.*//' "$1") || exit 1
 missing=()
-for package in $(sed 's/#.*//' "$1"); do
+for package in $names; do
   dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed ||
     missing+=("$package")
 done

@@ -64,8 +64,8 @@ void
 PowerMonitor::ShutdownRobot()
 {
     const OServiceEntry entry(myOID_, Extra_Entry[entryUpdatePowerStatus]);
-    // Ends the observation first, because the loss of motor power below is a change of the status,
-    // too, and its message would shut the robot down a second time.
+    // Ends the observation first, because SetMotorPower(opowerOFF) changes the power
+    // status, too, and the message of this change would shut the robot down a second time.
     OStatus status = OPENR::UnobservePowerStatus(entry);
     if (status != oSUCCESS) {
         OSYSLOG1((osyslogERROR, "PowerMonitor: cannot stop watching power, status %u",

@@ -47,8 +47,8 @@ void
 MtnPlayer::NextFrame()
 {
     frame_++;
-    // Keeps the place that Position() shows, because at a key frame gap_ and frame_ move on to the
-    // next gap, or to the next loop, below.
+    // Keeps the place that Position() shows, because at a key frame this function moves gap_ and
+    // frame_ on to the next gap, or to the next loop.
     shownGap_ = gap_;
     shownFrame_ = frame_;
     if (frame_ < FramesOfGap(gap_)) return;

@@ -28,7 +28,6 @@
 #include "openr/simulation/cost_file.h"
 #include "runtime/base/duration.h"
 #include "runtime/base/wall_clock.h"
-#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {

@@ -165,8 +165,9 @@ class McapReader {
     if (topic.empty()) return;
     const std::string_view text = record->Rest();
     auto json = TryParseJson<nlohmann::json>(text);
-    // Reads the JSON again without its lists if it is nested too deeply.  Lists have no numbers to
-    // draw, and AddMembers() finds objects that are nested too deeply.
+    // Text that cannot be read may be JSON that is nested too deeply, so it is read again without
+    // its lists.  Lists have no numbers to draw, and AddMembers() finds objects that are nested too
+    // deeply.
     if (json.is_discarded()) json = ParseWithoutLists(text);
     if (json.is_object()) AddMembers(QuantityOfTopic(topic), time_s, json, 1);
   }

@@ -92,13 +92,13 @@ std::vector<LiveRun> LiveRuns() {
     if (dot == std::string::npos ||
         std::from_chars(file.data() + dot + 1, end, run.process).ptr != end)
       continue;
-    // Tests both: another process may have the id of a run that has ended, and a program that a
-    // killed run has started may still have its socket open.
-    if (IsRunning(run.process) && IsOpen(run.socket)) {
-      runs.push_back(std::move(run));
-    } else {
+    if (!IsRunning(run.process)) {
       // Removes the socket of a process that was killed and could not remove it.
       unlink(run.socket.c_str());
+    } else if (IsOpen(run.socket)) {
+      // The socket must be open, because another process may have the id of a run that has ended.
+      // A socket that is not open is left there: the process may be a run that is just opening it.
+      runs.push_back(std::move(run));
     }
   }
   std::sort(runs.begin(), runs.end(), [](const LiveRun& a, const LiveRun& b) {

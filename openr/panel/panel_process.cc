@@ -40,11 +40,11 @@ std::vector<std::string> WordsOf(const PanelOptions& options) {
 
 PanelProcess::PanelProcess(const PanelOptions& options) {
   int ends[2];
-  const auto warn = [] {
-    fmt::print(stderr, "openr: no panel: it cannot be started: {}\n", std::strerror(errno));
+  const auto warn = [](int error) {
+    fmt::print(stderr, "openr: no panel: it cannot be started: {}\n", std::strerror(error));
   };
   if (pipe2(ends, O_CLOEXEC) != 0) {
-    warn();
+    warn(errno);
     return;
   }
   ProgramStart server(WordsOf(options));
@@ -57,23 +57,24 @@ PanelProcess::PanelProcess(const PanelOptions& options) {
   server.Give(ends[0], kPipeInServer);
   server.CloseFrom(kPipeInServer + 1);
   const std::string program = ProgramFile();
-  const std::string same = "/proc/self/exe";  // this program, even if a new build has removed it
+  const std::string running = "/proc/self/exe";  // this program, even if a new build has removed it
   // Starts the server in a copy of this process that ends at once, so that the server is not a
   // child of the run.  So the run need not wait for the end of the server, and no zombie is left.
   // The copy calls only functions that are allowed after fork().
   const pid_t copy = CopyProcess(Flushed::kNone, Orphan::kGoesOn);
   if (copy == 0) {
     pid_t process = 0;
-    if (server.Start(program, &process) != 0) server.Start(same, &process);
-    _exit(0);
+    int error = server.Start(program, &process);
+    if (error != 0) error = server.Start(running, &process);
+    _exit(error);  // an errno is less than 256, so it fits into an exit status
   }
+  const int error = copy < 0 ? errno : WEXITSTATUS(WaitForEnd(copy));
   close(ends[0]);
-  if (copy < 0) {
-    warn();
+  if (error != 0) {
+    warn(error);
     close(ends[1]);
     return;
   }
-  WaitForEnd(copy);
   pipe_ = ends[1];
 }
 

@@ -1,8 +1,6 @@
 #include "runtime/base/program_start.h"
 
-#include <fcntl.h>
 #include <signal.h>
-#include <unistd.h>
 
 #include <utility>
 

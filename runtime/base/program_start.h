@@ -1,5 +1,5 @@
-// ProgramStart: the start of another program in a process of its own.  All programs that this
-// project starts are started by this class, so that the following holds for each of them.
+// ProgramStart: the start of another program in a process of its own.  All programs that the
+// product starts are started by this class, so that the following holds for each of them.
 //
 // - Descriptors: the program has the standard streams of this process unless Give() or OpenNull()
 //   gives it others.  Other descriptors that are not closed by the start of a program
@@ -34,8 +34,8 @@ class ProgramStart {
   ProgramStart(const ProgramStart&) = delete;
   ProgramStart& operator=(const ProgramStart&) = delete;
 
-  // The following functions say what the new process does before the program begins, in the order
-  // in which they are called.
+  // The following functions say what the new process does before the program begins.  The next four
+  // functions take effect in the order in which they are called.
 
   // Opens /dev/null as `descriptor`; `mode` is O_RDONLY, O_WRONLY or O_RDWR.
   void OpenNull(int descriptor, int mode);

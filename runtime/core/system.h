@@ -48,7 +48,6 @@ namespace openr_host {
 class CodeObject;
 class Dispatcher;
 class GuardPages;
-class Hasher;
 class MemoryStick;
 class ObjectManager;
 class RunFolder;

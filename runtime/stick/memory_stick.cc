@@ -121,7 +121,7 @@ void MemoryStick::HashFile(std::string_view name, std::string_view otherwise, Ha
   if (location.error == 0 && std::filesystem::is_regular_file(location.path, error))
     file.emplace(location.path);
   if (!file || !file->is_open()) {
-    const int why = WhyUnread(name);
+    const int why = file ? errno : WhyUnread(name);  // FileReader sets errno if it opens no file
     // Throws an exception after an error of the host, such as too many open files.  If the file
     // were hashed as missing instead, two runs with the same stick would have different hashes.
     if (why != ENOENT && why != EACCES && why != EISDIR && why != EINVAL)
@@ -136,8 +136,8 @@ void MemoryStick::HashFile(std::string_view name, std::string_view otherwise, Ha
   std::string piece;
   for (uint64_t left = size; left > 0; left -= piece.size()) {
     const size_t wanted = std::min<uint64_t>(left, kPieceBytes);
-    if (!file->Read(wanted, &piece) || piece.empty())
-      ThrowUnreadable(location.path, std::strerror(EIO));
+    if (!file->Read(wanted, &piece)) ThrowUnreadable(location.path, std::strerror(errno));
+    if (piece.empty()) ThrowUnreadable(location.path, std::strerror(EIO));
     hasher->AddBytes(piece.data(), piece.size());
     if (piece.size() < wanted) return;  // the file has become shorter meanwhile
   }

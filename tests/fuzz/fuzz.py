@@ -30,9 +30,10 @@ PLANTED_SECONDS = 60  # of processor time
 PLANTED_WAIT = 10  # times as long a busy machine may take for it
 MIN_BYTES, MAX_BYTES = 512, 2048  # limits for the bytes of an input (bytes_limit())
 SHOWN_BYTES = 4096  # a larger input is not printed
-# A line that says why an input crashed: of FuzzCheck(), of UndefinedBehaviorSanitizer, of an exception,
-# of AddressSanitizer or libFuzzer.  What a target itself prints may have the word ERROR, too.
-ERROR_LINE = re.compile(r"(?m)^(?:openr_fuzz: .*|.+: runtime error: .*| +what\(\): .*|==\d+== ?ERROR: .*)$")
+# A line that says why an input crashed: of FuzzCheck(), of ASSERT(), of UndefinedBehaviorSanitizer, of an
+# exception, of AddressSanitizer or libFuzzer.  What a target itself prints may have the word ERROR, too.
+ERROR_LINE = re.compile(
+    r"(?m)^(?:openr_fuzz: .*|.+:\d+: ASSERT\(.*|.+: runtime error: .*| +what\(\): .*|==\d+== ?ERROR: .*)$")
 OPTIONS = ["-timeout=10", "-rss_limit_mb=1536", "-malloc_limit_mb=600", "-print_final_stats=1",
            "-mutate_depth=3",  # an input with more changes is hardly ever valid
            "-len_control=0",  # else no input is longer than the longest seed for a long time
