@@ -47,7 +47,7 @@ const Message* LocalCalls::BeginWait(uint64_t box, int64_t timeout_us, std::stri
   wake->is_reply = true;
   wake->reply_box = box;
   // Sets the payload hash, which the sender of a message of kind kHashed must set, to a constant,
-  // because this reply has no bytes.
+  // because this reply, which ends the wait at the time-out, has no bytes.
   wake->payload_hash = 1;
   wake->kind = PayloadKind::kHashed;
   system_->Post(std::move(message), timeout_us);
@@ -68,8 +68,8 @@ uint32_t LocalCalls::AddTimedEvent(const TimeEvents::Letter& letter, int64_t fir
 uint32_t LocalCalls::AddReplyEvent(const TimeEvents::Letter& letter, uint64_t box) {
   const uint32_t event = system_->time_events().AddReply(letter, box);
   const Object* const self = t_current.object;
-  // Posts the letter (the message of the event) now if the reply has come already, because the
-  // arrival of a reply posts only letters that were ordered before.
+  // Posts the message of the reply event (`letter`) now if the reply has come already, because the
+  // arrival of a reply posts only messages that were ordered before it.
   if (self->boxes.arrived.contains(box)) system_->time_events().ReplyArrived(self->id, box);
   return event;
 }

@@ -14,8 +14,8 @@ namespace openr_host {
 
 class MessagePoster {
  public:
-  // `are_calls_local` tells whether the calls of handlers (System::calls()) are LocalCalls. Chooses
-  // the schedule for `seed` (SystemOptions::seed).
+  // `are_calls_local` tells whether the calls of handlers (System::calls()) are LocalCalls, so that
+  // handlers post messages in this process.  Chooses the schedule for `seed` (SystemOptions::seed).
   MessagePoster(bool are_calls_local, uint64_t seed);
   MessagePoster(const MessagePoster&) = delete;
   MessagePoster& operator=(const MessagePoster&) = delete;
@@ -41,8 +41,9 @@ class MessagePoster {
   }
   Schedule* schedule() const { return schedule_; }  // null if there is no schedule
 
-  // Records that the robots have processors (cpu.h).  A message that is posted while its sender's
-  // handler has the processor is queued later.
+  // Records that the robots have processors (cpu.h), that is, that handlers take time.  From then
+  // on, a message that is posted while its sender's handler has the processor waits in the sender's
+  // outbox.
   void NoteProcessors() {
     has_processors_ = true;
     CheckPosts();

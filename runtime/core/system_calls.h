@@ -61,13 +61,13 @@ class SystemCalls {
   // Sets the number of messages that may wait for the caller (Object::queue_max).
   virtual void SetQueueMax(int32_t messages) = 0;
 
-  // ---- Time events and reply events; see TimeEvents.  REQUIRES: the caller is letter.owner, the
-  // object that may cancel the event.
+  // ---- Time events and reply events; see TimeEvents.  A `letter` is the message that such an
+  // event posts.  REQUIRES: the caller is letter.owner, the object that may cancel the event.
 
   virtual uint32_t AddTimedEvent(const TimeEvents::Letter& letter, int64_t first_us,
                                  int64_t period_us) = 0;
-  // Adds an event that posts the message `letter` when a reply arrives in the caller's reply box
-  // `box`, or at once if the reply has arrived already.  REQUIRES: `box` is open.
+  // Adds a reply event, which posts the message `letter` when a reply arrives in the caller's reply
+  // box `box`, or at once if the reply has arrived already.  REQUIRES: `box` is open.
   virtual uint32_t AddReplyEvent(const TimeEvents::Letter& letter, uint64_t box) = 0;
   virtual bool CancelEvent(uint32_t event) = 0;
   virtual int CountEvents() = 0;

@@ -58,8 +58,8 @@ int64_t TimeEvents::NextUs() const {
   return next_us;
 }
 
-// Returns whether the owner of `event`, or the object that it posts to, no longer exists, or is on
-// a robot that is off.  Such an event is removed and posts nothing.
+// Returns whether the owner of `event` (a time event or reply event), or the object that it posts
+// to, no longer exists, or is on a robot that is off.  Such an event is removed and posts nothing.
 bool TimeEvents::IsOff(const Event& event) const {
   for (const ObjectId id : {event.letter.owner, event.letter.target}) {
     const Object* const object = system_->object(id);
@@ -100,8 +100,8 @@ void TimeEvents::PostDue() {
 
 void TimeEvents::ReplyArrived(ObjectId owner, uint64_t box) {
   for (auto it = events_.begin(); it != events_.end();) {
-    // Compares the owner of the event too, because each object numbers its reply boxes itself, so
-    // boxes of two objects may have the same number.
+    // Compares the owner of the reply event (the object that has ordered it) too, because each
+    // object numbers its reply boxes itself, so boxes of two objects may have the same number.
     if (it->second.box != box || it->second.letter.owner != owner) {
       ++it;
       continue;

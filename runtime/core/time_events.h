@@ -17,7 +17,8 @@ class TimeEvents {
  public:
   explicit TimeEvents(System* system) : system_(system) {}
 
-  // The message that an event posts: receiver, entry and at most Message::kPayloadMax bytes.
+  // The message that a time event or a reply event posts: receiver, entry and at most
+  // Message::kPayloadMax bytes.
   struct Letter {
     ObjectId owner = kNoObject;  // the object that has ordered the event and may cancel it
     ObjectId target = kNoObject;
@@ -25,19 +26,20 @@ class TimeEvents {
     std::vector<unsigned char> bytes;
   };
 
-  // Adds an event that posts the message `letter` after `first_us` and then every `period_us`, or
-  // only once if the period is 0.  Returns the id of the event, which is at least 1.
+  // Adds a time event, which posts the message `letter` after `first_us` and then every
+  // `period_us`, or only once if the period is 0.  Returns the id of the event, which is at least
+  // 1.
   uint32_t AddTimed(Letter letter, int64_t first_us, int64_t period_us);
-  // Adds an event that posts the message `letter` once, when the reply to a request of the owner
-  // has arrived in the owner's reply box `box`.  REQUIRES: box != 0.
+  // Adds a reply event, which posts the message `letter` once, when the reply to a request of the
+  // owner has arrived in the owner's reply box `box`.  REQUIRES: box != 0.
   uint32_t AddReply(Letter letter, uint64_t box);
 
   // Cancels the time event or reply event `id`.  Returns false if `owner` has no such event.
   bool Cancel(ObjectId owner, uint32_t id);
   // Returns the number of time events and reply events of `owner`.
   int CountOf(ObjectId owner) const;
-  // Removes all events of object `id`, and all events that post to it, because the object has ended
-  // or is being replaced.
+  // Removes all time events and reply events of object `id`, and all such events that post to it,
+  // because the object has ended or is being replaced.
   void ForgetObject(ObjectId id);
 
   // Returns the virtual time at which the next time event is due; INT64_MAX if there is no time
