@@ -57,8 +57,9 @@ class AddressPlace {
   // Returns the first address of the thunks (imported_calls.h) of this place, which lie behind the
   // image, or null if addresses are not planned.
   char* thunks() const;
-  // Returns the first address of a stack of this place, or null if addresses are not planned.
-  // Stack 0 is for handlers, stack 1 for the endless loop of a controller (api/second_stack.h).
+  // Returns the first address of stack `number` of this place (the part of the address plan for one
+  // object), or null if addresses are not planned.  Stack 0 is for handlers, stack 1 for the
+  // endless loop of a controller (api/second_stack.h).
   char* stack(int number) const;
   // Returns the first address of the area for read-only copies of received regions (guard_pages.h),
   // or null if addresses are not planned.

@@ -57,9 +57,9 @@ Arena::~Arena() {
 bool Arena::MapUpTo(size_t span_end) {
   if (span_end <= mapped_spans_) return true;
   constexpr size_t kStep = kMapBytes / kSpanBytes;
-  // The number of mapped spans (pieces of 64 KiB) is rounded up to a multiple of kStep, because
-  // memory is mapped in steps of 1 MiB.  The spans up to `end` still lie in the heap area, because
-  // the area's size is a multiple of 1 MiB.
+  // Rounds the number of mapped spans (pieces of 64 KiB) up to a multiple of kStep, because memory
+  // is mapped in steps of 1 MiB.  The spans up to `end` still lie in the object's heap area,
+  // because the size of that area is a multiple of 1 MiB.
   const size_t end = (span_end + kStep - 1) / kStep * kStep;
   if (!MapAt(base_ + mapped_spans_ * kSpanBytes, (end - mapped_spans_) * kSpanBytes)) return false;
   mapped_spans_ = end;
@@ -90,8 +90,8 @@ char* Arena::TakeSpans(size_t count, int16_t use) {
 // Frees the spans (pieces of 64 KiB) of the large block that begins with span number `first`.
 void Arena::GiveSpans(size_t first) {
   const size_t count = spans_[first].span_count;
-  // With MADV_DONTNEED the kernel takes the pages back, and gives pages of zeros at the next
-  // access.  So free spans hold only zeros, which TakeSpans() promises.
+  // Gives the pages of the freed spans back to the kernel (MADV_DONTNEED), which gives pages of
+  // zeros at the next access.  So free spans hold only zeros, which TakeSpans() promises.
   madvise(base_ + first * kSpanBytes, count * kSpanBytes, MADV_DONTNEED);
   for (size_t k = first; k < first + count; ++k) spans_[k] = {};
   first_free_ = std::min(first_free_, first);

@@ -11,12 +11,12 @@ namespace openr_host {
 class ArithmeticWatch {
  public:
   // Sets whether this process has a signal handler for SIGFPE; the class CrashLog installs one.
-  // Without this signal handler a SIGFPE would end the process, so operations must not raise it.
-  // Initially there is no signal handler.
+  // Initially there is no signal handler.  Without this signal handler a SIGFPE would end the
+  // process, so floating-point operations must not raise SIGFPE.
   static void SetCatches(bool on);
-  // Returns whether operations may raise SIGFPE, that is, whether a signal handler exists.  Always
-  // false with AddressSanitizer, and under Valgrind, because the processor that Valgrind emulates
-  // raises no SIGFPE.
+  // Returns whether floating-point operations may raise SIGFPE, that is, whether this process has a
+  // signal handler for it.  Always false with AddressSanitizer, and under Valgrind, because the
+  // processor that Valgrind emulates raises no SIGFPE.
   static bool Catches();
 
   // Begins to watch a handler, at its beginning, for floating-point faults: from now on, operations
@@ -24,10 +24,10 @@ class ArithmeticWatch {
   void Begin(unsigned kinds);
   bool has_begun() const { return has_begun_; }
 
-  // Stops watching for operations that set the flag `kind` (FpFlag), for the rest of the handler,
-  // because each kind of operation is reported only once.  Called by the handler of SIGFPE after it
-  // has recorded the instruction.  This handler also changes the interrupted code's MXCSR, the
-  // register that enables SIGFPE, so that the instruction does not raise SIGFPE again.
+  // Stops watching for floating-point operations that set the flag `kind` (FpFlag), for the rest of
+  // the handler, because each kind of operation is reported only once.  Called by the handler of
+  // SIGFPE after it has recorded the instruction.  This handler also changes the interrupted code's
+  // MXCSR, the register that enables SIGFPE, so that the instruction does not raise SIGFPE again.
   void GiveUpCatching(unsigned kind) { kinds_ &= ~kind; }
 
   // Pauses the watch for floating-point faults.  Called at the beginning of a function of the SDK
@@ -38,15 +38,16 @@ class ArithmeticWatch {
   // called has returned.
   void Leave();
 
-  // Ends the watch for floating-point faults at the end of the handler: operations raise no SIGFPE
-  // any more.
+  // Ends the watch for floating-point faults at the end of the handler: floating-point operations
+  // raise no SIGFPE any more.
   void End();
 
  private:
   bool has_begun_ = false;
   unsigned kinds_ = 0;  // the flags that raise SIGFPE
-  // The number of nested calls of functions of the SDK and the C library that are running now.
-  // While it is not 0, operations raise no SIGFPE.
+  // The number of nested calls of functions of the SDK and the C library that the watched handler
+  // has made and that have not returned yet.  While it is not 0, floating-point operations raise no
+  // SIGFPE, because they are not operations of the handler's own code.
   int calls_ = 0;
   // The image's value of MXCSR, the register that enables SIGFPE, kept while a function of the SDK
   // or of the C library runs.

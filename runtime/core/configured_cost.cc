@@ -11,8 +11,8 @@ ConfiguredCost::ConfiguredCost(CostConfig config, uint64_t seed)
 ConfiguredCost::Cost ConfiguredCost::Find(const Object& object, uint32_t selector) {
   const std::string entry = object.EntryName(selector);
   Cost cost;
-  // Goes through all rules of the cost file and does not stop at the first match, because the last
-  // matching rule decides, and because all matching rules count as used: Unused() must not report
+  // Goes through all rules of the cost file and does not stop at the first that fits the handler.
+  // The last rule that fits decides, and all rules that fit count as used: Unused() must not report
   // them.
   for (size_t i = 0; i < config_.rules.size(); ++i) {
     const CostRule& rule = config_.rules[i];

@@ -43,9 +43,9 @@ class ConfiguredCost : public CostModel {
   const CostConfig config_;
   std::vector<bool> used_;  // for each rule: whether its patterns have matched a handler
   Rng rng_;
-  // The costs that Find() has found, by object and selector, so that the rules of the cost file are
-  // searched only at the first call of an entry.  A cost stays valid, because an entry does not
-  // change its name after its first call.
+  // The costs that ConfiguredCost::Find() has found, by object and selector, so that the rules of
+  // the cost file are searched only at the first call of an entry.  A cost stays valid, because an
+  // entry does not change its name after its first call.
   std::map<std::pair<ObjectId, uint32_t>, Cost> known_;
 };
 

@@ -69,8 +69,8 @@ void ReportForeignBytes(const Object& object);
 // subject or observer, adds an error finding and returns false.  Such bytes must not be read as a
 // notification or a ready.
 inline bool IsRunningMessage(const Object& object, PayloadKind kind) {
-  // Without a running message the kind of message cannot be checked.  This occurs only if a test
-  // calls the function of the entry directly.
+  // If `object` handles no message now, there is no message whose kind can be checked.  This occurs
+  // only if a test calls the function of the entry directly.
   if (object.handler.running == nullptr || object.handler.running->kind == kind) [[likely]]
     return true;
   ReportForeignBytes(object);

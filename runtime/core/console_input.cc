@@ -28,8 +28,9 @@ void ConsoleInput::WakeNext(Terminal* terminal) {
     const Object* const object = system_->object(id);
     if (object == nullptr || object->delivery.blocked() == nullptr || object->wait.box != box)
       continue;
-    // The message that wakes the reader also holds the line, so that the trace shows it.  The
-    // reader takes the line from the terminal and not from this message.
+    // The message that wakes the reader (an object that waits for a line of the console) also holds
+    // the line, so that the trace shows it.  The reader takes the line from the terminal and not
+    // from this message.
     OwnedMessage wake = system_->NewMessage(id, 0);
     wake->message_class = MessageClass::kInput;
     wake->is_reply = true;

@@ -73,8 +73,8 @@ class Cpu {
   // if no handler runs.
   int64_t EndUs() const;
 
-  // Ends the running handler, whose time is over: sends the messages that it posted, and lets other
-  // handlers run.  REQUIRES: EndUs() == now_us.
+  // Ends the handler that has the processor, whose time is over: sends the messages that it posted,
+  // and lets other handlers run.  REQUIRES: EndUs() == now_us.
   void End(int64_t now_us);
 
   void HashState(Hasher* hasher) const;

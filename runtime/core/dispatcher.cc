@@ -147,8 +147,8 @@ void Dispatcher::RunMeasured(Object* object) {
   FinishHandler(object);
 }
 
-// Counts `message`, records it in the trace and makes it the running message of `object`.  Takes
-// over the message.
+// Counts `message`, records it in the trace and makes it the message that `object` handles now
+// (handler.running), which then owns it.
 [[gnu::always_inline]] inline void Dispatcher::BeginDelivery(Object* object, Message* message) {
   --object->waiting;
   ASSERT(object->waiting >= 0, "{} gets a message, none was counted as waiting", object->name);
@@ -157,8 +157,8 @@ void Dispatcher::RunMeasured(Object* object) {
   system_->trace().Deliver(*message, system_->now_us());
   ++object->message_count;
   ASSERT(object->handler.running == nullptr, "{} runs one handler at a time", object->name);
-  // The message belongs to the object's state and not to a local variable, because this stack is
-  // given up if the handler is abandoned.
+  // The message belongs to the object's state and not to a local variable, because the running
+  // stack, with its local variables, is given up if the handler is abandoned.
   object->handler.running.reset(message);
   object->handler.time_calls = 0;
   // The code of a handler was compiled for SSE.  It would run slowly if AVX code, such as the
@@ -229,8 +229,9 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
     const Object* const object = system_->object_table().GetKnown(second->target);
     __builtin_prefetch(object);
     __builtin_prefetch(&object->entry_count);
-    // Computes the addresses as numbers and not as pointers, because the pointer is null if there
-    // is no third message, and C++ does not define the sum of a null pointer and a number.
+    // Computes the addresses of the third message's cache lines as numbers and not as pointers,
+    // because the pointer to this message is null if the list has only two messages, and C++ does
+    // not define the sum of a null pointer and a number.
     const auto third = reinterpret_cast<uintptr_t>(second->next);
     for (int i = 0; i < 3; ++i)
       __builtin_prefetch(
@@ -241,7 +242,7 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
   if (!is_plain) [[unlikely]]
     return DeliverChecked(object, OwnedMessage(message));
   BeginDelivery(object, message);
-  // Sets only the object, because Run() has set t_current.system already.
+  // Does not set t_current.system, because Run() has set it already.
   t_current.object = object;
   t_current.image_code = false;
   t_current.watch = nullptr;
@@ -333,9 +334,10 @@ void Dispatcher::Loop() {
 }
 
 void Dispatcher::AdvanceTo(int64_t time_us) {
-  // Does not reset the count of messages at one instant after a step of 1 us.  Such a step may come
-  // from MessagePoster::crowding_delay_us(), which delays the messages of objects that answer each
-  // other without waiting.  After a reset these objects would count as normal ones again.
+  // Does not reset the count of messages at one instant of virtual time if the clock moves by only
+  // 1 us.  Such a step may come from MessagePoster::crowding_delay_us(), which delays the messages
+  // of objects that answer each other without waiting.  After a reset these objects would count as
+  // normal ones again.
   if (time_us > system_->now_us() + 1) {
     many_at_ = delivered_ + free_deliveries_;
     system_->poster().set_crowding_delay_us(0);
@@ -384,7 +386,7 @@ OwnedMessage Dispatcher::WaitFor(uint64_t box) {
   ASSERT(object != nullptr && running_ != nullptr, "only a handler can wait");
   if (!object->boxes.arrived.contains(box)) {
     // The running fiber keeps the stack of the handler that waits.  Another fiber continues Loop(),
-    // until DeliverReply() switches back to this fiber.
+    // which delivers messages, until DeliverReply() switches back to this fiber.
     const Current saved = t_current;
     object->delivery.set_blocked(running_);
     object->wait.box = box;
@@ -403,8 +405,8 @@ void Dispatcher::Abandon() {
   ASSERT(running_ != nullptr && t_current.object != nullptr, "only a handler can be abandoned");
   FinishHandler(t_current.object);
   Fiber* const next = TakeFiber();
-  // This fiber cannot be prepared for its next use here, because this code still runs on it.
-  // Recycle() does so after the switch to the next fiber.
+  // Does not prepare the running fiber (stack) for its next use here, because this code still runs
+  // on it.  Recycle() does so after the switch to the next fiber.
   abandoned_ = running_;
   running_ = next;
   next->SwitchFrom(nullptr);

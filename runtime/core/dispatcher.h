@@ -101,7 +101,7 @@ class Dispatcher {
   System* const system_;
   bool are_deliveries_free_ = false;  // false if CheckDeliveries() was called
   Gate* gate_ = nullptr;
-  // The stack of the thread that has called Run().
+  // The fiber for the stack of the thread that has called Run().
   MainFiber caller_;
   std::vector<std::unique_ptr<Fiber>> fibers_;
   // Fibers that can be used next; each is stopped in Loop(), the loop that delivers messages, or
@@ -112,8 +112,8 @@ class Dispatcher {
   Limits limits_;
   uint64_t delivered_ = 0;     // messages delivered in all calls of Run()
   uint64_t run_began_at_ = 0;  // value of delivered_ when the current Run() began
-  // Loop() asks MayContinue() before each message as soon as delivered_, the number of all
-  // delivered messages, has this value.
+  // Loop(), which delivers messages, asks MayContinue(), which knows the limits of Run(), before
+  // each message as soon as delivered_, the number of all delivered messages, has this value.
   uint64_t stop_at_ = 0;
   const uint64_t free_deliveries_;
   // NoteManyDeliveries() is called for each message as soon as delivered_, the number of all

@@ -13,7 +13,8 @@
 
 namespace openr_host {
 
-// Bits of the register MXCSR.  The processor sets each bit after one kind of operation.
+// Bits of the register MXCSR, the floating-point flags.  The processor sets each bit after one kind
+// of floating-point operation.
 enum FpFlag : unsigned {
   kFpInvalid = 0x01,    // a NaN was made, or a number does not fit its integer type
   kFpDenormal = 0x02,   // an operand was a denormal number
@@ -31,7 +32,8 @@ constexpr unsigned kFpCaught = kFpInvalid | kFpDenormal | kFpDivByZero | kFpOver
 // SIGFPE.
 constexpr int kFpMaskShift = 7;
 
-// Without SSE2 the next three functions do nothing.
+// Without SSE2 the next three functions, which read and set the register MXCSR (the floating-point
+// flags and their mask bits), do nothing.
 #if defined(__SSE2__)
 // Returns the register MXCSR (the floating-point flags and their mask bits), so that SetFpState()
 // can restore it later.
@@ -39,8 +41,8 @@ inline unsigned FpState() { return _mm_getcsr(); }
 // Sets the register MXCSR (the floating-point flags and their mask bits) to `state`, which
 // FpState() has returned.
 inline void SetFpState(unsigned state) { _mm_setcsr(state); }
-// Makes exactly the operations that set one of the flags `kinds` raise SIGFPE, and clears these
-// flags.
+// Makes exactly the floating-point operations that set one of the flags `kinds` raise SIGFPE, and
+// clears these flags.
 inline void CatchFp(unsigned kinds) {
   _mm_setcsr((_mm_getcsr() | kFpAll << kFpMaskShift) & ~(kinds << kFpMaskShift | kinds));
 }

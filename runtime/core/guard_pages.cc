@@ -36,8 +36,9 @@ char* GuardPages::MapPages(char* area, size_t bytes) {
     return pages == MAP_FAILED ? nullptr : static_cast<char*>(pages);
   }
   size_t& next = next_in_[area];
-  // Tries to map the pages at the addresses of the area one after the other, and goes on at the
-  // beginning of the area when its end is reached.  Skips pages of copies that are still in use.
+  // Tries to map the pages at the addresses of `area`, the memory for read-only copies, one after
+  // the other, and goes on at the beginning of the area when its end is reached.  Skips pages of
+  // copies that are still in use.
   for (size_t tried = 0; tried < AddressPlace::kCopyBytes; tried += bytes) {
     if (next + bytes > AddressPlace::kCopyBytes) next = 0;
     char* const pages = area + next;
@@ -100,9 +101,10 @@ const char* GuardPages::WhyFault(const void* address) const {
     return at >= area.first && at < area.first + AddressPlace::kCopyBytes;
   });
   if (!is_ours) return "";
-  // Compares `address`, to which an access was a fault, with the pages of each read-only copy that
-  // is in use, and not with the whole area of the copies: a copy that was given back often lies on
-  // the page before a copy that is still in use, and an access to it is another mistake.
+  // Compares `address`, to which an access was a fault, with the pages of each read-only copy of
+  // received data that is in use, and not with the whole area of the copies.  A copy that was given
+  // back often lies on the page before a copy that is still in use, and an access to the copy that
+  // was given back is another mistake than a write to received data.
   for (const auto& [copy, pages] : copies_) {
     const char* const page = PageOf(copy);
     if (at >= page && at < page + pages.bytes)

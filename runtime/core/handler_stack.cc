@@ -73,7 +73,8 @@ namespace {
 struct SanitizedCall {
   void (*function)(void*);
   void* argument;
-  // The first address and the size of the caller's stack, to which the call returns.
+  // The first address and the size of the stack from which the handler's function was called.
+  // AddressSanitizer must get both when this function returns to that stack.
   const void* bottom = nullptr;
   size_t bytes = 0;
 };
@@ -120,8 +121,8 @@ void HandlerStack::CallWithSanitizer(void (*function)(void*), void* argument) {
   memory_.ForgetFrames();
   SanitizedCall call{function, argument};
   void* fake_stack = nullptr;
-  // Tells AddressSanitizer in a destructor that the caller's stack is in use again, because the
-  // called function may end with an exception.
+  // Tells AddressSanitizer at the end of the handler's function that the caller's stack is in use
+  // again.  Does so in a destructor, because that function may end with an exception.
   struct Arrival {
     void* const* fake_stack;
     ~Arrival() { __sanitizer_finish_switch_fiber(*fake_stack, nullptr, nullptr); }

@@ -17,8 +17,8 @@ namespace openr_host {
 
 class HandlerStack {
  public:
-  // Maps the stack at `address` of the address plan (address_plan.h).  If `address` is null, the
-  // kernel chooses the address.
+  // Maps the memory of this stack at `address` of the address plan (address_plan.h).  If `address`
+  // is null, the kernel chooses the address.
   explicit HandlerStack(char* address) : memory_(address) {}
 
   // Calls function(argument) on the empty stack.  If the caller runs on this stack already, because

@@ -210,8 +210,8 @@ std::string ImageObject::ReadTables() {
   const auto* extras = static_cast<const char* const*>(dlsym(handle_, "openr_extra_names"));
   int extra_count = 0;
   while (extras != nullptr && extras[extra_count] != nullptr) ++extra_count;
-  // Extra entries come last in the table of entries (SDK reference, section 1.3).  So their
-  // selectors are the last `extra_count` numbers.
+  // Extra entries, which stub.cfg declares besides the services, come last in the table of entries
+  // (SDK reference, section 1.3).  So their selectors are the last `extra_count` numbers.
   const auto first_extra =
       static_cast<uint32_t>(entries_.size()) - static_cast<uint32_t>(extra_count);
   for (int i = 0; i < extra_count; ++i)

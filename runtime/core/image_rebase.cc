@@ -21,8 +21,8 @@ constexpr uint32_t kRelative = R_X86_64_RELATIVE, kIndirect = R_X86_64_IRELATIVE
 #endif
 
 // HoldConstructors() puts these tags into the dynamic section of an image, in place of
-// DT_INIT_ARRAY and DT_INIT_ARRAYSZ, which name the constructors.  Because the loader ignores
-// unknown tags, it does not run the constructors.
+// DT_INIT_ARRAY and DT_INIT_ARRAYSZ, which name the constructors of the image's global objects.
+// Because the loader ignores unknown tags, it does not run the constructors.
 constexpr int64_t kHeldArray = 0x60006f70, kHeldArraySize = 0x60006f71;
 
 // Returns whether the value of an entry with this `tag` in the dynamic section of an image is an
@@ -64,8 +64,8 @@ class Rebase {
   // the file is too short, returns null and sets is_bad_, so that the file is not changed.
   template <typename T>
   T* At(uint64_t offset, uint64_t count);
-  // Returns the offset in the image file of the bytes that are loaded at `address`.  If there are
-  // no such bytes, returns 0 and sets is_bad_.
+  // Returns the offset in the image file of the bytes that are loaded at `address`.  If the file
+  // has no such bytes, returns 0 and sets is_bad_, so that the file is not changed.
   uint64_t OffsetOf(uint64_t address);
   uint64_t ValueOf(int64_t tag) const;
   void MoveSegments(const Elf64_Ehdr& header);
@@ -182,7 +182,8 @@ std::string Rebase::Run(uint64_t size_max) {
   uint64_t end = 0;
   for (const Elf64_Phdr& segment : segments_) {
     if (segment.p_type != PT_LOAD) continue;
-    // The image file was linked for an address other than 0, so RebaseImage() cannot move it.
+    // Refuses an image file that was linked for an address other than 0, because RebaseImage()
+    // cannot move it.
     if (end == 0 && segment.p_vaddr != 0) return "";
     end = std::max(end, segment.p_vaddr + segment.p_memsz);
   }

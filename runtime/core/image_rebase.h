@@ -27,8 +27,9 @@ bool RebaseImage(std::string* bytes, uint64_t address, uint64_t size_max);
 // nothing if `bytes` are no shared object of this processor.
 void HoldConstructors(std::string* bytes);
 
-// Returns the constructors that HoldConstructors() has held back, in the order in which they must
-// be called.  `handle` is the handle of the loaded shared object (dlopen).
+// Returns the constructors of an image's global objects, which HoldConstructors() has kept the
+// loader from calling, in the order in which they must be called.  `handle` is the handle of the
+// loaded image (dlopen).
 std::vector<void (*)()> HeldConstructors(void* handle);
 
 }  // namespace openr_host

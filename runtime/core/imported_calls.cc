@@ -346,9 +346,9 @@ bool IsStackChange(uintptr_t address) {
 const void* ReturnAddressInImage(const void* own) {
   const auto here = reinterpret_cast<uintptr_t>(__builtin_frame_address(0));
   const uintptr_t offset = here % AddressPlace::kStackBytes;
-  // `own` is the return address of a function of the SDK.  Returns `own` if this code does not run
-  // on a stack for imported functions, because then the image has called that function directly and
-  // not through a thunk.
+  // `own` is the return address of the function of the SDK that has called this function.  Returns
+  // `own` if this code does not run on a stack for imported functions, because then the image has
+  // called the function of the SDK directly and not through a thunk.
   if (here >> 40 >= 17 || offset >= StackMemory::kImportsTopOffset) return own;
   const uintptr_t top = here - offset + StackMemory::kImportsTopOffset;
   const auto* const frame =

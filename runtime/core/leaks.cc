@@ -103,8 +103,9 @@ void LeakSearch::CollectBlocks() {
       nodes_.push_back(
           {.begin = HiddenAddress(block), .bytes = bytes, .object = object.get(), .calls = &calls});
     });
-    // Adds the memory that NewRegion() (MCOOP.h) has given to the object.  The memory gets no
-    // owner, so that it is never reported as a leak: it belongs to the object until DeleteRegion().
+    // Adds to nodes_, the list of the blocks and regions that the search looks for, the memory that
+    // NewRegion() (MCOOP.h) has given to the object.  The memory gets no owner, so that it is never
+    // reported as a leak: it belongs to the object until DeleteRegion().
     for (void* const region : object->private_regions)
       nodes_.push_back({.begin = HiddenAddress(region), .bytes = Arena::UsableSize(region)});
   }
@@ -197,8 +198,8 @@ bool LeakSearch::HasWaitingHandler() const {
   });
 }
 
-// Reads the stacks of handlers only if a handler waits, because otherwise the stacks hold only
-// bytes that earlier handlers have left.
+// Searches the stacks of handlers for addresses of blocks and regions.  Does so only if a handler
+// waits, because otherwise the stacks hold only bytes that earlier handlers have left.
 void LeakSearch::ReadStacks() {
   const bool has_waiting = HasWaitingHandler();
   for (const auto& [begin, bytes] : StackMemory::All()) {

@@ -24,7 +24,7 @@ class MemoryMap {
   MemoryMap(const MemoryMap&) = delete;
   MemoryMap& operator=(const MemoryMap&) = delete;
 
-  // Sets `*range` to the next range.  Returns false at the end of the list.
+  // Sets `*range` to the next range of memory of this process.  Returns false after the last range.
   bool Next(MappedRange* range);
 
  private:

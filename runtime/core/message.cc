@@ -139,8 +139,8 @@ void MessageQueue::Advance(int64_t time_us) {
 std::vector<OwnedMessage> MessageQueue::TakeIf(const std::function<bool(const Message&)>& matches) {
   std::vector<OwnedMessage> taken;
   for (uint32_t level = 0; level < kLevels; ++level) {
-    // Empties the list of the level, then appends again all messages for which `matches` returns
-    // false, so that they keep their order.
+    // Empties the list of the level (a class and priority of messages), then appends again all
+    // messages for which `matches` returns false, so that they keep their order.
     Message* message = std::exchange(levels_[level].head, nullptr);
     while (message != nullptr) {
       Message* const next = message->next;

@@ -67,7 +67,8 @@ struct alignas(64) Message {
 // the padding before the payload, and each message begins at the start of a cache line.
 static_assert(sizeof(void*) != 8 || offsetof(Message, payload) == 80);
 
-// The deleter of OwnedMessage, which gives a message back to its pool.
+// The deleter of OwnedMessage (the pointer that owns a message), which gives the message back to
+// its pool.
 struct ReturnToPool {
   void operator()(Message* message) const;
 };
@@ -186,7 +187,7 @@ class MessageQueue {
   std::vector<Later> later_;        // messages that are not due yet, as a heap (std::push_heap)
   // The first free message; each free message points to the next with Message::next.
   Message* free_ = nullptr;
-  // The arrays that hold the messages of the pool.
+  // The arrays that hold the messages of the pool, from which new messages are taken.
   std::vector<std::unique_ptr<Message[]>> chunks_;
   // The receivers among which ChooseTarget() lets a schedule choose.  The vector is a member so
   // that its memory is used again.

@@ -88,8 +88,8 @@ void Object::ReturnRegion(RCRegion* region) {
 }
 
 void Object::ReturnHeld() {
-  // Puts the newest of the messages that this object could not handle yet back first, so that the
-  // oldest is at the front of the queue at the end.
+  // Puts back first the newest of the messages that this object could not handle yet, so that at
+  // the end the oldest of them is at the front of the queue.
   while (!delivery.held().empty()) system->Readmit(delivery.TakeNewestHeld());
 }
 

@@ -63,8 +63,8 @@ struct WaitState {
   bool is_untimed = false;
 };
 
-// Receives the reply when an object calls an entry of its own.  An object does this if one of its
-// subjects is connected with one of its observers.
+// Receives the reply when an object calls an entry of its own directly and not by a message.  An
+// object does this to connect one of its subjects with one of its observers, or to disconnect them.
 struct SelfReply {
   void* data;
   size_t size;
@@ -80,7 +80,8 @@ struct ReplyBoxes {
 
 // An object's use of the robot's processor, if handlers take time; see cpu.h.
 struct ProcessorState {
-  // The virtual time since when a message has waited for the processor; -1 if none waits.
+  // The virtual time at which the object, for which a message is due, began to wait for the
+  // processor; -1 if the object does not wait for it.
   int64_t starving_since_us = -1;
   struct Outgoing {
     OwnedMessage message;
@@ -102,7 +103,7 @@ class OpenFiles {
   void CloseAll();
 
   // The keys are addresses, which differ from run to run, so nothing may depend on the order of
-  // `streams`.
+  // `streams`, the files that code of the image has opened with fopen().
   std::map<std::FILE*, File> streams;
   std::map<int, File> descriptors;
   // The standard input of the object; null until the object reads from the console.
@@ -145,7 +146,8 @@ class Object {
   // they are older than all messages due now.
   void ReturnHeld();
 
-  // Returns whether `address` is an instruction of the object's image.
+  // Returns whether a given address lies in the code of the image from which the object was loaded.
+  // Always false for an object that was not loaded from a file.
   virtual bool HasCode(const void*) const { return false; }
 
   // Returns whether the object has an entry `selector`.
@@ -219,9 +221,10 @@ class Object {
   // selector.
   std::map<uint32_t, std::string> services;
 
-  // ---- The members that the delivery of every message reads.  They lie on one cache line, because
-  // with thousands of objects a delivery spends most of its time waiting for memory.  They come
-  // last and leave 8 bytes of the line, so that CodeHost::code lies on this line, too.
+  // ---- The members of Object that the delivery of every message reads.  They lie on one cache
+  // line, because with thousands of objects a delivery spends most of its time waiting for memory.
+  // They come last and leave 8 bytes of the line, so that CodeHost::code, which a delivery to a
+  // CodeHost (a derived class) also reads, lies on this line, too.
 
   // The object has the entries 0 to entry_count - 1.  Whether it has a later entry must be asked
   // with HasEntry().

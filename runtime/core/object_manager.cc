@@ -163,9 +163,10 @@ void ObjectManager::RunBoot(int robot, size_t findings_before) {
 void ObjectManager::RunBootAgain(int robot) {
   const size_t findings_before = system().findings().all().size();
   shutting_down_.erase(robot);
-  // Clears unreported_, because it has addresses of connections, which would be wrong after the
-  // boot.  No unknown service stays unreported because of this: unreported_ has only services of
-  // lost processes, and a robot with objects in other processes does not boot again.
+  // Clears unreported_, the services that may be reported later, because it has addresses of
+  // connections, which would be wrong after the boot.  No unknown service stays unreported because
+  // of this: unreported_ has only services of lost processes, and a robot with objects in other
+  // processes does not boot again.
   unreported_.clear();
   if (!system().robot_table().LoadAgain(robot)) return;
   KeepBack(robot);
@@ -320,8 +321,8 @@ bool ObjectManager::MayBeLost(int robot, const std::string& service) const {
 }
 
 void ObjectManager::ReportUnknown(const Connection& connection, const std::string& service) {
-  // Keeps a service of a lost process in unreported_, because the loss of the process has been
-  // reported and the process may come back.
+  // Keeps a service of a lost process in unreported_, the services that may be reported later,
+  // because the loss of the process has been reported and the process may come back.
   if (MayBeLost(connection.robot, service)) {
     unreported_.emplace(&connection, service);
     return;

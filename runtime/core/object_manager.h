@@ -100,8 +100,9 @@ class ObjectManager : public CodeObject {
   Selector reload_;
   Selector task_;
   // The messages that the object manager has posted to itself and has not handled yet.  Each
-  // message is kept as its selector and the value in its payload (a robot or an object id).
-  // IsDue() uses them to refuse such a message from another object.
+  // message is kept as its selector and the value in its payload (a robot or an object id).  With
+  // these, IsDue() finds out whether another object has sent a message with the same selector,
+  // which is refused.
   std::multiset<std::pair<Selector, int>> due_;
   // The tasks of PostTask() that were not called yet, oldest first.
   std::deque<std::function<void()>> tasks_;

@@ -88,8 +88,8 @@ class AbsentObject : public Object {
     delivery.set_off(true);
   }
 
-  // Accepts messages to all entries.  The messages are dropped, because the robot of the object is
-  // off.
+  // Accepts messages to all entries of the absent object.  The messages are dropped, because the
+  // robot of the object is off.
   bool HasEntry(uint32_t) const override { return true; }
   bool Dispatch(uint32_t, void*) override { return false; }
 };
@@ -103,8 +103,8 @@ void PassStatistics(const Object& old, Object* fresh) {
   fresh->waiting_max = old.waiting_max;
   fresh->handler_ns_max = old.handler_ns_max;
   fresh->stack_max = old.stack_max;
-  // Copies the count of waiting messages and does not set it to 0, because it includes messages
-  // that a gate (schedule.h) keeps and that the new object will receive.
+  // Copies the old object's count of waiting messages and does not set it to 0, because it includes
+  // messages that a gate (schedule.h) keeps and that the new object will receive.
   fresh->waiting = old.waiting;
 }
 

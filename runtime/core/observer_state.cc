@@ -51,9 +51,10 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
   constexpr int kTimesMax = 8;  // our choice: no program asserts ready more often on purpose
   entry.asserted = command == objcommCMD_ASSERT_READY ? entry.asserted + 1 : 0;
   if (entry.asserted == kTimesMax + 1 && !object->is_system) ReportRepeatedReady(entry);
-  // Removes from `entry.regions` the regions that the ready gives back.  These are the first
-  // `count` regions of which the object holds no reference of its own; no reference was added or
-  // removed since the ready was made.
+  // Removes from `entry.regions`, the regions that the observer has received from the subject,
+  // those that the posted ready gives back.  These are the first `count` regions of which the
+  // object holds no reference of its own; no reference was added or removed since the ready was
+  // made.
   auto kept = entry.regions.begin();
   for (RCRegion* const region : entry.regions) {
     if (region->NumberOfReference() > 1 || count == 0) {

@@ -40,7 +40,8 @@ class OffRobots {
 
  private:
   struct Times {
-    // End of the frame that runs now; INT64_MAX once the boot of the robot is posted.
+    // End of the frame in which the robot, which is off, is now; INT64_MAX once the boot of the
+    // robot is posted.
     int64_t frame_us;
     int64_t boot_us;  // the robot boots at the end of the first frame that ends at boot_us or later
   };

@@ -46,8 +46,8 @@ uint32_t RegionTable::New(size_t size, ObjectId owner) {
   // Refuses to make more slots than an id can name, because the id of a region has 16 bits for the
   // slot.
   if (free_.empty() && slots_.size() >= 0xffff) return kNoRegion;
-  // Allocates the memory before the table gets a new slot, so that the table does not change if
-  // there is no memory.
+  // Allocates the memory of the new region before the table gets a new slot, so that the table does
+  // not change if there is no memory.
   const auto next = static_cast<uint32_t>(slots_.size());
   if (Fill(&fresh, free_.empty() ? next : free_.back(), size) == nullptr) return kNoRegion;
   if (free_.empty()) {
@@ -106,8 +106,8 @@ char* RegionTable::AdoptCopy(uint32_t id, size_t size) {
     slot->is_idle = false;
     slot->id = id;
     slot->size = size;
-    // Writes the guard bytes behind the region again, because a program that wrote beyond the end
-    // of the last copy may have changed them.
+    // Writes the bytes with the known value kGuard behind the region again, because a program that
+    // wrote beyond the end of the last copy in this memory may have changed them.
     std::memset(slot->base + size, kGuard, kGuardBytes);
     return slot->base;
   }

@@ -133,8 +133,9 @@ class RegionTable {
   // A slot, the table's record of one region, fills one cache line, so that finding a region reads
   // memory once.
   struct alignas(64) Slot {
-    // The id by which Find() finds the region.  kNoRegion if the slot has no memory, or if no
-    // observer reads its copy at present (`is_idle`).
+    // The id by which RegionTable::Find() finds the region in this slot.  kNoRegion if the slot has
+    // no memory.  Also kNoRegion if the slot has only a copy of a region of another process that no
+    // observer reads at present (`is_idle`), because the bytes of such a copy may be out of date.
     uint32_t id = kNoRegion;
     int pins = 0;
     char* base = nullptr;
@@ -171,7 +172,8 @@ class RegionTable {
   void FreeIfUnused(Slot* slot);
   char* Fill(Slot* slot, uint32_t index, size_t size);
   uint32_t IndexOf(const Slot* slot) const { return static_cast<uint32_t>(slot - slots_.data()); }
-  // Returns the id of the region in a slot with this index and generation.
+  // Returns the id of the region in slot number `index`.  `generation` counts the regions that this
+  // slot has had, so that the id differs from those of earlier regions.
   static uint32_t IdOf(uint32_t index, uint16_t generation) {
     return static_cast<uint32_t>(generation) << 16 | (index + 1);
   }

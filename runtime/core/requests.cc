@@ -41,7 +41,8 @@ OwnedMessage Requests::Await(uint64_t box, int64_t timeout_us, std::string_view 
   // LocalCalls::BeginWait() has posted from the object to itself.
   *timed_out = message->kind == PayloadKind::kHashed && message->sender == self->id;
   if (*timed_out) return message;  // leaves the box open, because the reply may still come
-  // Removes the message that would end the wait, because the reply came before the time-out.
+  // Removes `wake`, the message that would end the wait at the time-out, because the reply came
+  // before.
   if (wake != nullptr) system_->queue().TakeIf([wake](const Message& m) { return &m == wake; });
   self->boxes.open.erase(box);
   return message;
@@ -69,8 +70,8 @@ int32_t Requests::Call(ObjectId target, uint32_t selector, const void* data, siz
   if (error != sSUCCESS) return error;
   const std::string why =
       fmt::format("the answer of {} ({})", callee->name, callee->EntryName(selector));
-  // Repeats a wait that has timed out while the callee waits for something that takes wall time but
-  // no virtual time.  The time-out is in virtual time.
+  // Repeats a wait that has timed out while the receiver of the request (`target`) itself waits for
+  // something that takes wall time but no virtual time, because the time-out is in virtual time.
   for (;;) {
     const int32_t result = Wait(box, reply, reply_size, nullptr, timeout_us, why);
     if (result != sTIMEOUT || !system_->object(target)->wait.is_untimed) return result;

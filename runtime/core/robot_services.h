@@ -49,8 +49,8 @@ class RobotServices {
   // before System::Boot().
   virtual void Reseed(uint64_t) {}
 
-  // Adds to the state hash all state of the robot that can change what the functions of this class
-  // do or return later.
+  // Adds to the state hash all state of the robot that can change what the functions of
+  // RobotServices do or return later.
   virtual void HashState(Hasher* hasher) const;
 };
 

@@ -97,8 +97,8 @@ size_t StackMemory::UsedBytes(size_t gap_bytes) const {
     if (!IsZero(step)) lowest = step;
     if (static_cast<size_t>(lowest - step) >= gap_bytes) break;
   }
-  // Moves `lowest` up to the lowest byte of the stack that is not zero.  The search has found only
-  // the step of kStepBytes in which this byte lies.
+  // Moves `lowest` up to the lowest byte of the stack that is not zero.  Until now `lowest` is the
+  // first of the kStepBytes bytes among which this byte is.
   uint64_t word = 0;
   while (lowest < top() && (std::memcpy(&word, lowest, sizeof word), word == 0))
     lowest += sizeof word;
@@ -118,7 +118,7 @@ std::vector<std::pair<const char*, size_t>> StackMemory::All() {
     all.emplace_back(each->bottom_, kBytes);
     const char* const imports = each->mapping_ + kGuardBytes;
     // A stack at a planned address has a second stack below it, for the functions that an image
-    // imports.  Adds this second stack, too.
+    // imports.  Adds the second stack to the result (`all`), too.
     if (imports < each->bottom_)
       all.emplace_back(imports, static_cast<size_t>(each->bottom_ - kGuardBytes - imports));
   }

@@ -54,17 +54,18 @@ class StackMemory {
     return address >= mapping_ && address < mapping_ + mapped_bytes_;
   }
 
-  // Returns how many bytes of the stack were written to, counted from the top.  The search goes
-  // from the top down and ends after `gap_bytes` of zeros.  So the function misses written bytes
-  // below an array of `gap_bytes` bytes that was not written.  Returns 0 with AddressSanitizer and
-  // under Valgrind, which do not allow these reads.  REQUIRES: the caller runs on another stack.
+  // Returns how many bytes of this stack were written to, counted from its top.  The search for
+  // them goes from the top down and ends after `gap_bytes` of zeros.  So the function misses
+  // written bytes below an array of `gap_bytes` bytes that was not written.  Returns 0 with
+  // AddressSanitizer and under Valgrind, which do not allow these reads.  REQUIRES: the caller runs
+  // on another stack.
   size_t UsedBytes(size_t gap_bytes) const;
 
-  // Sets to zero the bytes that UsedBytes(gap_bytes) counts, and returns their number.  So the next
-  // handler finds a stack of zeros.
+  // Sets to zero the bytes of this stack that UsedBytes(gap_bytes) counts, and returns their
+  // number.  So the next handler finds a stack of zeros.
   size_t Clear(size_t gap_bytes);
 
-  // Tells AddressSanitizer that the stack is empty.  Functions that never returned have left marks
+  // Tells AddressSanitizer that this stack is empty.  Functions that never returned have left marks
   // for their variables in the shadow memory of AddressSanitizer.  With these marks,
   // AddressSanitizer would report the next use of the memory as an error.
   void ForgetFrames() const;

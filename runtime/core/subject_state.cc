@@ -114,8 +114,8 @@ void ReportDeasserted(const SubjectState& subject, ObserverLink* link) {
 }
 
 OStatus SubjectState::Notify(ObserverLink* link) {
-  // If the program has set no data, sends nothing, and the observer stays ready, as Sony's library
-  // does (measured.md 1.12).
+  // Sends nothing if the program has set no data for this observer.  The observer then stays ready,
+  // as it does with Sony's library (measured.md 1.12).
   if (link->fresh.empty()) return oSUCCESS;
   // Drops `skip` notifications before each notification that is kept, because the observer has
   // asked for this with SetSkip().
@@ -127,8 +127,9 @@ OStatus SubjectState::Notify(ObserverLink* link) {
   }
   link->skipped = 0;
   if (link->ready < 0) ReportDeasserted(*this, link);
-  // True if the observer is ready, no older notification is pending, and the observer wants each
-  // notification at once (min).  Then these data are sent at once and never become pending.
+  // True if the observer is ready, no older notification is pending, and the observer wants to get
+  // each notification at once: `min`, the number of notifications for which it waits, is at most 1.
+  // Then these data are sent at once and never become pending.
   const bool is_awaited = link->ready > 0 && link->units.empty() && link->min <= 1;
   if (is_awaited && Send(link, link->fresh.begin(), link->fresh.size(), 1)) [[likely]] {
     link->fresh.Clear();
@@ -138,8 +139,8 @@ OStatus SubjectState::Notify(ObserverLink* link) {
   link->pending.insert(link->pending.end(), link->fresh.begin(), link->fresh.end());
   link->fresh.Clear();
   if (!is_awaited) Flush(link);
-  // Old notifications are dropped only after Flush(), so that data which the observer can take now
-  // are sent and not lost.
+  // Drops old notifications only after Flush(), which sends pending notifications if the observer
+  // is ready.  So data that the observer can take now are sent and not lost.
   while (link->units.size() > link->max) {
     DropOldestUnit(link);
     ++object->dropped_count;
@@ -159,13 +160,14 @@ void SubjectState::SendPending(ObserverLink* link) {
          data_count + link->units[unit_count].data <= MAX_NUM_DATA) {
     data_count += link->units[unit_count++].data;
   }
-  // If Send() refuses the message, these data stay pending, and the next notification or ready
+  // If Send() fails, the data that it should send stay pending, and the next notification or ready
   // tries to send them again.
   const auto sent_count = static_cast<size_t>(data_count);
   if (!Send(link, link->pending.data(), sent_count, unit_count)) return;
   link->pending.erase(link->pending.begin(), link->pending.begin() + data_count);
   link->units.erase(link->units.begin(), link->units.begin() + static_cast<long>(unit_count));
-  // If notifications are left, their wait for the next ready begins now.
+  // If notifications stay pending after the message was sent, their wait for the observer's next
+  // ready begins now.
   if (!link->units.empty()) link->waiting_since_us = system->now_us();
 }
 

@@ -146,7 +146,7 @@ bool System::RunUntil(const std::function<bool()>& predicate, int64_t budget_us)
   return predicate();
 }
 
-// Posts a notification or a ready that MessagePoster::PostAtOnce() has not taken.
+// Posts by calls() a notification or a ready that MessagePoster::PostAtOnce() has not queued.
 [[gnu::noinline]] int32_t System::PostByCalls(Message* message) {
   return calls_->Post(OwnedMessage(message), 0);
 }

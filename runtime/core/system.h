@@ -131,8 +131,8 @@ class System {
 
   // ---- Messages ----
 
-  // Returns a message from the current object (or the system) with an empty payload, to be filled
-  // and posted.
+  // Returns a message with an empty payload, to be filled and posted.  Its sender is the current
+  // object, or the System if there is no current object.
   [[gnu::always_inline]] OwnedMessage NewMessage(ObjectId target, uint32_t selector) {
     const Object* const sender = t_current.object;
     const Message* const cause = sender == nullptr ? nullptr : sender->handler.running.get();
@@ -203,8 +203,9 @@ class System {
   MessageQueue& queue() { return poster_.queue(); }
   MessagePoster& poster() { return poster_; }
   SystemCalls& calls() { return *calls_; }
-  // The next two functions call the functions of calls() with the same names.  If calls() is
-  // LocalCalls, they do the work themselves, which saves a virtual call.
+  // Each of the next two functions calls the function of calls() with the same name.  If calls() is
+  // LocalCalls, whose functions only call those of the RegionTable, calls the RegionTable itself,
+  // which saves a virtual call.
   bool PinRegion(uint32_t region) {
     return calls_are_local_ ? regions_.Pin(region) : calls_->PinRegion(region);
   }
@@ -239,8 +240,8 @@ class System {
 
   SystemOptions options_;
   // True if `calls_` is LocalCalls, that is, if the calls of handlers work on the tables of this
-  // System.  The functions that run for every notification then do this work themselves, which
-  // saves a virtual call.
+  // System and not on those of another process.  The functions that run for every notification then
+  // do this work themselves, which saves a virtual call.
   const bool calls_are_local_;
   const std::unique_ptr<SystemCalls> calls_;
   bool booted_ = false;
@@ -260,8 +261,8 @@ class System {
   RobotTable robot_table_{this};
   std::unique_ptr<Dispatcher> dispatcher_;
   ObjectManager* manager_ = nullptr;
-  // The table is the last member, so it is destroyed first: objects use the other members until
-  // they are destroyed.
+  // The ObjectTable is the last member of System, so it is destroyed first: objects use the other
+  // members until they are destroyed.
   ObjectTable table_{this};
 };
 
