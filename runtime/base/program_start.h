@@ -42,9 +42,10 @@ class ProgramStart {
   // Makes `ours`, a descriptor of this process, the descriptor `theirs` of the program, which is
   // not closed by the start of the program.  The two may be equal.
   void Give(int ours, int theirs);
-  // Closes all descriptors from `first` on.
+  // Closes all descriptors of the new process from number `first` on, so that the program does not
+  // have them.
   void CloseFrom(int first);
-  // Makes `folder` the program's working folder.
+  // Makes `folder` the working folder of the program that this process starts.
   void EnterFolder(const std::string& folder);
 
   // Replaces the environment, texts "NAME=value", which otherwise is the one of this process.

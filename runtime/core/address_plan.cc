@@ -134,8 +134,8 @@ char* AddressPlace::stack(int number) const {
 }
 
 int AddressPlace::OfHeap(const void* address) {
-  // An address below g_area, the first address of the plan, becomes a very large offset, so one
-  // comparison finds addresses below the heaps and addresses above them.
+  // An address below g_area, the first address of the plan and of the heaps, becomes a very large
+  // offset, so one comparison finds addresses below the heaps and addresses above them.
   const uintptr_t offset = reinterpret_cast<uintptr_t>(address) - g_area;
   if (g_area == 0 || offset >= kPlaces * kHeapBytes) return -1;
   return static_cast<int>(offset / kHeapBytes);

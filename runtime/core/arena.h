@@ -71,7 +71,8 @@ class Arena {
   // allocation.
   void KeepCalls() { calls_ = std::make_unique<std::map<uint32_t, Calls>>(); }
   bool keeps_calls() const { return calls_ != nullptr; }
-  // Stores `calls`, the calls that led to the allocation of `block`.  REQUIRES: keeps_calls().
+  // Stores `calls`, the calls that led to the allocation of `block`, for reports of leaks.
+  // REQUIRES: keeps_calls().
   void NoteCalls(const void* block, Calls calls);
   // Calls `visit`, in the order of addresses, for every block that is in use and whose calls
   // NoteCalls() has stored.  `calls` are the calls that led to the allocation of the block.

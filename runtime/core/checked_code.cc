@@ -27,9 +27,9 @@ namespace {
 struct SourcePlace {
   const char* file;
   uint32_t line;
-  // The column of the source code at which the image checks for a fault.  As soon as a fault at
-  // this place was reported, kSaid stands here instead of the column, so that each place is
-  // reported only once.
+  // The column of the source code at which the image checks for a fault, such as a division by
+  // zero.  As soon as a fault at this place was reported, kSaid stands here instead of the column,
+  // so that each place is reported only once.
   uint32_t column;
 };
 constexpr uint32_t kSaid = UINT32_MAX;

@@ -41,7 +41,8 @@ Selector CodeObject::AddEntry(const std::string& name, std::unique_ptr<Entry> en
 }
 
 CodeHost::~CodeHost() {
-  // Makes this object current, because destructors of its code may call functions of the SDK.
+  // Makes this object the current object, because destructors of its code may call functions of the
+  // SDK.
   const CurrentScope scope(system, this);
   entry_count = 0;
   code.reset();

@@ -35,8 +35,8 @@ struct CallSearch {
 
 _Unwind_Reason_Code CollectFrame(_Unwind_Context* context, void* data) {
   CallSearch* const search = static_cast<CallSearch*>(data);
-  // Subtracts 1 from the return address, which is the address of the instruction after the call, so
-  // that the address lies in the call.
+  // Subtracts 1 from the return address of a function on the stack, which is the address of the
+  // instruction after a call, so that the address lies in the call.
   const auto* const address = reinterpret_cast<const char*>(_Unwind_GetIP(context) - 1);
   if (address >= search->image && address < search->image + AddressPlace::kImageBytes)
     search->found.push_back(address);

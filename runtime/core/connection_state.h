@@ -96,8 +96,9 @@ void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
 // back to the subject with SendDeassert(), so that the subject can use them again.
 void RefuseNotification(Object* object, const Message& message);
 
-// The regions of one notification, at most MAX_NUM_DATA, oldest first.  Unlike a vector it needs no
-// memory of its own, which would be one more cache line to read for each notification.
+// The regions of one notification, at most MAX_NUM_DATA, oldest first.  Unlike a std::vector the
+// list needs no memory of its own, which would be one more cache line to read for each
+// notification.
 class RegionList {
  public:
   size_t size() const { return size_; }
@@ -105,9 +106,10 @@ class RegionList {
   RCRegion* const* begin() const { return regions_; }
   RCRegion* const* end() const { return regions_ + size_; }
 
-  // Adds `region` as the newest region of the notification.  REQUIRES: size() < MAX_NUM_DATA.
+  // Adds `region` as the newest region of the list, which holds the regions of one notification.
+  // REQUIRES: size() < MAX_NUM_DATA.
   void Append(RCRegion* region) { regions_[size_++] = region; }
-  // Removes the oldest region of the notification and returns the region.  REQUIRES: !empty().
+  // Removes the oldest region of the list and returns the region.  REQUIRES: !empty().
   RCRegion* TakeFirst();
   void Clear() { size_ = 0; }
 
@@ -192,8 +194,8 @@ struct SubjectState {
   // references to their regions.  Called when the program clears the buffer and when the connection
   // ends.
   void Clear(ObserverLink* link);
-  // Drops the oldest pending notification and gives up its references to regions.  REQUIRES: a
-  // notification is pending.
+  // Drops the oldest pending notification (a unit of ObserverLink::units) and gives up its
+  // references to regions.  REQUIRES: a notification is pending.
   void DropOldestUnit(ObserverLink* link);
 
   void HashState(Hasher* hasher) const;

@@ -55,8 +55,9 @@ size_t ConsoleInput::Read(char* buffer, size_t size, const std::function<bool()>
   Object* const self = t_current.object;
   ASSERT(self != nullptr, "only a handler reads the console");
   Terminal& terminal = terminals_[self->robot];
-  // After the wait the text may be empty again, because another reader may have taken the line
-  // before this reader ran.  So the wait is repeated until the terminal has text.
+  // After the wait for a line, the text of the terminal may be empty again, because another reader
+  // may have taken the line before this reader ran.  So the wait is repeated until the terminal has
+  // text.
   while (terminal.text.empty()) {
     const uint64_t box = system_->requests().OpenBox();
     terminal.readers.emplace_back(self->id, box);

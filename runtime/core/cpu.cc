@@ -54,8 +54,8 @@ void Cpu::Begin(Object* object, uint32_t selector, int64_t cost_us, int64_t now_
                     "parts",
                     object->EntryName(selector), kLongHandlerUs / 1000));
   }
-  // Subtracts from the remaining time of the running handler the time since it last got the
-  // processor, because the new handler interrupts it.
+  // Subtracts from the remaining processor time of the handler that has the processor the time
+  // since it last got the processor, because the handler that begins now interrupts it.
   if (!jobs_.empty()) jobs_.back().left_us -= now_us - jobs_.back().since_us;
   jobs_.push_back({object, cost_us, now_us});
   object->delivery.set_busy(true);

@@ -44,8 +44,8 @@ class Cpu {
   // of lower priority.  REQUIRES: `object` belongs to this robot.
   bool IsFreeFor(const Object& object) const;
 
-  // The longest wait for the processor that is normal; a longer wait becomes a finding.  The value
-  // is our choice.
+  // The longest wait of an object for the processor that is normal; a longer wait becomes a
+  // finding.  The value is our choice.
   static constexpr int64_t kStarvedUs = 1'000'000;
 
   // The longest time that a handler normally takes.  A longer handler becomes a finding, because it
@@ -61,12 +61,12 @@ class Cpu {
   // first.
   std::vector<OwnedMessage> TakeMessagesTo(ObjectId id);
 
-  // Ends the wait of `object`, which gets the processor.  Adds a finding if the object has waited
-  // longer than kStarvedUs.
+  // Ends the wait of `object` for the processor, which the object gets now.  Adds a finding if the
+  // object has waited longer than kStarvedUs.
   void Grant(Object* object, int64_t now_us);
 
-  // Starts a handler of entry `selector` that takes `cost_us`.  REQUIRES: cost_us > 0 and
-  // IsFreeFor(*object).
+  // Gives the processor to a handler of entry `selector` that takes `cost_us`.  REQUIRES: cost_us >
+  // 0 and IsFreeFor(*object).
   void Begin(Object* object, uint32_t selector, int64_t cost_us, int64_t now_us);
 
   // Returns the time at which the running handler ends if no other handler interrupts it; INT64_MAX

@@ -23,8 +23,9 @@ class Fiber {
   Fiber(const Fiber&) = delete;
   Fiber& operator=(const Fiber&) = delete;
 
-  // Drops the stack's content, so that the next switch to this fiber calls main(argument) on an
-  // empty stack.  REQUIRES: this fiber is not running and has a stack of its own.
+  // Drops the content of this fiber's stack, so that the next switch to this fiber calls
+  // main(argument) on an empty stack.  REQUIRES: this fiber is not running and has a stack of its
+  // own.
   void Prepare(Main main, void* argument);
 
   // Saves the running stack in `from` and continues on this fiber's stack; returns when another
@@ -43,7 +44,8 @@ class Fiber {
   std::unique_ptr<StackMemory> stack_;  // null for the thread's own stack
   Main main_ = nullptr;
   void* argument_ = nullptr;
-  // The exceptions that this stack is handling (__cxa_eh_globals), while the fiber is not running.
+  // The exceptions that code on this fiber's stack is handling (__cxa_eh_globals), while the fiber
+  // is not running.
   void* exceptions_[2] = {nullptr, nullptr};
   // Values that AddressSanitizer needs while the fiber is not running: its fake stack for this
   // fiber, and the bounds of the stack on which the fiber continues.

@@ -28,8 +28,8 @@ constexpr int kFpKinds = 5;  // number of bits in kFpAll
 // one of these flags (arithmetic_watch.h).
 constexpr unsigned kFpCaught = kFpInvalid | kFpDenormal | kFpDivByZero | kFpOverflow;
 // MXCSR, the register with the floating-point flags, has a mask bit for each flag, this number of
-// bits to the left of the flag.  While the mask bit is set, operations that set the flag raise no
-// SIGFPE.
+// bits to the left of the flag.  While the mask bit is set, floating-point operations that set the
+// flag raise no SIGFPE.
 constexpr int kFpMaskShift = 7;
 
 // Without SSE2 the next three functions, which read and set the register MXCSR (the floating-point

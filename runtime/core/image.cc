@@ -137,8 +137,8 @@ std::string ImageObject::CheckVersions() {
         "was built for version {} of the image format, this is version {}; build it again",
         info_->version, kImageVersion);
   }
-  // Accepts version 0 of the SDK headers, the version in images of builds that did not mark images
-  // yet.  Such an image may fit.
+  // Accepts version 0 of the SDK headers, the version in images of builds that did not yet write a
+  // version into images.  Such an image may fit.
   const uint32_t headers = info_->headers_version;
   if (headers == 0 || headers == kHeadersVersion) return "";
   return fmt::format(
@@ -198,8 +198,8 @@ std::string ImageObject::ReadTables() {
     if (entry->selector >= entries_.size()) entries_.resize(entry->selector + 1, nullptr);
     entries_[entry->selector] = entry->entry;
   }
-  // Counts the entries before the first gap in the object's table of entries, because
-  // Object::entry_count must not count entries that do not exist.
+  // Counts the entries before the first gap in the object's table of entries.  Object::entry_count
+  // must not count entries that do not exist.
   while (ImageObject::HasEntry(entry_count)) ++entry_count;
   const OcfResult ocf = ParseOcf(path + " (.ocf)", info_->ocf);
   if (!ocf.ocf) return "has a bad .ocf text: " + Render(ocf.diagnostics);
@@ -246,8 +246,9 @@ bool ImageObject::Dispatch(uint32_t selector, void* payload) {
 // (field-notes.md, 4.4).  Each kind of operation is reported once per object.
 void ImageObject::ReportFpFlags(uint32_t selector) {
   const ApiScope scope;
-  // Does not report kFpInvalid again after a conversion to an integer that checked_code.cc has
-  // reported, because such a conversion sets the flag kFpInvalid, too.
+  // Does not report kFpInvalid (an operation without a valid result) again after a conversion to an
+  // integer that checked_code.cc has reported, because such a conversion sets the flag kFpInvalid,
+  // too.
   const unsigned reported = has_reported_cast ? unsigned{kFpInvalid} : 0u;
   const unsigned fresh = FpFlags() & ~fp_seen_ & ~reported;
   const bool makes_denormals = ((fp_seen_ | fresh) & kFpUnderflow) != 0;
@@ -270,8 +271,9 @@ void ImageObject::ReportFpFlags(uint32_t selector) {
          "a floating-point operation made an infinity (division by 0, log(0), a result too large)",
          "the robot is said to stop when it is used");
   }
-  // Does not report that an object uses denormals which its own operations have made.  The robot
-  // turns denormal results into 0, so on the robot the object would have no denormals.
+  // Does not report that an object uses denormals (numbers nearer to 0 than the processor's normal
+  // ones) which its own operations have made.  The robot turns denormal results into 0, so on the
+  // robot the object would have no denormals.
   if ((fresh & kFpDenormal) && !makes_denormals) {
     warn(kFpDenormal,
          "a denormal number was used in a floating-point operation (an int taken for a float, "

@@ -92,8 +92,9 @@ std::string OcfTextOf(const std::string& bytes) {
     Elf64_Shdr section;
     if (!ReadAt(bytes, section_at(i), &section)) return "";
     const uint64_t name = names.sh_offset + section.sh_name;
-    // Compares the NUL at the end of the section's name too, because a longer name that only begins
-    // with kOcfSection names another section.
+    // Looks for the section kOcfSection, which holds the .ocf text.  Compares the NUL at the end of
+    // the section's name too, because a longer name that only begins with kOcfSection names another
+    // section.
     if (name >= bytes.size() ||
         bytes.compare(name, sizeof kOcfSection, kOcfSection, sizeof kOcfSection))
       continue;

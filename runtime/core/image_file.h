@@ -10,7 +10,8 @@ namespace openr_host {
 
 struct ImageFile {
   std::string bytes;  // bytes of the shared object, decompressed
-  // True if the file is compressed with gzip.  The Makefiles of some programs compress the images.
+  // True if the image file is compressed with gzip.  The Makefiles of some programs compress the
+  // images.
   bool is_compressed = false;
   bool is_for_robot = false;  // whether the file is a MIPS binary
   std::string problem;        // the reason why the file cannot be loaded; "" if it can be loaded

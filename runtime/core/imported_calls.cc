@@ -269,8 +269,9 @@ void Redirection::FindImports(int64_t table, int64_t size) {
   for (uint64_t i = 0; i < count; ++i) {
     const Elf64_Rela& relocation = relocations[i];
     const uint64_t type = ELF64_R_TYPE(relocation.r_info);
-    // Skips all relocations except those that store the address of a symbol, because the address of
-    // an imported function is stored by such a relocation.
+    // Skips all relocations (places in the image that the loader fills with an address) except
+    // those that store the address of a symbol, because the address of an imported function is
+    // stored by such a relocation.
     if (type != R_X86_64_JUMP_SLOT && type != R_X86_64_GLOB_DAT && type != R_X86_64_64) continue;
     const Import import{reinterpret_cast<uint64_t*>(relocation.r_offset),
                         ELF64_R_SYM(relocation.r_info)};
@@ -324,9 +325,9 @@ std::string Redirection::Run(size_t bytes_max) {
     const auto index = static_cast<size_t>(same - imports_.begin());
     thunks[i] = index < i ? thunks[index] : MakeThunk(imports_[i], i);
   }
-  // Replaces the addresses of imported functions in the image only in this last step.  If a step
-  // before this fails, the image is unloaded.  Unloading runs functions of the image, which need
-  // the unchanged addresses.
+  // Replaces the addresses of imported functions in the image only in this last step.  If a
+  // step before this fails, the image is unloaded.  Unloading runs functions of the image, which
+  // need the unchanged addresses.
   if (mprotect(thunks_, bytes, PROT_READ | PROT_EXEC) != 0) return kNoMemory;
   for (size_t i = 0; i < imports_.size(); ++i) *imports_[i].slot = thunks[i];
   return set_access(PROT_READ) ? "" : kNoMemory;

@@ -82,8 +82,8 @@ std::string StickLoader::NameInImage(const std::string& path) {
 StandIns::const_iterator StickLoader::FindStandIn(const std::string& path) {
   if (stand_ins_.empty()) return stand_ins_.end();
   const auto by_file = stand_ins_.find(std::filesystem::path(path).filename().string());
-  // Looks among the stand-ins for the object's name only if the file name is not found, because
-  // reading the name from the image takes time.
+  // Looks for the object's name in `stand_ins_`, the functions that replace the loading of images,
+  // only if the file name is not found there, because reading the name from the image takes time.
   return by_file != stand_ins_.end() ? by_file : stand_ins_.find(NameInImage(path));
 }
 
