@@ -55,7 +55,8 @@ struct alignas(64) Message {
   MessageClass message_class = MessageClass::kObject;
   PayloadKind kind = PayloadKind::kBytes;
   bool is_reply = false;  // a reply goes into `reply_box` of the target and calls no entry
-  // The queue to whose pool the message goes back; null if the message is from no pool.
+  // The queue to whose pool the message goes back when it is no longer needed; null if the message
+  // is from no pool.
   MessageQueue* pool = nullptr;
 
   // The largest number of bytes that a message can carry.  The robot's limit is 256; an
@@ -155,8 +156,8 @@ class MessageQueue {
     return static_cast<uint32_t>(message.message_class) * kPriorities + (kPriorities - 1) -
            static_cast<uint32_t>(priority);
   }
-  // Gives `message`, which is in no list, back to the pool.  The function is small, so that the
-  // compiler can inline the many destructors of OwnedMessage.
+  // Gives `message`, which is in no list of the queue, back to the pool.  The function is small, so
+  // that the compiler can inline the many destructors of OwnedMessage, which call it.
   void Release(Message* message) {
     message->next = free_;
     free_ = message;
@@ -223,8 +224,8 @@ inline void MessageQueue::Insert(Message* message, int priority) {
     InsertLater(message, level);
 }
 
-// Appends `message`, which is due now, to the list of `level` (the messages of one class and
-// priority).
+// Appends `message`, which is due now, to the queue's list for `level` (the messages of one class
+// and priority).
 inline void MessageQueue::Append(Message* message, uint32_t level) {
   List& list = levels_[level];
   message->next = nullptr;

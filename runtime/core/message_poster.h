@@ -67,7 +67,7 @@ class MessagePoster {
     message->number = ++last_number_;
     message->due_us = queue_.now_us() + delay_us + crowding_delay_us_;
   }
-  // Counts a message that `target` will receive.
+  // Counts one more message that `target` will receive (Object::waiting).
   static void CountWaiting(Object* target) {
     target->waiting_max = std::max(target->waiting_max, ++target->waiting);
   }

@@ -58,8 +58,9 @@ struct WaitState {
   int64_t since_us = 0;  // virtual time when the wait began
   // The text that tells users what the handler waits for: "the answer of IPStack (Send)".
   std::string why;
-  // True if the wait takes wall time, so that virtual time does not tell how long it takes.
-  // Requests::Call() to this object then ignores time-outs, which are in virtual time.
+  // True if the handler waits for something that takes wall time, so that virtual time does not
+  // tell how long the wait is.  Requests::Call() to this object then ignores time-outs, which are
+  // in virtual time.
   bool is_untimed = false;
 };
 
@@ -134,7 +135,7 @@ class Object {
   virtual std::vector<StandingReady> StandingReadies() const;
 
   // Takes back a region that a subject of this object had sent to an observer and that the observer
-  // cannot give back with a ready.  An object that is being replaced (`is_leaving`) does nothing,
+  // cannot give back with a ready.  Does nothing if this object is being replaced (`is_leaving`),
   // because its regions end with it.
   virtual void ReturnRegion(RCRegion* region);
 

@@ -386,8 +386,8 @@ void ObjectManager::Connect(const Connection& connection) {
   const sError error =
       system().requests().Call(observer->second.first, observer->second.second, &message,
                                sizeof message, &reply, sizeof reply, kReplyTimeoutUs);
-  // Adds no finding if the process of an object was lost during the wait for the reply, because the
-  // loss is a finding already.
+  // Adds no finding about this connection if the process of the subject or of the observer was lost
+  // during the wait for the reply, because the loss is a finding already.
   if (was_subject_lost || is_subject_lost() || is_observer_lost()) return;
   if (error != sSUCCESS || reply.status != oSUCCESS) {
     system().findings_.Add(

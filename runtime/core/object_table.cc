@@ -19,10 +19,10 @@ namespace {
 
 bool IsOf(const OServiceEntry& entry, ObjectId id) { return ObjectIdOf(entry.GetOID()) == id; }
 
-// Gives up the regions that `observer` has received from the subjects for which `ends` returns
-// true, and which the observer's object no longer reads.  Calls `release` with the subject's
-// RCRegion of each region.  The regions are not given back by a ready, because the object of the
-// observer or of the subject is being replaced.
+// Gives up regions that `observer` has received and that its object no longer reads: those of the
+// subjects for which `ends` returns true.  Calls `release` with the subject's RCRegion of each
+// region.  The regions are not given back by a ready, because the object of the observer or of the
+// subject is being replaced.
 void ReleaseHeld(ObserverState* observer, const std::function<bool(const SubjectID&)>& ends,
                  const std::function<void(RCRegion*)>& release) {
   for (ObserverState::Held& held : observer->held) {
@@ -206,9 +206,9 @@ std::vector<OwnedMessage> ObjectTable::TakeMessagesTo(Object* object) {
   return messages;
 }
 
-// Takes all messages to `old` out of the run, because nothing will receive them.  Returns the
-// readies that observers have sent to `old`: the readies that `old` has received, and the readies
-// among the messages taken.
+// Takes all messages to `old`, an object that is being replaced, out of the run, because nothing
+// will receive them.  Returns the readies that observers have sent to `old`: the readies that `old`
+// has received, and the readies among the messages taken.
 std::vector<StandingReady> ObjectTable::EndMessagesTo(Object* old) {
   std::vector<StandingReady> readies = old->StandingReadies();
   for (const OwnedMessage& message : TakeMessagesTo(old)) {

@@ -106,8 +106,8 @@ RCRegion::RCRegion(size_t size)
       size, t_current.object == nullptr ? kNoObject : t_current.object->id);
   if (is_by_image) {
     const void* const caller = openr_host::ReturnAddressInImage(__builtin_return_address(0));
-    // Subtracts 1 from the return address, so that the address lies in the call and names its
-    // source line.
+    // Subtracts 1 from `caller`, the return address, so that the address lies in the call that
+    // makes the region and names its source line.
     table->NotePlace(id_, static_cast<const char*>(caller) - 1);
   }
   base_ = table->BaseOf(id_);
@@ -149,9 +149,10 @@ void RCRegion::AddReference() { ++count_; }
 void RCRegion::RemoveReference() {
   if (--count_ > 0) return;
   const ApiScope scope;
-  // The last reference to a received region (one with a source_) belongs to the runtime, which
-  // deletes the region when the observer's next ready gives it back.  An object that removes this
-  // reference has made one call too many, so the region is not deleted here.
+  // The last reference to a received region (an RCRegion with a source_, the RCRegion of the
+  // subject) belongs to the runtime, which deletes the RCRegion when the observer's next ready
+  // gives the region back.  An object that removes this reference has made one call too many, so
+  // the RCRegion is not deleted here.
   const bool received = source_ != nullptr;
   if ((received || count_ < 0) && t_current.system != nullptr) {
     t_current.system->AddFinding(

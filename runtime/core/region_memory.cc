@@ -24,8 +24,9 @@ constexpr size_t kKeepBytes = 256 << 10;
 // cells of the old slots mapped.
 constexpr size_t kKeptBytesMax = 1 << 20;
 
-// Sets flag `index` (a slot or a piece of memory) of a list to `value`.  Flags beyond the end of
-// the list are false.  So the list grows only when needed: most runs use few of the 65,536 slots.
+// Sets flag `index` (of a slot or a piece of memory) of the list `flags` to `value`.  Flags beyond
+// the end of the list are false.  So the list grows only when needed: most runs use few of the
+// 65,536 slots.
 void Set(std::vector<bool>* flags, size_t index, bool value) {
   if (index >= flags->size()) flags->resize(index + 1);
   (*flags)[index] = value;
@@ -118,7 +119,7 @@ void RegionMemory::Free(char* block) {
 }
 
 // Removes `cell` (memory for one region) from kept_, the list of free cells that stay mapped, if
-// the cell is in this list.
+// the list has this cell.
 void RegionMemory::NoLongerKept(const Cell& cell) {
   kept_bytes_ -= std::erase(kept_, cell) * CellBytes(cell.size_class);
 }

@@ -166,7 +166,7 @@ bool RegionTable::WasDeleted(uint32_t id) const {
   const Slot& slot = slots_[index];
   const uint32_t generation = id >> 16;
   // The generation of a slot counts the regions that the slot has had.  So an id with a smaller
-  // generation names an earlier region, which was deleted.
+  // generation than that of its slot names an earlier region, which was deleted.
   return slot.is_reusable && generation > 0 &&
          (generation < slot.generation || (generation == slot.generation && !slot.live));
 }

@@ -26,7 +26,7 @@ int RobotTable::Add(const std::string& design, std::shared_ptr<MemoryStick> stic
 }
 
 void RobotTable::BeginShutdown(int index, const RunEnd& why) {
-  // If the robot is off already and waits for its boot timer, ends this wait, so that the robot
+  // If the robot is off already and waits for its boot timer, cancels this wait, so that the robot
   // stays off.  Its objects need not be stopped, because none of them runs.
   if (off_robots_.Remove(index)) {
     Get(index).end = why;

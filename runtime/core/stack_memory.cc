@@ -22,12 +22,12 @@ namespace {
 
 thread_local StackMemory* t_newest = nullptr;
 
-// Two words that every x86-64 processor can read or combine in one instruction, which makes
-// IsZero() fast.
+// Two words of 8 bytes that every x86-64 processor can read or combine in one instruction.  With
+// them IsZero(), which tests whether bytes are all zero, is fast.
 using TwoWords = uint64_t __attribute__((vector_size(16)));
 
-// The number of bytes that IsZero() tests together.  One test of many words is faster than a branch
-// for each word.
+// The number of bytes that IsZero() tests together for zeros.  One test of many words is faster
+// than a branch for each word.
 constexpr size_t kStepBytes = 256;
 
 bool IsZero(const char* bytes) {

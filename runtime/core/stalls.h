@@ -33,8 +33,8 @@ struct Stall {
   bool is_chosen = false;
 };
 
-// The shortest wait that is reported.  The value is our choice: in a program that works, no object
-// waits so long.
+// The shortest wait (for a ready, a reply or the processor) that is reported as a stall.  The value
+// is our choice: in a program that works, no object waits so long.
 constexpr int64_t kStallUs = 1'000'000;
 
 // Returns the stalls that have lasted for `least_us` or longer, in the order of the objects' ids.

@@ -118,7 +118,7 @@ OStatus SubjectState::Notify(ObserverLink* link) {
   // as it does with Sony's library (measured.md 1.12).
   if (link->fresh.empty()) return oSUCCESS;
   // Drops `skip` notifications before each notification that is kept, because the observer has
-  // asked for this with SetSkip().
+  // ordered this with SetSkip().
   if (link->skipped < link->skip) {
     ++link->skipped;
     for (RCRegion* region : link->fresh) region->RemoveReference();

@@ -180,8 +180,8 @@ void System::RecordFinding(const Object* object, Severity severity, std::string 
   finding.message = running == nullptr ? 0 : running->number;
   finding.time_us = now_us();
   finding.text = std::move(text);
-  // Describes the running message only for a new finding.  The description takes time, and some
-  // findings are added again in every frame.
+  // Describes the message that is being handled only for a new finding.  The description takes
+  // time, and some findings are added again in every frame.
   Finding* const added = findings_.Add(std::move(finding));
   if (added != nullptr && running != nullptr && options_.say != nullptr)
     added->said = options_.say(*this, *running);
