@@ -39,8 +39,9 @@ sError NewRegion(size_t size, void** base) {
   if (t_current.object == nullptr || base == nullptr) return sINVALIDARG;
   *base = nullptr;
   if (size > kRobotMemoryBytes) return sNOMEMORY;
-  // Takes the memory from the object's heap, where addresses are the same in every run.  If
-  // addresses are not planned, the object has no heap, and the memory comes from the host's heap.
+  // Takes the private memory for the program from the object's heap, where addresses are the same
+  // in every run.  If addresses are not planned, the object has no heap, and the memory comes from
+  // the host's heap.
   Arena* const arena = t_current.object->arena.get();
   *base = arena == nullptr ? std::calloc(1, std::max<size_t>(size, 1)) : arena->Allocate(size);
   if (*base == nullptr) return sNOMEMORY;

@@ -48,7 +48,8 @@ struct OpenrSecondStack {
     if (watch) watch->Begin(openr_host::kFpCaught);
     stack.Call(body, argument);
     GoHome();
-    // Never reached, because nothing switches back to the stack of a function that has ended.
+    // The program never reaches this line: GoHome() has left this stack for the stack of the
+    // handler, and nothing switches back to a stack whose function has ended.
     __builtin_unreachable();
   }
 
@@ -61,9 +62,10 @@ struct OpenrSecondStack {
     home.SwitchFrom(&fiber);
   }
 
-  // Switches to `stack` and returns when the function `body` has ended, or has left this stack to
-  // be continued later.  Afterwards records how many bytes of stack this function has used, because
-  // on the robot it would run on the only stack of the object.
+  // Switches from the stack of the handler to `stack`, on which the function `body` runs.  Returns
+  // when `body` has ended, or has left `stack` to be continued later.  Afterwards records how many
+  // bytes of `stack` this function has used, because on the robot it would run on the only stack of
+  // the object.
   void GoThere() {
     ArithmeticWatch* const outer = t_current.watch;
     if (watch) t_current.watch = &*watch;

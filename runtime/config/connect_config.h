@@ -27,10 +27,10 @@ struct ConnectConfig {
 
 // Parses the text of CONNECT.CFG, one "subject observer" per line, for one robot design ("ERS-210",
 // or kEveryDesign).  A bad line (a name without four parts, a subject and an observer in the wrong
-// order, data types that differ) is reported and skipped.  All other lines are used, as measured on
-// the original library.  A pair that is listed twice is connected once, with a warning.  Does not
-// check whether the services exist; the object manager does that when it makes the connections.
-// `consequence` is the end of each error message: what happens because of the error.
+// order, data types that differ) is reported and skipped.  All other lines are used, as Sony's
+// library does (measured.md 1.4).  A pair that is listed twice is connected once, with a warning.
+// Does not check whether the services exist; the object manager does that when it makes the
+// connections.  `consequence` is the end of each error message: what happens because of the error.
 ConnectConfig ParseConnectConfig(const std::string& file, std::string_view text,
                                  std::string_view design,
                                  std::string_view consequence = " (the line is skipped)");

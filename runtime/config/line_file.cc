@@ -42,8 +42,8 @@ class SectionFilter {
   SectionFilter(std::string_view design, std::vector<Diagnostic>* diagnostics)
       : design_(design), diagnostics_(diagnostics) {}
 
-  // Returns whether lines of the current section are valid for the robot design that was given to
-  // the constructor.
+  // Returns whether lines of the current section of the text file, such as [ERS-210], are valid for
+  // the robot design that was given to the constructor.
   bool is_open() const { return is_open_; }
   const std::string& section() const { return section_; }
 

@@ -17,7 +17,8 @@ class ForwardingServices : public RobotServices {
 #undef OPENR_FORWARD
 
  private:
-  // Returns the RobotServices that execute this call of the function with the name `function`.
+  // Returns the RobotServices that execute this call of the OPENR:: function with the name
+  // `function`.
   virtual RobotServices& ServicesFor(const char* function) = 0;
 };
 

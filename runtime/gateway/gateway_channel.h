@@ -74,18 +74,19 @@ class IncomingChannel : public GatewayChannel {
   void HashState(Hasher* hasher) const override;
 
  private:
-  // Sends `word`, kGatewayAssert (ready) or kGatewayDeassert (not ready), to the peer.  If an
-  // earlier word is still being sent, sends `word` after it.
+  // Sends `word`, kGatewayAssert (ready) or kGatewayDeassert (not ready), to the peer, the gateway
+  // of the other computer.  If an earlier word is still being sent, sends `word` after it.
   void Tell(uint32_t word);
 
   TcpGateway* const gateway_;
   OSubject* subject_ = nullptr;
-  // The word (ready or not ready) to send when the earlier word has been sent; 0 if no word waits.
-  // There is no queue, because a newer word replaces an older one: only the observer's last state
-  // counts.
+  // The word (ready or not ready) to send to the peer, the gateway of the other computer, when the
+  // earlier word has been sent; 0 if no word waits.  There is no queue, because a newer word
+  // replaces an older one: only the observer's last state counts.
   uint32_t waiting_word_ = 0;
-  // True if "ready" was sent to the peer, and the peer has not sent data since then.  If false, the
-  // peer must not send data, so data from the peer cause a warning.
+  // True if "ready" was sent to the peer (the gateway of the other computer), and the peer has not
+  // sent data since then.  If false, the peer must not send data, so data from the peer cause a
+  // warning.
   bool asked_ = false;
 };
 

@@ -166,8 +166,9 @@ void GatewayConnection::Refuse(const std::string& why) {
   Lose();
 }
 
-// Closes this end of the connection between two gateways after an error.  If this is the robot's
-// side, another endpoint listens already; the host's side tries to connect again after kRetryUs.
+// Closes the connection to the peer, the gateway of another computer, after an error.  If this is
+// the robot's side, another endpoint listens already; the host's side tries to connect again after
+// kRetryUs.
 void GatewayConnection::Lose() {
   ASSERT(is_up_, "service {}", index_);
   Close(endpoint_);

@@ -44,18 +44,18 @@ class GatewayConnection {
   bool is_up() const { return is_up_; }
   bool is_sending() const { return is_sending_; }
 
-  // Begins to listen for a connection.  If the service's line of the configuration file has an
-  // address, connects to this address instead.  REQUIRES, for this function and all functions
-  // below: a handler of the gateway runs.
+  // Begins to listen for a connection of the peer, the gateway of another computer.  If the
+  // service's line of the configuration file has an address, connects to this address instead.
+  // REQUIRES, for this function and all functions below: a handler of the gateway runs.
   void Open();
   void Send(std::string_view bytes);  // REQUIRES: is_up()
-  // Ends the connection because the peer broke the protocol, and adds a finding.
-  // REQUIRES: is_up()
+  // Ends the connection because the peer, the gateway of the other computer, broke the protocol,
+  // and adds a finding.  REQUIRES: is_up()
   void Refuse(const std::string& why);
 
   void TakeAnswer(const antEnvMsg& answer);
-  // Warns the user if the peer has not answered yet: it has neither accepted nor refused an attempt
-  // to connect.  Called when kHintUs have passed since an attempt.
+  // Warns the user if the peer, the gateway of the other computer, has neither accepted nor refused
+  // an attempt to connect.  Called when kHintUs have passed since an attempt.
   void LookForAnswer();
 
   void HashState(Hasher* hasher) const;

@@ -1,5 +1,5 @@
-// Encodes and decodes the bytes between two gateways, as measured (measured.md, "TCPGateway wire
-// format").
+// Encodes and decodes the bytes between two gateways, as measured on Sony's gateway (measured.md,
+// "TCPGateway wire format").
 //
 // All words have 32 bits, little-endian.  A set (the data of one notification) goes from the
 // subject's side to the observer's side: the number of bytes that follow, the number of items, then
@@ -37,13 +37,13 @@ class GatewayStream {
 
   void Feed(std::string_view bytes) { bytes_.append(bytes); }
 
-  // Removes the next 32-bit word from the received bytes.  Returns kNeedsMore if the word has not
-  // arrived completely.
+  // Removes the next 32-bit word from the bytes that were received from the peer, the gateway of
+  // another computer.  Returns kNeedsMore if the word has not arrived completely.
   Result NextWord(uint32_t* word);
-  // Removes the next whole set (the data of one notification) from the received bytes.  Returns
-  // kNeedsMore if the set has not arrived completely.  Returns kBroken if the rest of the stream
-  // cannot be decoded; error() then returns the reason.  Announced sizes are checked against limits
-  // before they are used.
+  // Removes the next whole set (the data of one notification) from the bytes that were received
+  // from the peer, the gateway of another computer.  Returns kNeedsMore if the set has not arrived
+  // completely.  Returns kBroken if the rest of the stream cannot be decoded; error() then returns
+  // the reason.  Announced sizes are checked against limits before they are used.
   Result NextSet(GatewaySet* set);
 
   const std::string& error() const { return error_; }

@@ -50,9 +50,9 @@ void ProxyClient::Expire() {
                   "there (port and address of !ROBOT_PROXY in HOSTGW.CFG, "
                   "TCPGateway.Proxy.AperiosMessage.P in the robot's ROBOTGW.CFG)",
                   kPatienceUs / 1'000'000));
-  // If the robot has not answered a call in time, an open connection is closed, because a late
-  // answer would be taken for the answer to the next call.  Refuse() closes the connection and
-  // calls Down(), which fails all requests.
+  // Closes an open connection to the robot if the robot has not answered an OPEN-R call in time,
+  // because a late answer would be taken for the answer to the next call.  Refuse() closes the
+  // connection and calls Down(), which fails all requests (the calls that wait for an answer).
   if (connection_.is_up()) return connection_.Refuse("has no answer to a call");
   AnswerAll(sTIMEOUT);
 }

@@ -188,7 +188,8 @@ OStatus ProxyServices::GetPowerStatus(OPowerStatus* status) {
   return oSUCCESS;
 }
 
-// Shuts down the robot of this run, which stands for the PC, and not the robot to which calls go.
+// Shuts down the robot of this run, which stands for the PC, and not the robot to which OPEN-R
+// calls go.
 OStatus ProxyServices::Shutdown(const OBootCondition& condition) {
   return local_->Shutdown(condition);
 }

@@ -18,9 +18,9 @@ class System;
 
 class ProxyServices : public ForwardingServices {
  public:
-  // Sends calls as messages to entry `selector` of the object `gateway`, which passes them to the
-  // robot (proxy_client.h).  `local`, the services of this run's own robot, executes the functions
-  // that are not sent to the robot.
+  // Sends OPEN-R calls as messages to entry `selector` of the object `gateway`, which passes them
+  // to the robot (proxy_client.h).  `local`, the services of this run's own robot, executes the
+  // functions that are not sent to the robot.
   ProxyServices(System* system, ObjectId gateway, uint32_t selector,
                 std::unique_ptr<RobotServices> local);
 

@@ -54,8 +54,8 @@ inline constexpr size_t kPowerStatusBytes = 24;  // size of a message with type 
 inline constexpr size_t kRobotDesignBytes = 40;  // size of a message with type, name[32] and status
 inline constexpr uint32_t kStatusType = 2;       // type of a reply that is only a status
 inline constexpr uint32_t kOpenType = 1024;
-// Type of the reply to a request to open a primitive.  A request to close a primitive has the same
-// type.
+// The type (first word) of the reply to a request to open a primitive.  A request to close a
+// primitive has the same type.
 inline constexpr uint32_t kOpenReplyType = 1025;
 inline constexpr uint32_t kControlType = 1027;
 // The type of a message to OPowerManager is the sum of this number and the selector.  The number is

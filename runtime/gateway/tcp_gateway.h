@@ -3,9 +3,9 @@
 //
 // On a robot the gateway is the image TCPGW.BIN, which OBJECT.CFG names; here it is part of the
 // runtime.  Its services come from ROBOTGW.CFG, each with a port to listen on, and from HOSTGW.CFG,
-// each with an address to connect to.  The bytes on the wire are those that were measured on the
-// original gateway.  The gateway also carries OPEN-R calls, that is, calls of OPENR:: functions by
-// a program on a PC, if their form is known (proxy_wire.h).
+// each with an address to connect to.  The bytes on the wire are those that were measured on Sony's
+// gateway (measured.md, "TCPGateway wire format").  The gateway also carries OPEN-R calls, that is,
+// calls of OPENR:: functions by a program on a PC, if their form is known (proxy_wire.h).
 #pragma once
 
 #include <antStackRef.h>

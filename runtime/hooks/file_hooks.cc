@@ -308,8 +308,8 @@ FILE* freopen(const char* path, const char* mode, FILE* file) {
   }
   const std::string host = HostPath(path, UseOf(mode));
   const bool writes = OpensForWriting(mode);
-  // Writes the last bytes of the old file first, because freopen() writes them when it closes the
-  // old file and does not report an error.
+  // Writes the last bytes of `file`, the stream that freopen() opens anew, to its old file first,
+  // because freopen() writes them when it closes the old file and does not report an error.
   if (t_current.object->files.streams.contains(file)) static_cast<void>(fflush(file));
   ForgetStream(file);
   const bool may_open = !host.empty() && MayOpen(host, writes, path);

@@ -40,7 +40,8 @@ Arena* CurrentArena() { return openr_host::InObject() ? t_current.object->arena.
 // Adds a finding that says why malloc() returns null to an object: how much memory the object asked
 // for and how much memory it holds already.
 void ReportNoMemory(size_t size) {
-  // Takes memory for the report from the host's heap, because the object's heap is full.
+  // Takes memory for the text of the finding from the host's heap, because the object's heap is
+  // full.
   const openr_host::ApiScope scope;
   const openr_host::Current& current = t_current;
   const openr_host::MemoryBudget& memory = current.system->robot(current.object->robot).memory;

@@ -92,7 +92,7 @@ sError Wait(longword nanosec);
 
 }  // extern "C"
 
-// Old forms of other functions of MCOOP.h: here Send() with five arguments is SendWithRBox().
+// Old forms of functions of MCOOP.h: here Send() with five arguments is SendWithRBox().
 inline sError Send(OID oid, Selector selector, void* msg, size_t size, RID* rbox) {
   return SendWithRBox(oid, selector, msg, size, rbox);
 }

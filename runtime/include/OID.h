@@ -35,7 +35,8 @@ class OID : public structOID {
   bool operator>=(const OID& other) const { return Number() >= other.Number(); }
 
  private:
-  // Converts to a number for comparing, because comparing unrelated pointers is undefined in C++.
+  // Returns the address of this OID as a number for comparing, because comparing unrelated pointers
+  // is undefined in C++.
   size_t Number() const { return reinterpret_cast<size_t>(address); }
 };
 

@@ -58,7 +58,7 @@ const int32 TCPEndpoint_Operation_Accept = 11;
 const int32 TCPEndpoint_Operation_BacklogQueues = 12;
 const int32 TCPEndpoint_Operation_Address = 13;
 
-// ---- messages that Sony documents
+// ---- messages to a TCP endpoint that Sony documents
 
 // Waits for one connection.  The answer comes when a client has connected.  In the answer all four
 // fields, the addresses and ports of both sides, are filled in.
@@ -168,7 +168,7 @@ struct TCPEndpointCloseMsg : public TCPEndpointBaseMsg {
         queueNr(queue) {}
 };
 
-// ---- messages that Sony does not document
+// ---- messages to a TCP endpoint that Sony does not document
 
 struct TCPEndpointBindMsg : public TCPEndpointBaseMsg {
   IPAddress lAddress;  // own address

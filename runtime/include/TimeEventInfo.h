@@ -8,7 +8,8 @@
 struct TimeEventInfo {
   enum EventType { Periodic, NonPeriodic };
 
-  // The behaviour if the first time is in the past: start at once, or return an error.
+  // Values that say how SetTimeEvent() acts if the time of the first message is past already: it
+  // sends the message at once, or returns an error.
   enum EventAttr { ExceedStartImmediate = 0, ExceedStartError = 0x10000 };
 
   RelativeTime relativeTime;  // time from now to the first message

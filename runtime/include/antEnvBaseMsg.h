@@ -65,8 +65,9 @@ class antEnvMsg {
   // Only the calling object waits.
   antError Call(antStackRef target, int size);
 
-  // Returns the answer that an entry has received; called as the first statement of this entry.
-  // The answer is valid until the entry returns; the program casts it to its real type.
+  // Returns the answer of the network stack that the running entry of the program has received;
+  // called as the first statement of this entry.  The answer is valid until the entry returns; the
+  // program casts it to its real type.
   static antEnvMsg* Receive(ANTENVMSG msg);
 
   int32 GetOperation() const { return dstOperation; }

@@ -15,17 +15,18 @@ class antSharedBuffer {
  public:
   antSharedBuffer() : region_(0), base_(0), size_(0), cookie_(0) {}
 
-  // Refers to an existing buffer; used by the network stack.
+  // Makes an object that refers to an existing shared buffer; used by the network stack.
   antSharedBuffer(MemoryRegionID region, uint32 size, uint32 cookie)
       : region_(region), base_(0), size_(size), cookie_(cookie) {}
   MemoryRegionID GetRegion() const { return region_; }
   uint32 GetCookie() const { return cookie_; }
 
-  // Maps the buffer into the memory of this object; required before GetAddress().
+  // Maps this shared buffer into the memory of the calling object; required before GetAddress().
   antError Map();
   antError UnMap();
 
-  // Returns the address of the first byte; NULL while the buffer is not mapped.
+  // Returns the address of the first byte of this shared buffer; NULL while the buffer is not
+  // mapped.
   void* GetAddress();
   uint32 GetSize() const { return size_; }
 

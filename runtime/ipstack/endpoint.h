@@ -41,8 +41,8 @@ class Endpoint : public EventSink {
   // network stack polls the network every frame.
   virtual bool WaitsForNetwork() const = 0;
 
-  // Resets what the endpoint counts within one frame.  Called at the beginning of each poll of the
-  // network, before Take().
+  // Resets what the endpoint counts within one frame, such as the bytes that it has sent.  Called
+  // at the beginning of each poll of the network, before Take().
   virtual void BeginFrame() {}
 
   // Releases all sockets without answering the pending operations (messages of the program).

@@ -45,7 +45,8 @@ class FailingNetwork : public Network {
   const std::unique_ptr<Network> inner_;
   int left_;
   const NetError error_;
-  // The socket of the command that was made to fail, until Poll() reports the failure; else 0.
+  // The socket of the one command that this Network for tests has made to fail, until Poll()
+  // reports the failure; else 0.
   NetHandle failed_ = 0;
 };
 

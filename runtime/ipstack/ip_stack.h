@@ -63,9 +63,9 @@ class IpStack : public CodeObject {
   // Returns the network stack of `robot`, or null if the robot has none.
   static IpStack* Of(System* system, int robot);
 
-  // Returns the selector of IPStack's entry for `selector`.  `selector` is the documented number in
-  // a message (Entry_antEnv_..., 0 to 2).  The numbers differ, because on the host an object has
-  // DoInit to DoDestroy at 0 to 3.
+  // Returns the number that the entry of IPStack with the documented selector `selector`
+  // (Entry_antEnv_..., 0 to 2) has on the host.  Messages contain the documented selector.  The two
+  // numbers differ, because on the host an object has DoInit to DoDestroy at 0 to 3.
   Selector EntryFor(Selector selector) const { return first_entry_ + selector; }
 
   // Returns the host's port for the robot's `port`, for messages to the user.  Returns 0 while

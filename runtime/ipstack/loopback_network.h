@@ -70,7 +70,8 @@ class LoopbackNetwork : public Network {
   uint16_t HostPort(NetProtocol, uint16_t port) const override { return port; }
 
  private:
-  // The bytes that go in one direction of a connection and are not read yet.
+  // The bytes that go in one direction of a connection between two LoopbackNetworks and are not
+  // read yet.
   struct Pipe {
     std::string bytes;
     bool ended = false;  // whether the writer has ended the stream

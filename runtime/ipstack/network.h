@@ -108,8 +108,9 @@ class Network {
 
   // ---- Commands for UDP sockets
 
-  // Binds `port`.  `any_port` is true if the network stack has chosen the port.  Then no peer
-  // expects a certain number, so the host may use another port.
+  // Binds the UDP socket `handle` to the robot's port `port`.  `any_port` is true if the network
+  // stack has chosen the port.  Then no peer expects a certain number, so the host may use another
+  // port.
   virtual void Bind(NetHandle handle, uint16_t port, bool any_port) = 0;
   // Copies the bytes at `data` and sends them as one datagram.  A datagram that cannot be sent is
   // lost, as in any UDP network; an event kNote may inform the user.

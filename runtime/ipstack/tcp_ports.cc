@@ -14,8 +14,8 @@ void TcpPorts::Port::Take(const NetworkEvent& event) {
 
 bool TcpPorts::Accept(uint16_t number, uint32_t ip, NetHandle socket, EventSink* endpoint) {
   const auto known = ports_.find(number);
-  // Closes the port on which endpoints listen if its socket has failed, so that this function opens
-  // the port again with a new socket.
+  // Closes the port `number`, on which endpoints listen, if its socket has failed, so that this
+  // function opens the port again with a new socket.
   if (known != ports_.end() && known->second->failed) Close(number);
   std::unique_ptr<Port>& port = ports_[number];
   if (port == nullptr) {

@@ -57,14 +57,15 @@ class UdpEndpoint : public Endpoint {
   // The error after which this endpoint cannot use its socket any more; UDP_SUCCESS: the socket
   // works.
   UDPEndpointError error_ = UDP_SUCCESS;
-  // True while a Network::ReceiveFrom() has not been answered.
+  // True while the endpoint waits for the answer to Network::ReceiveFrom(), its request for
+  // datagrams.
   bool asked_ = false;
   std::deque<NetworkEvent> waiting_;  // received datagrams that are not delivered yet
   int64_t sent_in_frame_ = 0;         // bytes sent in this frame; the pool limits their number
 
   std::optional<Operation> send_;
-  // Number of the message in whose handler the program has sent the last Send; 0 if the program
-  // sent it with Call().
+  // Number of the message in whose handler the program has sent the last Send to this UDP endpoint;
+  // 0 if the program sent it with Call().
   uint64_t last_send_cause_ = 0;
   std::optional<Operation> receive_;
 };

@@ -109,8 +109,8 @@ std::optional<OControlReplyMessage> AskSubject(ObserverState* state, const OServ
                          : objcommCMD_REMOVEOBSERVER_SELF;
   SelfReply self{&reply, sizeof reply, entry.GetSelector()};
   state->object->self_reply = &self;
-  // Sets image_code, because the entry is code of the object and must use the object's heap and
-  // files, not the host's.
+  // Sets image_code, because the Control entry of the subject, which is called here, is code of the
+  // object and must use the object's heap and files, not the host's.
   t_current.image_code = state->object->is_image;
   state->object->Dispatch(entry.GetSelector(), control);
   t_current.image_code = false;
@@ -190,8 +190,8 @@ void CheckUnchanged(ObserverState* state, const ONotifyMessage& notify) {
   // any subject resets the count for all subjects, because AssertReady() without argument asserts
   // to all of them.
   for (ObserverState::Held& each : state->held) each.asserted = 0;
-  // Records from which subject the regions came, because the next ready to that subject gives them
-  // back.
+  // Records from which subject the regions of this notification came, because the next ready to
+  // that subject gives them back.
   ObserverState::Held& held = state->HeldOf(msg.subjectID);
   const int count = msg.numOfData;
   for (int i = 0; i < count; ++i) {

@@ -44,8 +44,9 @@ OStatus WithCopyOf(const void* bytes, size_t size, Set set) {
     std::memcpy(region->Base(), bytes, size);
     status = set(region);
   }
-  // Gives back the reference that the constructor of RCRegion took.  The links hold references of
-  // their own by now, so the region lives until the last observer has given it back.
+  // Gives back the reference that the constructor of RCRegion took.  By now each ObserverLink (the
+  // subject's record of one observer) that got the data holds a reference of its own, so the region
+  // lives until the last observer has given it back.
   region->RemoveReference();
   return status;
 }
@@ -244,8 +245,8 @@ OStatus OSubject::ControlHandler(const OControlMessage& msg, OStatus status) {
     case objcommCMD_ADDOBSERVER:
     case objcommCMD_ADDOBSERVER_SELF:
     case objcommCMD_ADDOBSERVER_V22: {
-      // Adds nothing if the program refuses the observer or the observer is known already.  The
-      // reply then has the program's status.
+      // Adds no ObserverLink (the subject's record of one observer) if the program refuses the
+      // observer or the observer is known already.  The reply then has the program's status.
       if (status != oSUCCESS || state_->Find(msg.observerID) != nullptr) break;
       ObserverLink& link = state_->links.emplace_back();
       link.observer = msg.observerID;
@@ -263,7 +264,8 @@ OStatus OSubject::ControlHandler(const OControlMessage& msg, OStatus status) {
     case objcommCMD_REMOVEOBSERVER_V22: {
       ObserverLink* const link = state_->Find(msg.observerID);
       if (link == nullptr) break;
-      // Drops the data that wait for this observer, because it will not receive them any more.
+      // Drops the data that the subject keeps for this observer, because the observer is removed
+      // and will not receive them any more.
       state_->Clear(link);
       std::erase_if(state_->links,
                     [&](const ObserverLink& each) { return each.observer == msg.observerID; });
@@ -296,8 +298,9 @@ namespace {
   // them again.
   for (int i = 0; i < msg.numOfData; ++i) RegionAccess::RemoveReference(msg.rcRegion[i]);
   ObserverLink* const link = state->Find(msg.observerID);
-  // Returns an error if the observer was removed after it had sent this ready.  The regions that
-  // the ready gives back were released already, because this is right in this case, too.
+  // Returns an error if the observer was removed from this subject after it had sent this ready.
+  // The regions that the ready gives back were released before this check, because a removed
+  // observer gives its regions back, too.
   if (link == nullptr) return oNOT_FOUND;
   if (msg.command == objcommCMD_DEASSERT_READY) {
     link->ready = -1;
@@ -306,7 +309,8 @@ namespace {
   }
   if (msg.command != objcommCMD_ASSERT_READY) return oUNKNOWN_COMMAND;
   link->ready = 1;
-  // Sends pending notifications now, before the program's Ready function runs (measured.md 1.9).
+  // Sends the notifications that wait for this ready now, before the program's Ready function runs,
+  // as Sony's library does (measured.md 1.9).
   state->Flush(link);
   return oSUCCESS;
 }
@@ -327,7 +331,8 @@ ObserverConstIterator OSubject::FindObserver(const ObserverID& id) const {
 }
 
 int OSubject::IsAnyReady() const {
-  // Returns the number of ready observers and not only 1, as measured (measured.md 1.16).
+  // Returns the number of ready observers and not only 1, because Sony's library does so
+  // (measured.md 1.16).
   int count = 0;
   for (const ObserverLink& link : state_->links) count += link.ready > 0;
   return count;

@@ -45,8 +45,8 @@ class MemoryStick {
   // from build to build, and the record of a crash in an earlier run.
   virtual uint64_t ContentHash() = 0;
 
-  // Records that objects change the file `name`, so that its content becomes part of HashState().
-  // Called before an object makes, writes, renames or removes the file.
+  // Records that objects change the file `name`, so that HashState() adds its content to the state
+  // hash.  Called before an object makes, writes, renames or removes the file.
   void NoteWritten(std::string_view name);
 
   // Adds a function that is called before an object changes a file or folder for the first time.
@@ -60,13 +60,13 @@ class MemoryStick {
   bool writable() const { return writable_; }
   void set_writable(bool writable) { writable_ = writable; }
 
-  // Adds to the hash the names and contents of the files that objects have written, because objects
-  // may read these files later in the run.  Files that nobody has written do not change during a
-  // run.
+  // Adds to the state hash the names and contents of the files that objects have written, because
+  // objects may read these files later in the run.  Files that no object has written do not change
+  // during a run.
   void HashState(Hasher* hasher);
 
  protected:
-  // Adds to the hash the size and the bytes of the file `name`, or the text `otherwise` if the file
+  // Adds to `hasher` the size and the bytes of the file `name`, or the text `otherwise` if the file
   // cannot be read.
   void HashFile(std::string_view name, std::string_view otherwise, Hasher* hasher);
 

@@ -8,12 +8,14 @@
 
 #include <Types.h>
 
-// The id of an open archive, and the largest number of archives that are open at a time.
+// The id of an open .ODA file (an archive of motions or sounds), and the largest number of such
+// files that are open at a time.
 typedef longword ODataArchiveID;
 const ODataArchiveID odaID_UNDEF = 0xffffffff;
 const size_t odaMAX_SIZE = 32;
 
-// The first four bytes of an archive and of its members, as one number.
+// The first four bytes of an .ODA file (an archive of motions or sounds) and of its members, as one
+// number.
 typedef longword ODataArchiveMagic;
 const ODataArchiveMagic odamagicUNDEF = 0xffffffff;
 const ODataArchiveMagic odamagicODAR = 0x5241444f;
@@ -27,7 +29,7 @@ const ODataArchiveMagic odamagicSTT = 0x545453;
 
 namespace ODataArchive {
 
-// The header of an archive, 64 bytes.
+// The header of an .ODA file, which is an archive of motions or sounds; 64 bytes.
 struct Header {
   char magic[4];      // the text "ODAR"
   word majorVersion;  // the number 0
@@ -37,7 +39,8 @@ struct Header {
   byte padding[48];    // filled with zeros
 };
 
-// An entry of an archive's directory, which describes one member of the archive; 144 bytes.
+// An entry of the directory of an .ODA file (an archive of motions or sounds), which describes one
+// member of the archive; 144 bytes.
 struct Entry {
   char type[4];     // "OMTN", "WAVE", "MIDI", "OSND", "LED", "SYN"; padded with zeros
   char name[128];   // padded with zeros

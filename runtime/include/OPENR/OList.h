@@ -4,7 +4,7 @@
 
 #include <OPENR/OTLStatus.h>
 
-// The index that means "no element".
+// The index that means "no element" in an OList.
 const int olistNULL = -1;
 
 // A doubly linked list.  Its links are indices into an array, so a list can be copied like any

@@ -6,7 +6,8 @@
 
 class OSystemEvent {
  public:
-  // The caller owns the block `param`, which must exist as long as the event.
+  // The caller owns the block `param`, the parameter of DoInit, DoStart, DoStop or DoDestroy, which
+  // must exist as long as this event.
   OSystemEvent(OReason reason, void* param, size_t paramSize)
       : reason_(reason), param_(param), paramSize_(paramSize) {}
 

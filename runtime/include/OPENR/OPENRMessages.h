@@ -16,8 +16,9 @@
 #include <OPENR/OVRData.h>
 #include <string.h>
 
-// The type of a message.  It only describes the bytes: the selector decides which function receives
-// the message.  Messages between objects (ObjcommMessages.h) partly have the same numbers.
+// The type of a message between the system and an object.  The type only describes the bytes of the
+// message: the selector decides which function receives it.  Messages between objects
+// (ObjcommMessages.h) partly have the same numbers.
 typedef longword OMessageType;
 const OMessageType OMessageSystemBase = 0;
 const OMessageType OMessageRoboticBase = 1024;
@@ -119,7 +120,7 @@ struct OSyslogMessage {
 };
 
 // The object manager sends this message to an observer, which must then connect to the subject
-// whose Control entry is `entry`.
+// whose Control entry is `entry`, or disconnect from it, as `command` says.
 struct OConnectMessage {
   OMessageType msgType;  // omsgCONNECT
   OConnectCmd command;

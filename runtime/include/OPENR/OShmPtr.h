@@ -23,7 +23,7 @@ class OShmPtrBase {
     return *this;
   }
 
-  // Releases this pointer's reference to its region.
+  // Releases the reference of this smart pointer to its region.
   void Deallocate() {
     if (region_ != 0) region_->RemoveReference();
     region_ = 0;
@@ -37,13 +37,14 @@ class OShmPtrBase {
   unsigned Offset() const { return region_ == 0 ? 0 : region_->Offset(); }
 
  protected:
-  // Takes over the only reference to a new region.
+  // Makes the new `region` the memory of this smart pointer, which takes over the only reference to
+  // it.
   void Own(RCRegion* region) {
     Deallocate();
     region_ = region;
   }
-  // Makes sure that this is the only reference to the region: copies the region if there are other
-  // references.
+  // Makes sure that this smart pointer has the only reference to its region: copies the region if
+  // there are other references.
   void Unshare() {
     if (region_ == 0 || region_->NumberOfReference() <= 1) return;
     RCRegion* copy = new RCRegion(region_->Size());

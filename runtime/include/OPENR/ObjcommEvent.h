@@ -1,7 +1,8 @@
 // The events that the class of an object receives: Connect, Control, Ready and Notify.
 //
-// The stub makes an event for one call.  Programs may keep copies of an event, but the data to
-// which the event points do not stay valid (see ONotifyEvent).
+// The stub, the generated code of an object, makes an event for one call of a function of the
+// class.  Programs may keep copies of an event, but the data to which the event points do not stay
+// valid (see ONotifyEvent).
 #ifndef OPENR_OBJCOMMEVENT_H_INCLUDED
 #define OPENR_OBJCOMMEVENT_H_INCLUDED
 

@@ -78,7 +78,7 @@ struct OReadyMessage {
   OReadyMessage() : msgType(omsgREADY_V22), command(objcommCMD_UNDEF), numOfData(0) {}
 };
 
-// A region that is being sent to an observer.
+// A data item of a notification: a region that a subject sends to an observer.
 struct TransferedData {
   RCRegion* srcRCR;  // the subject's own RCRegion for the memory
   MemoryRegionID memID;
@@ -99,13 +99,14 @@ struct ONotifyMessage {
   int NumberOfData() const { return numOfData; }
   int NumberOfNotify() const { return numOfNotify; }
 
-  // Returns the number of bytes of the message that are in use.
+  // Returns how many bytes of this notification are in use, which depends on the number of its
+  // data.
   size_t GetSizeOfMessage() const {
     return sizeof *this - (MAX_NUM_DATA - numOfData) * sizeof(TransferedData);
   }
 
-  // Removes the data from the message.  Releases no references to their regions: the caller must do
-  // that.
+  // Removes the data from this notification.  Releases no references to the regions of the data:
+  // the caller must do that.
   void Clear() {
     numOfData = 0;
     numOfNotify = 0;

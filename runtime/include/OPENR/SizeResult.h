@@ -22,8 +22,8 @@ struct IfUnsigned<unsigned int, Result> {
   typedef Result Type;
 };
 
-// A size_t for the result of a call; the destructor copies its value to `number`, the caller's
-// unsigned int.
+// The size_t in which a function stores its result if the caller has passed an unsigned int*.  The
+// destructor copies the size_t to `number`, the caller's unsigned int.
 class SizeResult {
  public:
   explicit SizeResult(unsigned int* number) : number_(number), size_(number == 0 ? 0 : *number) {}

@@ -153,7 +153,8 @@ const byte ocamparamAWB_FL_MODE = 4;
 const byte ocamparamBOX1 = 1;
 const byte ocamparamBOX2 = 2;
 
-// A command of the type odataRAW_JOINT_COMMAND.
+// A command of the type odataRAW_JOINT_COMMAND: a raw value (`signal`) of the device, a joint, and
+// gains.
 struct ORawJointCommandValue {
   word signal;
   byte p;
@@ -169,13 +170,13 @@ struct ORawJointCommandValue {
   }
 };
 
-// A command of the type odataRAW_JOINT_COMMAND2.
+// A command of the type odataRAW_JOINT_COMMAND2: a raw value (`signal`) of the device, a joint.
 struct ORawJointCommandValue2 {
   word signal;
   word padding[3];
 };
 
-// A command of the type odataRAW_CAMERA_COMMAND.
+// A command of the type odataRAW_CAMERA_COMMAND: a raw value (`signal`) of the device, the camera.
 struct ORawCameraCommandValue {
   word signal;
   word padding[3];
@@ -183,7 +184,7 @@ struct ORawCameraCommandValue {
   void Set(word sig) { signal = sig; }
 };
 
-// A command of the type odataRAW_LED_COMMAND.
+// A command of the type odataRAW_LED_COMMAND: a raw value (`signal`) of the device, an LED.
 struct ORawLEDCommandValue {
   word signal;
   word padding[3];
