@@ -8,7 +8,8 @@
 
 namespace {
 
-// A bit of a status word and the name of its constant, which PowerDetails() shows.
+// A bit of OPowerStatus::robotStatus or batteryStatus, and the name of the bit's constant, which
+// PowerDetails() shows.
 struct NamedBit {
   longword bit;
   const char* name;

@@ -35,7 +35,7 @@ struct ServiceNameFault {
 // callers report it differently; they compare the length with kServiceNameBytesMax.
 std::optional<ServiceName> ParseServiceName(std::string_view text, ServiceNameFault* fault);
 
-// Returns the name as text, the inverse of ParseServiceName().
+// Returns the service name `name` as text, the inverse of ParseServiceName().
 std::string Compose(const ServiceName& name);
 
 // Returns whether the two names are equal except for their data types.

@@ -149,7 +149,7 @@ void AppendServiceEntries(const char* kind, const std::vector<StubService>& serv
   }
 }
 
-// Returns all entries of the object in the order of their selectors.
+// Returns all entries of the object whose stub.cfg is `config`, in the order of their selectors.
 std::vector<EntryPoint> ListEntries(const StubConfig& config) {
   std::vector<EntryPoint> entries;
   for (const char* hook : kHooks) {

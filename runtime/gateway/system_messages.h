@@ -62,7 +62,7 @@ inline constexpr uint32_t kControlType = 1027;
 // our choice, because receivers ignore it.
 inline constexpr uint32_t kPowerType = 1024;
 
-// Returns the 32-bit word at `offset`, or 0 if the bytes end before it.
+// Returns the 32-bit word at `offset` of `bytes`, or 0 if `bytes` ends before the end of the word.
 uint32_t WordIn(const std::string& bytes, size_t offset);
 
 // Returns the message to the entry kControlSelector of OVirtualRobot that asks for `request` with

@@ -73,7 +73,8 @@ bool HasShortNames(std::string_view path) {
   for (path.remove_prefix(std::min<size_t>(path.size(), 3)); !path.empty();) {
     path.remove_prefix(1);
     const std::string_view part = path.substr(0, path.find('/'));
-    // "." and ".." are allowed, because every folder except the root has these entries.
+    // Allows "." and ".." as parts of a path, because every folder except the root has these
+    // entries.
     const bool is_dots = part == "." || part == "..";
     if (!part.empty() && !is_dots && !openr_host::IsShortName(part)) return false;
     path.remove_prefix(part.size());

@@ -16,7 +16,8 @@ struct ObjectEntry {
 // outside of the image, because the loader looks it up by name.
 extern ObjectEntry ObjectEntryTable[] __attribute__((visibility("default")));
 
-// Runs once when the image is loaded, after the host's loader has run the constructors.
+// An entry of the object that runs once when the image is loaded, after the host's loader has run
+// the constructors.
 extern "C" void Prologue(InitInfo* info);
 
 #endif  // OPENR_OBJECTENTRYTABLE_H_INCLUDED

@@ -41,7 +41,7 @@ enum class NetError : uint8_t {
   kTooLong,
 };
 
-// A host that Resolve() or ResolveAddress() has found.
+// A host that Resolve() or ResolveAddress() of a Network has found.
 struct HostInfo {
   std::string name;  // the official name of the host
   std::vector<std::string> aliases;
@@ -138,7 +138,8 @@ class Network {
   // broken connection instead of an end of the stream.  Unknown handles are ignored.
   virtual void Drop(NetHandle handle, bool reset) = 0;
 
-  // Returns the events that have come since the last call of Poll(), without waiting.
+  // Returns the events of all sockets and look-ups that have come since the last call of Poll(),
+  // without waiting.
   virtual std::vector<NetworkEvent> Poll() = 0;
 
   // Closes this process's copies of all sockets, so that peers notice nothing, and forgets all

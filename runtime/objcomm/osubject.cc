@@ -24,7 +24,8 @@ OStatus WithRegion(MemoryRegionID memory, size_t offset, size_t size, Set set) {
   if (t_current.system == nullptr) return oFAIL;
   const RegionTable& table = t_current.system->regions();
   const size_t whole = table.SizeOf(memory);
-  // Compares `size` with a difference, because the sum offset + size could overflow.
+  // Refuses a part of a region that does not lie inside the region.  Compares `size` with a
+  // difference, because the sum offset + size could overflow.
   if (table.BaseOf(memory) == nullptr || size == 0 || offset > whole || size > whole - offset) {
     return oINVALID_ARG;
   }

@@ -9,7 +9,7 @@
 #undef OPENR_DEBUG
 #endif
 
-// Prints always, even if OPENR_DEBUG is not defined.
+// Prints its arguments always, even if OPENR_DEBUG is not defined.
 #define PRINTF(x) (printf x)
 
 #ifdef OPENR_DEBUG

@@ -22,7 +22,8 @@ class OList {
     bool operator==(const Iterator& other) const { return node_ == other.node_; }
     bool operator!=(const Iterator& other) const { return node_ != other.node_; }
 
-    // Returns the element, or a default T for the place behind the last element.
+    // Returns the element to which this iterator refers, or a default T for the place behind the
+    // last element.
     T& operator*() const { return list_->At(node_); }
 
     // Move to the next or previous element.  The list is a ring: after the place behind the last

@@ -24,7 +24,7 @@ struct OMemoryLocator {
   bool operator==(const OMemoryLocator& other) const {
     return mid == other.mid && offset == other.offset;
   }
-  // Compares by region, then by offset.
+  // Compares two places in shared memory, by region and then by offset.
   bool operator<(const OMemoryLocator& other) const {
     return mid != other.mid ? mid < other.mid : offset < other.offset;
   }

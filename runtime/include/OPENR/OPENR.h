@@ -49,7 +49,7 @@ struct OServiceEntry {
   friend bool operator!=(const OServiceEntry& left, const OServiceEntry& right) {
     return !(left == right);
   }
-  // Compares by object, then by selector.
+  // Compares two entries, by object and then by selector.
   friend bool operator<(const OServiceEntry& left, const OServiceEntry& right) {
     if (left.oid != right.oid) return left.oid < right.oid;
     return left.selector < right.selector;

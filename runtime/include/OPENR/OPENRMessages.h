@@ -62,7 +62,7 @@ const OMessageType omsgBMN_SPECIAL_MODE = OMessageRoboticBase + 16;
 
 // ---- messages that objects receive or send
 
-// Sent to the entries Init, Start, Stop and Destroy; 140 bytes.
+// The message to the entries Init, Start, Stop and Destroy of an object; 140 bytes.
 struct OReasonMessage {
   OMessageType msgType;  // omsgREASON
   OReason reason;
@@ -71,7 +71,8 @@ struct OReasonMessage {
 
   OReasonMessage(OReason why = oreasonUNDEF) { Set(why, 0, 0); }
 
-  // Copies `size` bytes of the parameter at `block`, at most oreasonPARAM_MAX_SIZE bytes.
+  // Copies `size` bytes of the parameter of DoInit, DoStart, DoStop or DoDestroy from `block`, at
+  // most oreasonPARAM_MAX_SIZE bytes.
   OReasonMessage(OReason why, const void* block, size_t size) { Set(why, block, size); }
 
  private:
@@ -92,7 +93,7 @@ struct OStatusMessage {
   OStatusMessage(OStatus result = oSUCCESS) : msgType(omsgOSTATUS), status(result) {}
 };
 
-// Sent to the entry that was given to OPENR::ObservePowerStatus(); 24 bytes.
+// The message to the entry that was given to OPENR::ObservePowerStatus(); 24 bytes.
 struct OPowerStatusMessage {
   OMessageType msgType;  // omsgPOWER_STATUS
   OPowerStatus powerStatus;
@@ -109,7 +110,7 @@ struct OPowerStatusMessage {
                     static_cast<byte>(volume)) {}
 };
 
-// Sent to the system logger; 256 bytes on the robot.
+// A message to the robot's system logger; 256 bytes on the robot.
 struct OSyslogMessage {
   OMessageType msgType;  // omsgSYSLOG
   OID oid;               // the object that logs

@@ -30,8 +30,8 @@ class OPowerStatus {
   OPowerStatus(longword robotStat, word batteryStat, word remaining, word temp, word fullyCharged,
                word volt, sword cur, sbyte timeDifference, byte vol);
 
-  // Sets the six fields that OPENR::ObservePowerStatus() can observe; the other three keep their
-  // values.
+  // Sets the six fields of this OPowerStatus that OPENR::ObservePowerStatus() can observe; the
+  // other three keep their values.
   void Set(longword rs, word bs, word rc, word tmp, sbyte td, byte vol);
 
   // Print on the console: Print() one line, PrintDetail() a line for each bit that is set and for

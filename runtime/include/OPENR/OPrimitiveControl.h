@@ -9,7 +9,7 @@
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OPENR.h>
 
-// The lowest request number of each kind of primitive.
+// The lowest number of the requests of OPENR::ControlPrimitive() for each kind of primitive.
 const OPrimitiveRequest oprmreqCOMMON_BASE = 0;
 const OPrimitiveRequest oprmreqSPEAKER_BASE = 128;
 const OPrimitiveRequest oprmreqMIC_BASE = 256;

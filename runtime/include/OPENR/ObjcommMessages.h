@@ -22,8 +22,8 @@ const OMessageType omsgNOTIFY_L10 = 260;
 const OMessageType omsgREADY_V22 = 261;
 const OMessageType omsgNOTIFY_V22 = 262;
 
-// Sent by an observer to a subject to connect; d_skip, d_min and d_max describe the buffer that the
-// subject keeps for the observer.
+// The message by which an observer asks a subject to connect or to disconnect; d_skip, d_min and
+// d_max describe the buffer that the subject keeps for the observer.
 struct OControlMessage {
   OMessageType msgType;
   ObjcommCommand command;
@@ -67,7 +67,8 @@ struct OControlReplyMessage {
       : msgType(omsgCONTROL_REPLY_V21), status(result), subjectID(id), memID(region) {}
 };
 
-// Sent by an observer to a subject: assert or deassert, and the regions that are given back.
+// A ready, the message that an observer sends to a subject: assert or deassert, and the regions
+// that are given back.
 struct OReadyMessage {
   OMessageType msgType;
   ObjcommCommand command;
@@ -86,7 +87,7 @@ struct TransferedData {
   size_t size;          // in bytes
 };
 
-// Sent by a subject to an observer: a notification.
+// A notification, the message with data that a subject sends to an observer.
 struct ONotifyMessage {
   OMessageType msgType;
   SubjectID subjectID;
