@@ -51,7 +51,7 @@ sError GetSystemTime(SystemTime* time) {
         "1000000 calls of GetSystemTime() in one handler: a busy loop holds up "
         "every object of this robot");
   }
-  // Adds 1 us for each call of this function in the running handler.  Otherwise a loop that waits
+  // Adds 1 us for each call of GetSystemTime() in the running handler.  Otherwise a loop that waits
   // for a certain time would never end, because virtual time stands still while a handler runs.
   // Subtracts the time of the robot's boot, because the robot's clock begins at 0 when it boots.
   System& system = *t_current.system;

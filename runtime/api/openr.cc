@@ -197,7 +197,8 @@ OStatus FindDesignData(const char* keyword, ODesignDataID* id, byte** dataAddr, 
   if (found == robot.design_data.end() || robot.stick == nullptr) return oNOT_FOUND;
   auto content = robot.stick->ReadFile(found->second);
   if (!content) return oNOT_FOUND;
-  // Decompresses the file if it is a gzip file, as the robot does before a program gets the file.
+  // Decompresses the file with design data if it is a gzip file, as the robot does before a program
+  // gets the file.
   if (IsGzip(*content)) {
     std::string packed = std::move(*content);
     content->clear();

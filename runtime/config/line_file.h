@@ -16,8 +16,8 @@
 
 namespace openr_host {
 
-// The longest line that is read, in bytes; our own limit.  It is ample, because the longest useful
-// line has two service names of 127 characters.
+// The longest line of a text file that parsers read, in bytes; our own limit.  It is ample, because
+// the longest useful line has two service names of 127 characters.
 inline constexpr int kLineBytesMax = 1024;
 
 // A value for the parameter `design` of parsers, in place of a robot design such as "ERS-210".  It

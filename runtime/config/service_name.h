@@ -13,7 +13,8 @@ namespace openr_host {
 inline constexpr int kServiceNameBytesMax = 127;
 
 struct ServiceName {
-  // Name of the object, used only to find the service.  It may differ from ObjectName in stub.cfg.
+  // Name of the object in a service name, used only to find the service.  It may differ from
+  // ObjectName in stub.cfg.
   std::string object;
   // Name of the service.  For the service Move, def.h has the constant sbjMove or obsMove.
   std::string service;

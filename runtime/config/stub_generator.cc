@@ -13,7 +13,8 @@ namespace {
 constexpr const char* kHooks[] = {"Init", "Start", "Stop", "Destroy"};
 constexpr int kHookCount = static_cast<int>(std::size(kHooks));
 
-// A row of the object's table of entries; the index of the row is the selector.
+// An entry of an object as the generated stub has it, a row of its table of entries; the index of
+// the row is the selector.
 struct EntryPoint {
   std::string name;        // "Ready0" for the C function _Ready0
   std::string definition;  // source text that defines the function

@@ -30,7 +30,8 @@ enum class ProxyCommand : uint32_t {
   kReply = 8,
 };
 
-// Our limit for the bytes of a call, larger than any message of a system object (binary.md, 4).
+// Our limit for the bytes of an OPEN-R call, larger than any message of a system object (binary.md,
+// 4).
 inline constexpr uint32_t kProxyBytesMax = 256;
 
 struct ProxyFrame {

@@ -127,8 +127,8 @@ void* calloc(size_t count, size_t size) {
     errno = ENOMEM;
     return nullptr;
   }
-  // Does not clear the block, because every new block of an object's heap (Arena) is filled with
-  // zeros already.
+  // Returns the new block without clearing it, because every new block of an object's heap (Arena)
+  // is filled with zeros already.
   return FromArena(arena, bytes);
 }
 

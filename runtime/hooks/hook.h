@@ -1,5 +1,5 @@
-// Functions that all hooks use.  A hook is a function of the C library that this folder defines
-// once more.
+// Functions that all hooks use.  A hook is a function of the C library that the folder
+// runtime/hooks defines once more.
 //
 // A call from anywhere in the process goes to the hook instead of the function of the C library.  A
 // hook acts only while code of an image runs; otherwise it calls the C library's function.

@@ -87,7 +87,7 @@ ssize_t writev(int descriptor, const iovec* parts, int count) {
 size_t fwrite(const void* data, size_t size, size_t count, FILE* file) {
   static const auto next = OPENR_NEXT(fwrite);
   const size_t written = next(data, size, count, file);
-  // A result of 0 is no failure if `size` is 0, because then there is nothing to write.
+  // A result of 0 of fwrite() is no failure if `size` is 0, because then there is nothing to write.
   if (written < count && size != 0 && InObject()) ReportFailedStream(file);
   return written;
 }

@@ -14,7 +14,8 @@
 namespace openr_host {
 namespace {
 
-// Copies the name `from`, cut to the size of the field, and fills the rest of the field with zeros.
+// Copies the host name `from` to the field `to` of a message, cut to the size of the field, and
+// fills the rest of the field with zeros.
 void CopyName(char (&to)[MAXDNAME], const std::string& from) {
   std::memset(to, 0, sizeof to);
   std::memcpy(to, from.data(), std::min(from.size(), sizeof to - 1));

@@ -19,11 +19,11 @@ class DnsEndpoint : public Endpoint {
  public:
   DnsEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
 
-  // The largest number of addresses, and of aliases, that a DNS endpoint keeps of one answer; our
-  // choice.
+  // The largest number of addresses, and of aliases, that a DNS endpoint keeps of the answer to one
+  // query; our choice.
   static constexpr size_t kAddressesMax = 16;
-  // The time limit for an answer, in virtual time; our choice.  After this time the query fails
-  // with DNS_TRY_AGAIN.
+  // The time limit for the answer to a DNS query, in virtual time; our choice.  After this time the
+  // query fails with DNS_TRY_AGAIN.
   static constexpr int64_t kAnswerUs = 30'000'000;
 
   void Start(const Operation& operation) override;
@@ -43,8 +43,8 @@ class DnsEndpoint : public Endpoint {
   void FinishQuery(DNSEndpointError error);
   void Refuse(Operation operation, DNSEndpointError error);
 
-  // Returns the complete form of `name`, which a program has given.  Removes a final dot; to a name
-  // without a final dot, appends the default domain.
+  // Returns the complete form of the host name `name`, which a program has given.  Removes a final
+  // dot; to a name without a final dot, appends the default domain.
   std::string FullName(const std::string& name) const;
 
   std::string domain_;    // the default domain; "" if there is none

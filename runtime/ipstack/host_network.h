@@ -112,8 +112,8 @@ class HostNetwork : public Network {
   // called for this socket, returns the address of the host that replaces the address given to
   // At(), and forgets that call.  Otherwise returns bind_ip_, the address for server ports.
   uint32_t BindIp(NetHandle handle);
-  // Adds a note for the user if binding to `ip` failed with `error` because the host has no such
-  // address.
+  // Adds a note for the user if binding a socket to the address `ip` failed with `error` because
+  // the host has no such address.
   void NoteBindError(uint32_t ip, int error);
 
   const HostNetworkOptions options_;

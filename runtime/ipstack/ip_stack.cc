@@ -166,7 +166,7 @@ void IpStack::HandleStackMessage(Operation* operation) {
       case antEnv_Operation_InitGetParam:
         return Answer(operation, parameters_.Get(&operation->As<antEnvInitGetParamMsg>()));
       // Refuses the request of an object of a program, because only system objects may set
-      // parameters.
+      // parameters of the network stack.
       case antEnv_Operation_InitSetParam:
         return Answer(operation, sender != nullptr && sender->is_system
                                      ? parameters_.Set(operation->As<antEnvInitSetParamMsg>())
@@ -288,16 +288,17 @@ void IpStack::EraseDead() {
   std::erase_if(endpoints_, [](const auto& entry) { return entry.second->dead(); });
 }
 
-// Posts the Poll message for the beginning of the next frame (a multiple of 8 ms) if an endpoint
-// waits for the network.
+// Posts the Poll message, in whose handler the stack polls the network, for the beginning of the
+// next frame (a multiple of 8 ms) if an endpoint waits for the network.
 void IpStack::KeepPolling() {
   if (poll_posted_) return;
   bool needed = false;
   for (const auto& [index, endpoint] : endpoints_) needed = needed || endpoint->WaitsForNetwork();
   if (!needed) return;
-  // Subtracts crowding_delay_us(), because the Poll message must be due exactly at the beginning of
-  // the frame and Post() adds crowding_delay_us() to the delay. crowding_delay_us() is 1 us while
-  // very many messages are delivered at one instant; it makes time go on.
+  // Subtracts crowding_delay_us(), because the Poll message, in whose handler the stack polls the
+  // network, must be due exactly at the beginning of the frame and Post() adds crowding_delay_us()
+  // to the delay.  crowding_delay_us() is 1 us while very many messages are delivered at one
+  // instant; it makes time go on.
   const int64_t now_us = system().now_us();
   const int64_t delay_us = kFrameUs - now_us % kFrameUs - system().poster().crowding_delay_us();
   system().Post(system().NewMessage(host().id, poll_entry_), delay_us);

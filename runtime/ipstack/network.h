@@ -122,15 +122,16 @@ class Network {
 
   // ---- Commands that look up names and addresses of hosts
 
-  // Asks for the addresses of `name`, which is complete (with its domain) and has no final dot.  An
-  // event kResolved answers.
+  // Asks for the addresses of the host `name`, which is complete (with its domain) and has no final
+  // dot.  An event kResolved answers.
   virtual void Resolve(NetHandle handle, const std::string& name) = 0;
   // Asks for the name of the host with the address `ip`.  An event kResolved answers.
   virtual void ResolveAddress(NetHandle handle, uint32_t ip) = 0;
 
   // ---- Functions for sockets of every protocol
 
-  // Returns a number for a new socket.  No number is returned twice, not even after a boot.
+  // Returns a number for a new socket.  No number is returned twice, not even after a boot of the
+  // robot.
   NetHandle NewHandle() { return ++last_handle_; }
   NetHandle last_handle() const { return last_handle_; }
 

@@ -53,8 +53,8 @@ std::string FindEntry(const std::string& folder, const std::string& part, int* e
   return matches.empty() ? "" : *std::min_element(matches.begin(), matches.end());
 }
 
-// Returns the parts of `name` after /MS, with "." and ".." resolved.  Returns nullopt if `name` is
-// not below /MS.
+// Returns the parts after /MS of `name`, a path on the stick, with "." and ".." resolved.  Returns
+// nullopt if `name` is not below /MS.
 std::optional<std::vector<std::string>> PartsOf(std::string_view name) {
   if (name.size() < 3 || strncasecmp(name.data(), "/MS", 3) != 0) return std::nullopt;
   name.remove_prefix(3);
@@ -190,8 +190,8 @@ uint64_t FolderStick::ContentHash() {
   for (fs::recursive_directory_iterator it(root_, kOptions, error), end; !error && it != end;
        it.increment(error)) {
     const std::string extension = UpperCase(it->path().extension().string());
-    // Leaves the crash record of an earlier run out of the hash, because this run does not read
-    // that file.
+    // Leaves the crash record of an earlier run out of the hash of the stick, because this run does
+    // not read that file.
     const bool is_crash_record = UpperCase(it->path().filename().string()) == kCrashRecord;
     std::error_code no_file;  // is set for a dangling link, which is left out because it is no file
     if (it->is_regular_file(no_file) && extension != ".BIN" && extension != ".DBG" &&

@@ -40,7 +40,8 @@ class OFbkImage {
   int Height() const { return height_; }
   int Skip() const { return skip_; }  // distance in bytes from the end of a row to the next row
 
-  // Returns a pixel; (0, 0) is the top left corner.  REQUIRES: 0 <= x < Width(), 0 <= y < Height().
+  // Returns a pixel of this band of the image; (0, 0) is the top left corner.  REQUIRES: 0 <= x <
+  // Width(), 0 <= y < Height().
   byte Pixel(int x, int y) const;
 
   // Return values of the tag, 16 bytes that the camera stores in the image.  The tag is the same

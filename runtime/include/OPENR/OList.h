@@ -12,8 +12,8 @@ const int olistNULL = -1;
 template <class T, int MaxSize>
 class OList {
  public:
-  // A reference to an element, or to the place behind the last element.  Stays valid until its
-  // element is removed.
+  // A reference to an element of the list, or to the place behind the last element.  Stays valid
+  // until its element is removed.
   class Iterator {
    public:
     Iterator() : list_(0), node_(olistNULL) {}

@@ -16,9 +16,9 @@
 #include <OPENR/OVRData.h>
 #include <string.h>
 
-// The type of a message between the system and an object.  The type only describes the bytes of the
-// message: the selector decides which function receives it.  Messages between objects
-// (ObjcommMessages.h) partly have the same numbers.
+// The type of a message of OPEN-R.  The type only describes the bytes of the message: the selector
+// decides which function receives it.  Messages between objects (ObjcommMessages.h) partly have the
+// same numbers as messages of the system.
 typedef longword OMessageType;
 const OMessageType OMessageSystemBase = 0;
 const OMessageType OMessageRoboticBase = 1024;

@@ -63,8 +63,8 @@ class OShmPtrBase {
 template <class T>
 class OShmPtr : public OShmPtrBase {
  public:
-  // A reference to one element of the array in shared memory.  Writing to the element first copies
-  // the region if there are other references to the region.
+  // A reference to one element of the array of this smart pointer.  Writing to the element first
+  // copies the region if there are other references to the region.
   class Proxy {
    public:
     Proxy(OShmPtr<T>* owner, int index) : owner_(owner), index_(index) {}
@@ -107,8 +107,8 @@ class OShmPtr : public OShmPtrBase {
   int NumOfElement() const { return static_cast<int>(OShmPtrBase::Size() / sizeof(T)); }
   int Size() const { return NumOfElement(); }
 
-  // Writes `size` bytes from `source` to the start of the region; first copies the region if there
-  // are other references to it.
+  // Writes `size` bytes from `source` to the start of the region of this smart pointer; first
+  // copies the region if there are other references to it.
   void Copy(const void* source, size_t size) {
     Unshare();
     ::memcpy(Base(), source, size);

@@ -113,8 +113,8 @@ struct ONotifyMessage {
     numOfNotify = 0;
   }
 
-  // Appends a region without taking a reference.  Returns oOVERFLOW, without a change, if the
-  // message has MAX_NUM_DATA regions already.
+  // Appends a region to the data of this notification without taking a reference.  Returns
+  // oOVERFLOW, without a change, if the notification has MAX_NUM_DATA regions already.
   OStatus Write(RCRegion* region) {
     if (numOfData == MAX_NUM_DATA) return oOVERFLOW;
     TransferedData& place = data[numOfData++];
