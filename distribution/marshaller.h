@@ -50,8 +50,9 @@ class Marshaller {
   // its regions.
   void CompleteSend(const Message& message);
 
-  // Decodes `in` into the new message `out`.  Does not set the class and the due time, because a
-  // sample has neither; the caller sets them.  Returns "" or the error in `in`.  `in` must stay
+  // Decodes `in` into the new message `out`.  Does not set the message's class (MessageClass,
+  // which decides its place in the queue) and its due time, because a sample has neither; the
+  // caller sets them.  Returns "" or the error in `in`.  `in` must stay
   // valid until ReleaseSample(), because changed regions are found by comparing them with its
   // bytes.
   std::string Decode(const openr_wire_Message& in, Message* out);

@@ -209,11 +209,12 @@ void WorkerGroup::OnReplaced(ObjectId id) {
       for (const auto& [other, object] : member.objects) object->ForgetObserver(id);
       continue;
     }
-    // This member is the worker of object `id`.  Its stand-ins may keep the readies of the replaced
-    // object, because ObjectManager::Begin() does not send readies again that came from a replaced
-    // object and go to a replaced object.  A call of ForgetObserver() would not be possible for all
-    // of them: objects are replaced in the order of their ids, so the old stand-ins in
-    // member.objects with ids below `id` are destroyed already.
+    // This member is the restarted worker of object `id`.  Its stand-ins keep the readies that the
+    // old object `id` has asserted.  ForgetObserver() is not needed for them: all objects of this
+    // worker are replaced, and ObjectManager::Begin() does not send a ready again if both its
+    // sender and its receiver are replaced.  It would not be possible for all of them, either:
+    // objects are replaced in the order of their ids, so the old stand-ins in member.objects with
+    // ids below `id` are destroyed already.
     //
     // Copies the count of undelivered messages from the master's old stand-in for the object to the
     // new one.  NewInstance() has copied it already, but messages may have come for the old

@@ -52,7 +52,8 @@ class Dispatcher {
   // Does the work of System::AbandonHandler(): ends the running handler without returning to it.
   [[noreturn]] void Abandon();
 
-  // Adds the processor (cpu.h) of the next robot.  Called only if there is a cost model.
+  // Adds a processor (cpu.h) for one more robot: the first call for robot 0, the second for robot
+  // 1, and so on.  Called only if there is a cost model.
   void AddProcessor();
   // Returns the processors of all robots, by index of the robot.  Without a cost model the result
   // is empty.

@@ -121,8 +121,9 @@ void HandlerStack::CallWithSanitizer(void (*function)(void*), void* argument) {
   memory_.ForgetFrames();
   SanitizedCall call{function, argument};
   void* fake_stack = nullptr;
-  // Tells AddressSanitizer at the end of the handler's function that the caller's stack is in use
-  // again.  Does so in a destructor, because that function may end with an exception.
+  // Tells AddressSanitizer, when `function` has ended on the handler's stack, that the stack from
+  // which CallWithSanitizer() was called is in use again.  Does so in a destructor, because
+  // `function` may end with an exception.
   struct Arrival {
     void* const* fake_stack;
     ~Arrival() { __sanitizer_finish_switch_fiber(*fake_stack, nullptr, nullptr); }

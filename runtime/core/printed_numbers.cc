@@ -103,8 +103,9 @@ void ReportPrintedNaN(const char* format, va_list arguments) {
       const ApiScope scope;
       what = fmt::format("a NaN was printed{} (exception 15)", AtCaller());
     }
-    // Sets Current::image_code, which the ApiScope in the SDK's function osysprint() has cleared,
-    // so that the crash counts as a crash of the object's code.
+    // StopAsTheRobotDoes() crashes, as the robot does at a NaN.  Sets Current::image_code, which
+    // the ApiScope in the SDK's function osysprint() has cleared, so that this crash counts as a
+    // crash of the object's code.
     t_current.image_code = true;
     StopAsTheRobotDoes(what);
   }

@@ -93,8 +93,8 @@ class HostNetwork : public Network {
   // maps the robot's ports of the protocol (TCP or UDP) to ports of the host.  Returns port 0 if
   // the program may not reach this address.
   NetAddress ToHost(NetAddress remote, const HostPorts& ports);
-  // Translates `remote`, the address of a peer on the host, to the address under which programs
-  // know the peer.
+  // Translates `remote`, an address that the host's network gives for the other end of a
+  // connection, to the address under which the robot's programs know this other end.
   NetAddress FromHost(NetAddress remote, const HostPorts& ports) const;
 
   bool IsTimeToAccept();
