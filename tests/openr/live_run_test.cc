@@ -171,7 +171,7 @@ TEST_F(LiveRunTest, TheSocketOfAKilledRunIsRemoved) {
 }
 
 // The process of this test is running, but has not opened the socket that has its id.
-TEST_F(LiveRunTest, ASocketOfADeadRunWhoseProcessIdIsUsedAgainIsRemoved) {
+TEST_F(LiveRunTest, ADeadRunWhoseProcessIdIsUsedAgainIsNotListed) {
   const std::string path = LiveSocketPath("dead");
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
@@ -187,7 +187,7 @@ TEST_F(LiveRunTest, ASocketOfADeadRunWhoseProcessIdIsUsedAgainIsRemoved) {
   const ProcessResult poke = Openr({"poke", "dead", "press", "chin"});
   EXPECT_EQ(poke.status, 1);
   EXPECT_THAT(poke.output, HasSubstr("there is no run 'dead'; no run of this user goes on"));
-  EXPECT_FALSE(std::filesystem::exists(path));
+  EXPECT_TRUE(std::filesystem::exists(path)) << "the process may be a run that is just opening it";
 }
 
 TEST_F(LiveRunTest, AFolderThatOthersCanEnterIsRefused) {
