@@ -83,7 +83,8 @@ TEST(ImageFileTest, AnImageThatWasSentAsTextIsSaidSo) {
   const std::string packed = Compressed(ReadImageFile(kPowerMonitor).bytes);
   std::string sent;
   for (const char c : packed) sent += c == '\n' ? "\r\n" : std::string(1, c);
-  ASSERT_GT(sent.size(), packed.size() + 10);
+  // The reader needs at least four line ends; the image has about 20, by chance.
+  ASSERT_GE(sent.size(), packed.size() + 4);
   EXPECT_THAT(Read(folder, sent).problem,
               HasSubstr("was changed on its way: each line end in it is CR LF, as after a transfer "
                         "of text (FTP: type A)"));
