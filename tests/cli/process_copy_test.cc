@@ -34,6 +34,28 @@ TEST(ProcessCopyTest, FlushedTextIsWrittenOnce) {
   EXPECT_EQ(FileAfterCopy(Flushed::kAll), "a line\n");
 }
 
+// Returns what a process has written to its standard output, a file, if a line was in the buffer
+// when the process made a copy of itself.
+std::string OutputAfterCopy(Flushed flushed) {
+  const TempFolder folder;
+  const std::string path = folder.path() + "/output";
+  const ProcessCopy process = StartCopy(Orphan::kGoesOn, [&](int) {
+    if (std::freopen(path.c_str(), "w", stdout) == nullptr) return;
+    std::fputs("a line\n", stdout);
+    const pid_t copy = CopyProcess(flushed, Orphan::kGoesOn);
+    if (copy == 0) EndCopy();
+    WaitForEnd(copy);
+  });
+  close(process.answers);
+  WaitForEnd(process.pid);
+  return ReadFileOrThrow(path);
+}
+
+TEST(ProcessCopyTest, OurOwnOutputIsWrittenOnce) {
+  EXPECT_EQ(OutputAfterCopy(Flushed::kOwn), "a line\n");
+  EXPECT_EQ(OutputAfterCopy(Flushed::kNone), "a line\na line\n");
+}
+
 TEST(ProcessCopyTest, FilesOfOthersAreNotFlushedWithOurOwnStreams) {
   EXPECT_EQ(FileAfterCopy(Flushed::kOwn), "a line\na line\n");
   EXPECT_EQ(FileAfterCopy(Flushed::kNone), "a line\na line\n");

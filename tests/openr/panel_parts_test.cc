@@ -200,22 +200,27 @@ class NoThreads {
 // Each test fails to make more threads than this limit.
 class NoThreadsTest : public ::testing::Test {
  protected:
+  static constexpr int kPatienceMs = 60'000;
+
   NoThreadsTest() { setenv("XDG_RUNTIME_DIR", folder_.path().c_str(), 1); }
   ~NoThreadsTest() override { unsetenv("XDG_RUNTIME_DIR"); }
 
   // Waits until no thread of `Maker` runs any more, because threads of other tests may still run.
   template <typename Maker>
   static void WaitForThreads() {
-    while (Maker::HasThreads()) usleep(1000);
+    for (int i = 0; i < kPatienceMs && Maker::HasThreads(); ++i) usleep(1000);
+    ASSERT_FALSE(Maker::HasThreads()) << "a thread is counted that does not run";
   }
 
   // Waits for the next answer that a thread gives.
   Json Answer() const {
-    for (;;) {
+    for (int i = 0; i < kPatienceMs; ++i) {
       const std::vector<std::string> texts = outbox_->TakeAll();
       if (!texts.empty()) return Json::parse(texts[0]);
       usleep(1000);
     }
+    ADD_FAILURE() << "no thread has answered";
+    return nullptr;
   }
 
   const ScratchFolder folder_;
