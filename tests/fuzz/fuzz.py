@@ -111,6 +111,15 @@ def seed_folders(name, found):
     return [folder] + ([own] if os.path.isdir(own) else [])
 
 
+def seed_list(name, folders):
+    """Writes the paths of the seeds in these folders, one in a line.  Returns the file."""
+    path = os.path.join(WORK, "seeds", f"{name}.list")
+    with open(path, "w", encoding="utf-8") as file:
+        for folder in folders:
+            file.writelines(f"{os.path.join(folder, seed)}\n" for seed in sorted(os.listdir(folder)))
+    return path
+
+
 def dictionary(name, found, folders):
     """Writes the words of the target: the texts in the sources of its reader, which targets.json
     names, and the words of its seeds.  Returns two files: a dictionary of libFuzzer, which has the
@@ -161,7 +170,8 @@ def fuzz(name, found, seconds, seed, planted=False):
     before = set(os.listdir(crashes))
     seeds = seed_folders(name, found)
     words, lines = dictionary(name, found, seeds)
-    command = [PROGRAM, name, "--words", lines] + (["--planted"] if planted else []) + OPTIONS
+    command = [PROGRAM, name, "--words", lines, "--seeds", seed_list(name, seeds)]
+    command += (["--planted"] if planted else []) + OPTIONS
     if planted:  # processor time, so that a busy machine finds what an idle one does
         command = ["prlimit", f"--cpu={seconds}"] + command
         seconds *= PLANTED_WAIT

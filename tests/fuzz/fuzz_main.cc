@@ -1,5 +1,5 @@
 // The program of all fuzz targets, for clang's libFuzzer: openr_fuzz TARGET [--words FILE]
-// [--planted] [ARGS].
+// [--seeds FILE] [--planted] [ARGS].  The files have a word, or the path of a seed, in each line.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -7,8 +7,10 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 #include "runtime/base/hasher.h"
 #include "tests/fuzz/fuzz_targets.h"
@@ -26,14 +28,27 @@ namespace {
 
 const openr_host::FuzzTarget* target = nullptr;
 bool stops_at_planted_bug = false;
-openr_host::FuzzWords words;  // the dictionary of the target
-bool has_steps = false;       // the inputs of the target are programs (BeginFuzzStep())
+openr_host::FuzzWords words;     // the dictionary of the target
+std::vector<std::string> seeds;  // inputs with which the target begins; most of them are valid
+bool has_steps = false;          // the inputs of the target are programs (BeginFuzzStep())
 std::unordered_map<uint64_t, openr_host::FuzzStarts> known_steps;  // by the hash of the program
 
 // Removes the first argument behind the name of the program, because libFuzzer does not know it.
 void TakeArgument(int* argc, char** argv) {
   std::memmove(argv + 1, argv + 2, sizeof *argv * static_cast<size_t>(*argc - 1));
   *argc -= 1;
+}
+
+// Removes the first two arguments, `flag` and the name of a file, and returns the lines of the
+// file. Returns nothing if the first argument is not `flag`.
+std::vector<std::string> TakeLines(const char* flag, int* argc, char** argv) {
+  std::vector<std::string> lines;
+  if (*argc <= 2 || std::strcmp(argv[1], flag) != 0) return lines;
+  std::ifstream file(argv[2]);
+  for (std::string line; std::getline(file, line);) lines.push_back(line);
+  TakeArgument(argc, argv);
+  TakeArgument(argc, argv);
+  return lines;
 }
 
 bool IsTarget(const char* name) { return std::strcmp(target->name, name) == 0; }
@@ -111,7 +126,11 @@ std::string MutateBytes(const std::string& bytes, size_t size_max, openr_host::F
 extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t size_max,
                                           unsigned int seed) {
   openr_host::FuzzRandom random(seed + 1);
-  const std::string bytes(reinterpret_cast<const char*>(data), size);
+  std::string bytes(reinterpret_cast<const char*>(data), size);
+  // Changes a seed in place of the input once in a while.  libFuzzer keeps each input that is
+  // refused in a new way, and soon hardly chooses valid inputs.  Not for programs of steps, because
+  // they have to grow.
+  if (!has_steps && !seeds.empty() && random() % 8 == 0) bytes = seeds[random() % seeds.size()];
   if (IsTarget("image") && random() % 4 != 0) {
     const std::string content = openr_host::Decompress(bytes);
     if (!content.empty()) {
@@ -143,7 +162,8 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
   if (*argc > 1) target = openr_host::FindFuzzTarget((*argv)[1]);
   if (target == nullptr) {
     std::fprintf(stderr,
-                 "usage: openr_fuzz TARGET [--words FILE] [--planted] [ARGS of libFuzzer]\n");
+                 "usage: openr_fuzz TARGET [--words FILE] [--seeds FILE] [--planted] [ARGS of "
+                 "libFuzzer]\n");
     for (const openr_host::FuzzTarget& known : openr_host::FuzzTargets()) {
       std::fprintf(stderr, "  %s\n", known.name);
     }
@@ -152,11 +172,11 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
   TakeArgument(argc, *argv);
   openr_host::NoteFuzzStates(
       [](uint64_t state) { reached_states[state % std::size(reached_states)] = 1; });
-  if (*argc > 2 && std::strcmp((*argv)[1], "--words") == 0) {
-    std::ifstream file((*argv)[2]);
-    for (std::string word; std::getline(file, word);) words.push_back(word);
-    TakeArgument(argc, *argv);
-    TakeArgument(argc, *argv);
+  words = TakeLines("--words", argc, *argv);
+  for (const std::string& path : TakeLines("--seeds", argc, *argv)) {
+    std::ostringstream bytes;
+    bytes << std::ifstream(path, std::ios::binary).rdbuf();
+    seeds.push_back(bytes.str());
   }
   if (*argc > 1 && std::strcmp((*argv)[1], "--planted") == 0) {
     stops_at_planted_bug = true;
