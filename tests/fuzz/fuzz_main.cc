@@ -9,6 +9,7 @@
 #include <iterator>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -50,6 +51,8 @@ std::vector<std::string> TakeLines(const char* flag, int* argc, char** argv) {
   TakeArgument(argc, argv);
   return lines;
 }
+
+bool IsJsonBegin(std::string_view text) { return text.starts_with('{') || text.starts_with('['); }
 
 bool IsTarget(const char* name) { return std::strcmp(target->name, name) == 0; }
 
@@ -109,8 +112,7 @@ std::string MutateBytes(const std::string& bytes, size_t size_max, openr_host::F
   if (has_steps && (*random)() % 4 != 0) {
     return openr_host::MutateSteps(bytes, StartsOf(bytes), random);
   }
-  const bool is_json = !bytes.empty() && (bytes[0] == '{' || bytes[0] == '[');
-  if (!is_json) return MutateTextOrBytes(bytes, size_max, random);
+  if (!IsJsonBegin(bytes)) return MutateTextOrBytes(bytes, size_max, random);
   if ((*random)() % 4 == 0) {
     const std::string changed = MutateTextOrBytes(bytes, size_max, random);
     if (openr_host::IsJson(changed) || (*random)() % 8 == 0) return changed;
@@ -127,10 +129,10 @@ extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t siz
                                           unsigned int seed) {
   openr_host::FuzzRandom random(seed + 1);
   std::string bytes(reinterpret_cast<const char*>(data), size);
-  // Changes a seed in place of the input once in a while.  libFuzzer keeps each input that is
-  // refused in a new way, and soon hardly chooses valid inputs.  Not for programs of steps, because
-  // they have to grow.
-  if (!has_steps && !seeds.empty() && random() % 8 == 0) bytes = seeds[random() % seeds.size()];
+  // Changes a seed in place of an input with JSON once in a while.  libFuzzer keeps each input that
+  // is refused in a new way, and soon hardly chooses valid JSON.
+  if (IsJsonBegin(bytes) && !seeds.empty() && random() % 8 == 0)
+    bytes = seeds[random() % seeds.size()];
   if (IsTarget("image") && random() % 4 != 0) {
     const std::string content = openr_host::Decompress(bytes);
     if (!content.empty()) {
