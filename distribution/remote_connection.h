@@ -1,8 +1,8 @@
 // RemoteConnection: the master's end of the connection to one worker process.
 //
-// It sends samples to the worker, receives the worker's samples, and finds out that the worker has
-// ended or cannot be reached.  It does not know what the samples mean, except for two: the worker's
-// goodbye, by which a worker tells that it ends, and the sample that ends the worker.
+// The connection sends samples to the worker, receives its samples, and finds out that the worker
+// has ended or cannot be reached.  It does not know what the samples mean, except for two: the
+// worker's goodbye, by which a worker tells that it ends, and the sample that ends the worker.
 //
 // The connection owns the slot in which processes of the worker's name join one after the other.
 #pragma once

@@ -66,7 +66,7 @@ class SettingsCheck {
 
 void CheckAddresses(const WlanConfig& config, SettingsCheck* check) {
   const uint32_t ip = AddressOf(config.ether_ip), mask = AddressOf(config.ether_netmask);
-  // In a mask, all ones come before all zeros.
+  // A netmask has all its ones before its zeros.
   if (std::popcount(mask) != std::countl_one(mask)) {
     check->Warn(fmt::format("ETHER_NETMASK {} is no mask of a network, which is like 255.255.255.0",
                             config.ether_netmask));

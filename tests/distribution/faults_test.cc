@@ -186,6 +186,9 @@ TEST_F(FaultsTest, ASecondControlCEndsARunThatWaitsForAProcess) {
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_THAT(result.err, Not(HasSubstr("error: ")));
   EXPECT_THAT(result.err, Not(HasSubstr("again to end at once")));
+  // The process is stopped, so it does not receive that the run is over.
+  EXPECT_THAT(result.err, HasSubstr("did not end with the run and was killed; what its objects had "
+                                    "not written yet is lost"));
 }
 
 TEST_F(FaultsTest, ASecondControlCDuringTheBootIsNoFinding) {
