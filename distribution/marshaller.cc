@@ -280,9 +280,7 @@ std::string Marshaller::DecodeNotify(const openr_wire_Notify& in, Message* out) 
   if (in.parts._length > MAX_NUM_DATA || in.notifications > MAX_NUM_DATA)
     return fmt::format("a notification of {} data", in.parts._length);
   auto& notify = *new (out->payload) ONotifyMessage;
-  notify.msgType = omsgNOTIFY_V22;
   notify.subjectID = OServiceEntry(OidOf(in.subject), in.selector);
-  notify.numOfData = 0;
   notify.numOfNotify = static_cast<short>(in.notifications);
   out->size = sizeof notify;
   out->kind = PayloadKind::kNotify;
@@ -339,7 +337,6 @@ std::string Marshaller::DecodeReady(const openr_wire_Ready& in, Message* out) {
   ready.msgType = in.is_lost ? kDeassertOfLost : omsgREADY_V22;
   ready.command = static_cast<ObjcommCommand>(in.command);
   ready.observerID = OServiceEntry(OidOf(in.observer), in.selector);
-  ready.numOfData = 0;
   out->size = sizeof ready;
   out->kind = PayloadKind::kReady;
   for (uint32_t i = 0; i < in.regions._length; ++i) {

@@ -364,5 +364,6 @@ MtnFile::TimeMs(int k) const
 Sint32
 MtnFile::DurationMs() const
 {
-    return numKeyFrames_ > 0 ? TimeMs(numKeyFrames_ - 1) : 0;
+    // TimeMs(-1), of a motion without key frames, is 0.
+    return TimeMs(numKeyFrames_ - 1);
 }

@@ -82,9 +82,12 @@ class GatewayReader {
 
   bool HasItsWords(const RecordLine& line) {
     const size_t wanted = side_ == GatewaySide::kRobot ? 2 : 3;
-    if (line.words.size() == wanted) return true;
     const char* const form =
         side_ == GatewaySide::kRobot ? "a service and a port" : "a service, a port and an address";
+    if (line.words.size() < wanted) {
+      Refuse(line.place, fmt::format("a line holds {}, separated by blanks", form));
+      return false;
+    }
     if (line.words.size() > wanted) {
       const std::string& word = line.words[wanted].text;
       const bool is_address = IPAddress(word.c_str()).Address() != 0;
@@ -94,10 +97,9 @@ class GatewayReader {
                              ? "; addresses are in the PC's HOSTGW.CFG, where a robot that openr "
                                "runs on this computer is 127.0.0.1"
                              : ""));
-    } else {
-      Refuse(line.place, fmt::format("a line holds {}, separated by blanks", form));
+      return false;
     }
-    return false;
+    return true;
   }
 
   bool ReadService(const RecordLine& line, GatewayRecord* record) {

@@ -22,7 +22,7 @@ struct Side {
 
   bool has_count = false;
   StubLine count_line = {};  // the line that declares the number; set only if has_count is true
-  int count = -1;            // declared number; -1 if it is missing or no number
+  std::optional<int> count = {};  // declared number; nullopt if it is missing or no number
 };
 
 class StubParser {
@@ -193,19 +193,19 @@ void StubParser::CheckCount(const std::string& file, const Side& side) {
                       dummy));
     return;
   }
-  if (side.count < 0) return;  // the number is missing or bad, which was reported already
+  if (!side.count) return;  // the number is missing or bad, which was reported already
+  const int count = *side.count;
   const std::string& word = side.count_line.word;
-  if (side.count == 0 && found == 0) {
+  if (count == 0 && found == 0) {
     Error(side.count_line.place, fmt::format("{} is 0{}, and write 1 here", word, dummy));
-  } else if (side.count != found) {
-    std::string remedy = found < side.count ? "correct the number or add the missing Service line"
-                                            : "correct the number";
+  } else if (count != found) {
+    std::string remedy =
+        found < count ? "correct the number or add the missing Service line" : "correct the number";
     if (ignored_service_line_ > 0) {
       remedy = fmt::format("line {} was ignored", ignored_service_line_);
     }
-    Error(side.count_line.place,
-          fmt::format("{} is {}, but the file has {} {}{}; {}", word, side.count, found, side.noun,
-                      found == 1 ? "" : "s", remedy));
+    Error(side.count_line.place, fmt::format("{} is {}, but the file has {} {}{}; {}", word, count,
+                                             found, side.noun, found == 1 ? "" : "s", remedy));
   }
 }
 

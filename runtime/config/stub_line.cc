@@ -34,6 +34,13 @@ constexpr KeywordName kKeywords[] = {
 
 bool IsNameCharacter(char c) { return IsLetter(c) || IsDigit(c) || c == '_'; }
 
+// Returns the C++ name at the start of `text`, or "" if its first character cannot be part of a
+// name.
+std::string_view NameAtStart(std::string_view text) {
+  const auto end = std::find_if_not(text.begin(), text.end(), IsNameCharacter);
+  return text.substr(0, static_cast<size_t>(end - text.begin()));
+}
+
 // A part of a line of stub.cfg, and the column at which it begins.
 struct Piece {
   std::string_view text;
@@ -48,12 +55,6 @@ struct Piece {
   }
   void TrimEnd() {
     while (!text.empty() && IsBlank(text.back())) text.remove_suffix(1);
-  }
-  // Returns the C++ name at the start of this part of the line, or "" if its first character cannot
-  // be part of a name.
-  std::string_view NameAtStart() const {
-    const auto end = std::find_if_not(text.begin(), text.end(), IsNameCharacter);
-    return text.substr(0, static_cast<size_t>(end - text.begin()));
   }
 };
 
@@ -203,7 +204,7 @@ std::string ParseFunction(Piece piece, Reporter* reporter) {
   piece.SkipBlanks();
   piece.TrimEnd();
   if (piece.text == "null") return "";
-  const std::string_view name = piece.NameAtStart();
+  const std::string_view name = NameAtStart(piece.text);
   if (!IsName(name)) {
     reporter->Error(
         piece.column,
@@ -257,7 +258,7 @@ std::optional<StubLine> RecognizeStubLine(const FilePosition& line,
   Reporter reporter(line, diagnostics);
   Piece rest{line.text, 1};
   rest.SkipBlanks();
-  const std::string_view word = rest.NameAtStart();
+  const std::string_view word = NameAtStart(rest.text);
   const KeywordName* const keyword = FindKeyword(word);
   Piece after = rest;
   after.Skip(word.size());
@@ -289,14 +290,14 @@ std::string ParseObjectName(const StubLine& line, std::vector<Diagnostic>* diagn
   return words[0].text;
 }
 
-int ParseCount(const StubLine& line, std::vector<Diagnostic>* diagnostics) {
+std::optional<int> ParseCount(const StubLine& line, std::vector<Diagnostic>* diagnostics) {
   int count = 0;
   const char* const end = line.value.data() + line.value.size();
   const std::errc status = std::from_chars(line.value.data(), end, count).ec;
   if (status == std::errc() && count >= 0 && count <= kCountMax) return count;
   diagnostics->push_back(
       ErrorAt(line.place, fmt::format("{} needs a number of services, such as 1", line.word)));
-  return -1;
+  return std::nullopt;
 }
 
 std::optional<StubService> ParseService(const StubLine& line,
@@ -314,7 +315,7 @@ std::optional<StubService> ParseService(const StubLine& line,
 std::optional<StubExtra> ParseExtra(const StubLine& line, std::vector<Diagnostic>* diagnostics) {
   const std::vector<Word> words = SplitWords(line.value);
   std::string_view word = words.empty() ? std::string_view() : words[0].text;
-  const std::string_view name = Piece{word, 1}.NameAtStart();
+  const std::string_view name = NameAtStart(word);
   if (IsName(name) && word.substr(name.size()) == "()") {
     return StubExtra{std::string(name), line.place};
   }

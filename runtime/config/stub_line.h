@@ -29,8 +29,8 @@ std::optional<StubLine> RecognizeStubLine(const FilePosition& line,
 // Returns the C++ name in an ObjectName line, or "" after an error.  Ignores the rest of the line.
 std::string ParseObjectName(const StubLine& line, std::vector<Diagnostic>* diagnostics);
 
-// Returns the number in a NumOf... line, or -1 after an error.  Ignores the rest of the line.
-int ParseCount(const StubLine& line, std::vector<Diagnostic>* diagnostics);
+// Returns the number in a NumOf... line, or nullopt after an error.  Ignores the rest of the line.
+std::optional<int> ParseCount(const StubLine& line, std::vector<Diagnostic>* diagnostics);
 
 // Parses a Service line.  For a line without a valid service name returns nullopt with a warning,
 // because stubgen2 ignores such lines.  For a line with other errors still returns a service, so

@@ -70,10 +70,9 @@ uint32_t RegionTable::New(size_t size, ObjectId owner) {
 // chosen.  The old memory of the slot is freed.  If an observer still reads this memory (it is
 // pinned), the memory is moved to outlived_ instead.  Returns null if the slot has a live region.
 RegionTable::Slot* RegionTable::SlotFor(uint32_t id) {
+  // The lower 16 bits of an id are the number of its slot, counted from 1; 0 names no slot.
+  if ((id & 0xffff) == 0) return nullptr;
   const uint32_t index = (id & 0xffff) - 1;
-  // Refuses an id that names no slot, because its lower 16 bits are 0: `index`, which is these bits
-  // less 1, is then a very large number.
-  if (index >= 0xffff) return nullptr;
   if (index >= slots_.size()) slots_.resize(index + 1);
   Slot& slot = slots_[index];
   if (slot.live) return nullptr;

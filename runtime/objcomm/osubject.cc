@@ -198,7 +198,7 @@ size_t Remain(const SubjectState& state, const ObserverLink& link) {
   // The subject's buffer holds the data of one SetData() less than its size, because the robot's
   // buffer is a ring buffer in which one place always stays empty.
   const size_t room = std::max<size_t>(state.buffer_size, 1) - 1;
-  return used >= room ? 0 : room - used;
+  return room - std::min(used, room);
 }
 
 }  // namespace
