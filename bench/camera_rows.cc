@@ -32,7 +32,7 @@ class Looker {
   }
   void Run(int64_t images) {
     for (; images > 0; --images) {
-      const std::string problem = simulation_->robots()[0]->TakePicture(&picture_);
+      const std::string problem = simulation_->robots()[0]->CopyPicture(&picture_);
       if (!problem.empty()) throw std::runtime_error("bench: " + problem);
     }
   }

@@ -53,7 +53,7 @@ BusOptions BusOf(const std::string& run, int domain, bool has_large_history = fa
 // Binds this process to the first processor, before it makes threads.  The process at the other end
 // gets the second processor, so that no variant is faster only because the kernel has placed its
 // threads well.  Returns false if this is not possible, as with only one processor.
-bool TakeFirstProcessor() {
+bool UseFirstProcessor() {
   cpu_set_t first;
   CPU_ZERO(&first);
   CPU_SET(0, &first);
@@ -63,7 +63,7 @@ bool TakeFirstProcessor() {
 // Binds this process to the first processor.  Returns the words that begin the command line of the
 // process at the other end, and bind it to the second processor; none if this is not possible.
 std::vector<std::string> OnTheOtherProcessor() {
-  static const bool has_own = TakeFirstProcessor();
+  static const bool has_own = UseFirstProcessor();
   if (!has_own) return {};
   return {"taskset", "--cpu-list", "1"};
 }

@@ -35,7 +35,7 @@ int StreamCalled(const fs::path& path) {
 
 // Gives the new file, open as `descriptor`, the owner and permissions of the file that it replaces,
 // whose status is `old`.  Returns an errno, or 0.
-int TakeOver(int descriptor, const struct stat& old) {
+int CopyOwnerAndMode(int descriptor, const struct stat& old) {
   struct stat now;
   if (fstat(descriptor, &now) != 0) return errno;
   const bool has_owner = now.st_uid == old.st_uid && now.st_gid == old.st_gid;
@@ -80,7 +80,7 @@ int CreateBeside(const OutputTarget& target, std::string* name, int* error) {
     descriptor = open(name->c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0 && errno != EEXIST) break;
   }
-  *error = descriptor < 0 ? errno : target.exists ? TakeOver(descriptor, target.status) : 0;
+  *error = descriptor < 0 ? errno : target.exists ? CopyOwnerAndMode(descriptor, target.status) : 0;
   if (*error == 0) return descriptor;
   if (descriptor >= 0) {
     close(descriptor);

@@ -80,7 +80,7 @@ class NumberReader {
 };
 
 // Converts a parameter of type T of a call to the data of a CallArguments or CallResult, and back.
-// The calling process uses Put() and TakeResult(); the called process uses the constructor,
+// The calling process uses Put() and ReadResult(); the called process uses the constructor,
 // argument() and PutResult().
 template <typename T>
 struct Parameter {
@@ -88,7 +88,7 @@ struct Parameter {
   static void Put(T value, CallArguments* to) {
     to->numbers.push_back(static_cast<uint64_t>(value));
   }
-  static void TakeResult(T, const CallResult&, NumberReader*) {}
+  static void ReadResult(T, const CallResult&, NumberReader*) {}
 
   Parameter(const CallArguments&, NumberReader* numbers) : value(static_cast<T>(numbers->Next())) {}
   T argument() { return value; }
@@ -100,7 +100,7 @@ struct Parameter {
 // The base class of Parameter for parameters that pass no value back to the caller.
 struct InputParameter {
   template <typename T>
-  static void TakeResult(const T&, const CallResult&, NumberReader*) {}
+  static void ReadResult(const T&, const CallResult&, NumberReader*) {}
   void PutResult(CallResult*) const {}
 };
 
@@ -205,7 +205,7 @@ struct Parameter<const word*> : InputParameter {
 template <>
 struct Parameter<word*> {
   static void Put(word*, CallArguments*) {}
-  static void TakeResult(word* to, const CallResult&, NumberReader* numbers) {
+  static void ReadResult(word* to, const CallResult&, NumberReader* numbers) {
     for (size_t i = 0; i < kGains; ++i) to[i] = static_cast<word>(numbers->Next());
   }
   Parameter(const CallArguments&, NumberReader*) {}
@@ -220,7 +220,7 @@ struct Parameter<word*> {
 template <>
 struct Parameter<std::string*> {
   static void Put(std::string*, CallArguments*) {}
-  static void TakeResult(std::string* to, const CallResult& from, NumberReader*) {
+  static void ReadResult(std::string* to, const CallResult& from, NumberReader*) {
     *to = from.bytes;
   }
   Parameter(const CallArguments&, NumberReader*) {}
@@ -233,7 +233,7 @@ struct Parameter<std::string*> {
 template <typename T>
 struct Parameter<T*> {
   static void Put(T*, CallArguments*) {}
-  static void TakeResult(T* to, const CallResult& from, NumberReader* numbers) {
+  static void ReadResult(T* to, const CallResult& from, NumberReader* numbers) {
     if constexpr (kIsNumber<T>) {
       *to = static_cast<T>(numbers->Next());
     } else {
@@ -279,7 +279,7 @@ struct Signature<Result_ (Class_::*)(Parameters...)> {
   template <typename... Arguments>
   static Result Decode(const CallResult& result, const Arguments&... arguments) {
     NumberReader numbers(result.numbers);
-    (Parameter<Parameters>::TakeResult(arguments, result, &numbers), ...);
+    (Parameter<Parameters>::ReadResult(arguments, result, &numbers), ...);
     if constexpr (!std::is_void_v<Result>) return static_cast<Result>(result.status);
   }
 

@@ -159,15 +159,15 @@ class StickCompletion {
   }
 
   void MatchTheRest() {
-    TakeMatching([this](const BuiltImage& image) { return IsOfThisStick(image); });
-    TakeMatching([](const BuiltImage&) { return true; });
-    for (const std::string& name : missing_) TakeFromKit(name);
+    UseMatchingImages([this](const BuiltImage& image) { return IsOfThisStick(image); });
+    UseMatchingImages([](const BuiltImage&) { return true; });
+    for (const std::string& name : missing_) CopyFromKit(name);
   }
 
   // Finds images for the names in `missing_`, which OBJECT.CFG lists without an image on the stick,
   // by similar names (MatchImages).  Takes only images that are not on the stick yet and for which
   // `is_wanted` returns true.
-  void TakeMatching(const std::function<bool(const BuiltImage&)>& is_wanted) {
+  void UseMatchingImages(const std::function<bool(const BuiltImage&)>& is_wanted) {
     std::vector<ImageCandidate> candidates;
     std::vector<size_t> indices;
     for (size_t i = 0; i < built_.size(); ++i) {
@@ -181,13 +181,13 @@ class StickCompletion {
       if (matches[i] < 0) {
         rest.push_back(missing_[i]);
       } else {
-        Take(indices[static_cast<size_t>(matches[i])], missing_[i], "by its name");
+        UseImage(indices[static_cast<size_t>(matches[i])], missing_[i], "by its name");
       }
     }
     missing_ = rest;
   }
 
-  void Take(size_t index, const std::string& name, const char* how) {
+  void UseImage(size_t index, const std::string& name, const char* how) {
     used_.insert(index);
     Copy(built_[index].log.file, name);
     completed_.images.push_back({name, built_[index].log.object, how});
@@ -203,7 +203,7 @@ class StickCompletion {
     if (!problem.empty()) completed_.problems.push_back(problem);
   }
 
-  void TakeFromKit(const std::string& name) {
+  void CopyFromKit(const std::string& name) {
     const fs::path own = FindEntry(fs::path(sdk_root_) / "images", name);
     if (!own.empty()) {
       Copy(own, name);
@@ -231,7 +231,7 @@ class StickCompletion {
     for (size_t i = 0; i < built_.size(); ++i) {
       if (used_.contains(i) || !IsOfThisStick(built_[i])) continue;
       const std::string name = ShortImageName(built_[i].log.object);
-      Take(i, name, "by its name");
+      UseImage(i, name, "by its name");
       listed_.emplace_back(name, i);
     }
     ListForeign();

@@ -35,7 +35,7 @@ void ReturnRegions(System* system, const Message& message) {
 
 }  // namespace
 
-bool HeldMessages::Take(OwnedMessage* message) {
+bool HeldMessages::HoldBack(OwnedMessage* message) {
   if (is_open_ || passing_.erase((*message)->number) > 0) return false;
   if (!spec_.Matches(SeenMessage(*system_, **message))) return false;
   has_held_ = true;
@@ -76,7 +76,7 @@ std::string HeldMessages::Text() const {
 OwnedMessage Doors::Admit(OwnedMessage message) {
   if (Lose(*message)) return nullptr;
   for (HeldMessages& held : held_) {
-    if (held.Take(&message)) return nullptr;
+    if (held.HoldBack(&message)) return nullptr;
   }
   RepeatIfAsked(*message);
   return message;

@@ -48,7 +48,7 @@ class HeldMessages {
   // Moves `*message` into `messages_`, which holds it back, and returns true.  Returns false and
   // leaves the message alone if it does not match `spec_`, if Release() or ReleaseInOrder() was
   // called, or if ReleaseOne() has released this message.
-  bool Take(openr_host::OwnedMessage* message);
+  bool HoldBack(openr_host::OwnedMessage* message);
 
   openr_host::System* const system_;
   const MessageSpec spec_;

@@ -92,13 +92,13 @@ void TcpClient::PostPoll() {
 
 void TcpClient::Poll() {
   for (const NetworkEvent& event : network_.Poll()) {
-    if (event.handle == handle_) Take(event);
+    if (event.handle == handle_) StoreEvent(event);
   }
   while (!script_.empty() && Do(script_.front())) script_.pop_front();
   if (!script_.empty() || (connected_ && !ended_)) PostPoll();
 }
 
-void TcpClient::Take(const NetworkEvent& event) {
+void TcpClient::StoreEvent(const NetworkEvent& event) {
   using EventKind = NetworkEvent::Kind;
   switch (event.kind) {
     case EventKind::kConnected:

@@ -70,7 +70,7 @@ class TcpClient : public openr_host::CodeObject {
   TcpClient& Add(Step step);
   void PostPoll();
   void Poll();
-  void Take(const openr_host::NetworkEvent& event);
+  void StoreEvent(const openr_host::NetworkEvent& event);
   bool Do(const Step& step);
   bool DoConnect(const Step& step);
 

@@ -42,7 +42,7 @@ void CommandQueue::Start(int64_t frame, std::vector<std::string>* problems) {
         "there");
   }
   start_ = frame + WaitOf(vector, problems);
-  if (vector.header != nullptr) robot_->optional.Take(*vector.header, problems);
+  if (vector.header != nullptr) robot_->optional.CopyFrom(*vector.header, problems);
   ReadCommandElements(vector, FrameNumber(start_), &robot_->primitives, &read_, problems);
   robot_->watch.VectorStarts(read_, robot_->body->state(), robot_->power.motor_power(),
                              robot_->power.pause(), problems);

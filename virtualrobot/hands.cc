@@ -77,12 +77,12 @@ void Hands::AddVerbs() {
          }});
   };
   add_plain("hold", "Takes the robot and holds it where it is.", [this] {
-    TakeHold();
+    HoldTrunk();
     grip_->goal_z_m = grip_->X_WB.translation().z();
     grip_->sets_down = false;
   });
   add_plain("setdown", "Lowers the robot until something carries it, then lets go.", [this] {
-    TakeHold();
+    HoldTrunk();
     grip_->sets_down = true;
   });
   add_plain("letgo", "Lets the robot fall.", [this] { LetGo(); });
@@ -116,7 +116,7 @@ std::string Hands::ReadPress(std::string_view rest, Inputs::Action* action) {
     return "";
   }
   std::optional<int64_t> frames;
-  if (std::string problem = TakeFor(&words, &frames); !problem.empty()) return problem;
+  if (std::string problem = RemoveForTime(&words, &frames); !problem.empty()) return problem;
   if (words.empty() || words.size() > 2) return "needs one sensor";
   int percent = kPressPercent;
   if (words.size() == 2) {
@@ -144,7 +144,7 @@ std::string Hands::ReadPress(std::string_view rest, Inputs::Action* action) {
 std::string Hands::ReadSet(std::string_view rest, Inputs::Action* action) {
   std::vector<std::string> words = SplitInput(rest);
   std::optional<int64_t> frames;
-  if (std::string problem = TakeFor(&words, &frames); !problem.empty()) return problem;
+  if (std::string problem = RemoveForTime(&words, &frames); !problem.empty()) return problem;
   if (words.size() != 2) return "needs one sensor and one value";
   std::vector<int> sensors;
   if (std::string problem = FindSensors(words[0], &sensors); !problem.empty()) return problem;
@@ -187,7 +187,7 @@ std::string Hands::ReadRelease(std::string_view rest, Inputs::Action* action) {
 std::string Hands::ReadTurn(std::string_view rest, Inputs::Action* action) {
   std::vector<std::string> words = SplitInput(rest);
   Turn turn;
-  if (std::string problem = TakeFor(&words, &turn.frames); !problem.empty()) return problem;
+  if (std::string problem = RemoveForTime(&words, &turn.frames); !problem.empty()) return problem;
   if (words.size() != 2) return "needs one joint and one angle in degrees";
   const int joint = robot_.model.JointNamed(words[0]);
   if (joint < 0) {
@@ -219,7 +219,7 @@ std::string Hands::ReadTurn(std::string_view rest, Inputs::Action* action) {
 std::string Hands::ReadPush(std::string_view rest, Inputs::Action* action) {
   std::vector<std::string> words = SplitInput(rest);
   std::optional<int64_t> frames;
-  if (std::string problem = TakeFor(&words, &frames); !problem.empty()) return problem;
+  if (std::string problem = RemoveForTime(&words, &frames); !problem.empty()) return problem;
   Push push{0, Vector3d::Zero(), frames.value_or(kPushFrames)};
   if (words.size() == 5 && words[3] == "at") {
     push.part = robot_.model.FindBody(words[4]);
@@ -254,7 +254,7 @@ std::string Hands::ReadLift(std::string_view rest, Inputs::Action* action) {
   if (height_m < 0 || height_m > kLiftMax_m)
     return fmt::format("{} m is out of range, 0 to {} m", height_m, kLiftMax_m);
   *action = [this, height_m] {
-    TakeHold();
+    HoldTrunk();
     grip_->goal_z_m = grip_->X_WB.translation().z() + height_m;
     grip_->sets_down = false;
   };
@@ -347,7 +347,7 @@ void Hands::MoveJoints() {
 
 // Lets a hand take hold of the robot in its present pose.  Does nothing if a hand holds the robot
 // already.
-void Hands::TakeHold() {
+void Hands::HoldTrunk() {
   if (!grip_) grip_ = Grip{robot_.body->state().X_WB, 0, false};
 }
 

@@ -80,7 +80,7 @@ class Hands {
   void Release(int sensor);
   void ReleaseJoint(int joint);
   void MoveJoints();
-  void TakeHold();
+  void HoldTrunk();
   void LetGo();
   void MoveGrip();
 

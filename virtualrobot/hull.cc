@@ -49,7 +49,7 @@ void Hull::Move(int part, const Isometry3d& X_BL) {
 
 // Finds the corner of `box` that is lowest along `n_B`, which points up.  If the height of the
 // corner is less than `best`, stores the corner in `lowest` and the height in `best`.
-void Hull::TakeIfLower(const Box& box, const Vector3d& n_B, double* best, Vector3d* lowest) {
+void Hull::StoreIfLower(const Box& box, const Vector3d& n_B, double* best, Vector3d* lowest) {
   const Vector3d reach = box.half_edges.transpose() * n_B;
   const double height =
       n_B.dot(box.centre) - (std::fabs(reach.x()) + std::fabs(reach.y()) + std::fabs(reach.z()));
@@ -75,7 +75,7 @@ Vector3d Hull::LowestAlong(const Vector3d& n_B, const Vector3d& up_B) const {
     const Pair bottom =
         pair.x * n_B.x() + pair.y * n_B.y() + pair.z * n_B.z() - pair.radius * n_norm;
     for (size_t half = 0; half < 2; ++half) {
-      if (bottom[half] < best) TakeIfLower(boxes_[2 * i + half], n_B, &best, &lowest);
+      if (bottom[half] < best) StoreIfLower(boxes_[2 * i + half], n_B, &best, &lowest);
     }
   }
   return lowest;

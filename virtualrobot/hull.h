@@ -59,8 +59,8 @@ class Hull {
                    -std::numeric_limits<double>::infinity()};
   };
 
-  static void TakeIfLower(const Box& box, const Eigen::Vector3d& n_B, double* best,
-                          Eigen::Vector3d* lowest);
+  static void StoreIfLower(const Box& box, const Eigen::Vector3d& n_B, double* best,
+                           Eigen::Vector3d* lowest);
 
   const RobotModel* model_;
   std::vector<Ball> balls_;  // balls of the paws, in the order of RobotModel::paws

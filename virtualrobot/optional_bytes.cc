@@ -8,7 +8,7 @@
 
 namespace openr_host {
 
-void OptionalBytes::Take(const ODataVectorInfo& sent, std::vector<std::string>* problems) {
+void OptionalBytes::CopyFrom(const ODataVectorInfo& sent, std::vector<std::string>* problems) {
   if (sent.optSize == 0) return;
   if (sent.optOffset > odataOPTIONAL_MAX || sent.optSize > odataOPTIONAL_MAX - sent.optOffset) {
     problems->push_back(

@@ -21,10 +21,10 @@ class OptionalBytes {
   // Copies into this object the range of optional bytes that the header `sent` names.  Does nothing
   // when the range is empty.  If the range is out of bounds, copies nothing and adds a message to
   // `problems`.
-  void Take(const ODataVectorInfo& sent, std::vector<std::string>* problems);
+  void CopyFrom(const ODataVectorInfo& sent, std::vector<std::string>* problems);
 
-  // Writes the optional bytes that Take() has copied, and their range, to `header`, the header of a
-  // sensor vector.
+  // Writes the optional bytes that CopyFrom() has copied, and their range, to `header`, the header
+  // of a sensor vector.
   void Put(ODataVectorInfo* header) const;
 
   void HashState(Hasher* hasher) const;

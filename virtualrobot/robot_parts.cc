@@ -87,7 +87,7 @@ void RobotParts::Reseed(uint64_t seed) {
   sensors.set_noise(NoiseOf(robot_index, seed), FaultNoiseOf(robot_index, seed));
 }
 
-void RobotParts::TakeNoiseOf(int number) {
+void RobotParts::UseNoiseOf(int number) {
   const uint64_t seed = system.options().seed;
   sensors.set_noise(NoiseOf(number, seed), FaultNoiseOf(number, seed));
 }

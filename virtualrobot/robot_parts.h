@@ -74,7 +74,7 @@ struct RobotParts {
 
   // Gives the sensors the noise that robot `number` of a run has, for a process that runs only this
   // robot of a larger run.  REQUIRES: no frame has run yet.
-  void TakeNoiseOf(int number);
+  void UseNoiseOf(int number);
 
   void HashState(Hasher* hasher) const;
 

@@ -49,15 +49,15 @@ class VirtualRobot : public RobotServices {
   bool ImageIsDue() const { return parts_.camera.Due(parts_.frame); }
 
   // Writes the image that the camera has just completed to `picture` (see
-  // CameraDevice::TakePicture()).
-  std::string TakePicture(Picture* picture) {
-    return parts_.camera.TakePicture(parts_.frame, *parts_.body, picture);
+  // CameraDevice::CopyPicture()).
+  std::string CopyPicture(Picture* picture) {
+    return parts_.camera.CopyPicture(parts_.frame, *parts_.body, picture);
   }
 
   // Takes a picture of the colours that the camera's colour detection has found in the image that
-  // the camera has just completed (see CameraDevice::TakeColours()).
-  std::string TakeColours(Picture* colours) {
-    return parts_.camera.TakeColours(parts_.frame, *parts_.body, colours);
+  // the camera has just completed (see CameraDevice::CopyColours()).
+  std::string CopyColours(Picture* colours) {
+    return parts_.camera.CopyColours(parts_.frame, *parts_.body, colours);
   }
 
   // Completes the file of the speaker at the end of the run.  Returns "", or an error "FILE: cannot

@@ -21,7 +21,7 @@ RequestHandler::AskForPicture(RcReader* in)
     if (!isFree && !picture_.IsForgotten(sensors_.frame)) {
         return Fail(rcerrorBUSY, "another client fetches a picture; try again");
     }
-    picture_.Take(client_, layer, sensors_.frame);
+    picture_.Reserve(client_, layer, sensors_.frame);
     port_->WantImage(true);
     return rcOK;
 }

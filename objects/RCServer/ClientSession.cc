@@ -28,9 +28,9 @@ ClientSession::Begin(int number, RequestHandler* handler)
 }
 
 void
-ClientSession::Take(const Uint8* bytes, int size)
+ClientSession::Receive(const Uint8* bytes, int size)
 {
-    framer_.Take(bytes, size);
+    framer_.Append(bytes, size);
     hasSpoken_ = true;
 }
 

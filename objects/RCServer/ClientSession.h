@@ -2,7 +2,7 @@
 // ClientSession: the connection of one client, without the network.  It takes the bytes that arrive
 // and returns the bytes to send next.
 //
-//   session.Take(bytes, size);               // bytes have arrived
+//   session.Receive(bytes, size);               // bytes have arrived
 //   size = session.NextAnswers(buffer);      // while nothing is being sent
 //   if (size == 0) size = session.NextEvents(buffer);
 //
@@ -44,7 +44,7 @@ public:
 
     // Takes bytes that the client has sent, so that NextAnswers() can answer the requests in them.
     // REQUIRES: size <= RC_MAX_PACKET, and NextAnswers() has returned 0 since the last call.
-    void Take(const Uint8* bytes, int size);
+    void Receive(const Uint8* bytes, int size);
 
     // Answers requests that have arrived completely, as many as one send has room for.  Writes the
     // answers to `buffer`, which must be the same in each call, and returns their size.  Returns 0

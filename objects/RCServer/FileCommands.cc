@@ -58,7 +58,7 @@ RequestHandler::BeginUpload(RcReader* in, RcWriter* out)
 }
 
 int
-RequestHandler::TakeUpload(RcReader* in, RcWriter* out)
+RequestHandler::ReceiveUpload(RcReader* in, RcWriter* out)
 {
     const Uint32 offset = in->U32();
     if (in->HasFailed() || in->RestSize() == 0) {

@@ -3,7 +3,7 @@
 #include <string.h>
 
 void
-PictureSlot::Take(int client, int layer, Uint32 frame)
+PictureSlot::Reserve(int client, int layer, Uint32 frame)
 {
     owner_ = client;
     layer_ = layer;

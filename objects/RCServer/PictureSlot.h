@@ -30,7 +30,7 @@ public:
     bool IsForgotten(Uint32 frame) const { return frame - lastFrame_ >= FORGOTTEN_FRAMES; }
 
     // Gives this memory for a picture to a client, which waits for a picture from now on.
-    void Take(int client, int layer, Uint32 frame);
+    void Reserve(int client, int layer, Uint32 frame);
 
     // Takes this memory for a picture from its owner, so that any client may get it.
     void Clear() { owner_ = -1; }

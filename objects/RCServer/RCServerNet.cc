@@ -201,7 +201,7 @@ RCServer::ReceiveCont(ANTENVMSG msg)
     client_[index].isReceiving = false;
     if (receive->error == TCP_SUCCESS) {
         client_[index].lastFrame = sensors_.frame;
-        client_[index].session.Take(client_[index].receiveData, receive->sizeMin);
+        client_[index].session.Receive(client_[index].receiveData, receive->sizeMin);
         Serve(index);
     } else if (client_[index].isSending) {
         // Closes the connection later, when the bytes that are being sent have arrived.

@@ -85,7 +85,7 @@ private:
     int AnswerBatch(RcReader* in, RcWriter* out);
     int ListMotions(RcReader* in, RcWriter* out);
     int BeginUpload(RcReader* in, RcWriter* out);
-    int TakeUpload(RcReader* in, RcWriter* out);
+    int ReceiveUpload(RcReader* in, RcWriter* out);
     int EndUpload(RcReader* in, RcWriter* out);
     int DeleteFile(RcReader* in);
     int Download(RcReader* in, RcWriter* out);

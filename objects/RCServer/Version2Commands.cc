@@ -38,7 +38,7 @@ RequestHandler::HandleVersion2(int command, RcReader* in, RcWriter* out)
     case rcUPLOAD_BEGIN:
         return BeginUpload(in, out);
     case rcUPLOAD_DATA:
-        return TakeUpload(in, out);
+        return ReceiveUpload(in, out);
     case rcUPLOAD_END:
         return EndUpload(in, out);
     case rcDELETE:

@@ -159,7 +159,7 @@ RcFramer::Reset()
 }
 
 void
-RcFramer::Take(const Uint8* bytes, int size)
+RcFramer::Append(const Uint8* bytes, int size)
 {
     if (size <= 0 || size > Room()) return;
     memcpy(buffer_ + size_, bytes, size);

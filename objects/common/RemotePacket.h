@@ -132,15 +132,15 @@ public:
     RcFramer() { Reset(); }
     void Reset();
 
-    // Returns the number of bytes for which Take() has room; at least RC_MAX_PACKET after Next()
+    // Returns the number of bytes for which Append() has room; at least RC_MAX_PACKET after Next()
     // has returned NEEDS_MORE.
     int Room() const { return CAPACITY - size_; }
 
     // Appends `size` bytes to the stream.  REQUIRES: size <= Room().
-    void Take(const Uint8* bytes, int size);
+    void Append(const Uint8* bytes, int size);
 
     // Finds the next packet.  When the result is PACKET, Header() and Payload() return its parts
-    // until the next call of Next() or Take().
+    // until the next call of Next() or Append().
     Result Next();
     const RcHeader& Header() const { return header_; }
     const Uint8* Payload() const { return buffer_ + RC_HEADER_SIZE; }

@@ -75,7 +75,7 @@ std::string WhyNoNewObject(const std::string& name) {
 // as it is.  The case is usual: a user makes a new object in a repository that has only a
 // .gitignore yet.  Returns the lines that the file in the folder lacks; "" if it has them all, or
 // if the folder has no such file.
-std::string TakeIgnoreLines(const std::string& folder, std::vector<NewFile>* files) {
+std::string RemoveIgnoreFile(const std::string& folder, std::vector<NewFile>* files) {
   const std::optional<std::string> present = ReadText(std::filesystem::path(folder) / kIgnoreFile);
   if (!present) return "";
   const auto ours = std::find_if(files->begin(), files->end(),
@@ -89,7 +89,7 @@ int New(const NewFlags& flags) {
   const std::string folder = flags.folder.empty() ? flags.name : flags.folder;
   std::vector<NewFile> files = MakeNewObject(flags.name);
   for (NewFile& file : EditorFiles(FindEditorPlaces(), {})) files.push_back(std::move(file));
-  const std::string lacking = TakeIgnoreLines(folder, &files);
+  const std::string lacking = RemoveIgnoreFile(folder, &files);
   const std::string problem = WriteNewObject(files, folder);
   if (!problem.empty()) throw std::runtime_error(problem);
   for (const NewFile& file : files) fmt::print("{}/{}\n", folder, file.path);

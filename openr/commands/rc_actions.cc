@@ -156,15 +156,16 @@ void RcPlayAction(remote::Connection* robot, const RcFlags& flags) {
                   play.keyFrames, per_vector, play.durationMs / 1000.0,
                   play.loops == 1 ? "once" : fmt::format("{} times", play.loops)));
   if (flags.log.empty()) return;
-  while (log.Take() != moverACCEPTING_COMMANDS) usleep(kLogPollUs);
-  // Fetches key frames that the robot recorded between the last Take() and the motion's end.
-  log.Take();
+  while (log.ReadNewRecords() != moverACCEPTING_COMMANDS) usleep(kLogPollUs);
+  // Fetches key frames that the robot recorded between the last ReadNewRecords() and the motion's
+  // end.
+  log.ReadNewRecords();
   WriteLog(flags, log);
 }
 
 void RcLogAction(remote::Connection* robot, const RcFlags& flags) {
   remote::LogReader log(robot);
-  log.Take();
+  log.ReadNewRecords();
   WriteLog(flags, log);
 }
 

@@ -44,16 +44,16 @@ remote::PlayAnswer PlayBoth(remote::Connection* robot, remote::Connection* other
   return answer;
 }
 
-void TakeBoth(remote::LogReader* log, remote::LogReader* other) {
+void ReadBothLogs(remote::LogReader* log, remote::LogReader* other) {
   for (bool plays = true; plays; usleep(kBothPollUs)) {
     // Takes the records of both robots in each round, also of the one that has ended its motion,
     // because `||` would otherwise skip a call.
-    const int state = log->Take();
-    plays = other->Take() != moverACCEPTING_COMMANDS || state != moverACCEPTING_COMMANDS;
+    const int state = log->ReadNewRecords();
+    plays = other->ReadNewRecords() != moverACCEPTING_COMMANDS || state != moverACCEPTING_COMMANDS;
   }
-  // Fetches key frames that were recorded between the last Take() and the motion's end.
-  log->Take();
-  other->Take();
+  // Fetches key frames that were recorded between the last ReadNewRecords() and the motion's end.
+  log->ReadNewRecords();
+  other->ReadNewRecords();
 }
 
 void RequireWhole(const remote::LogReader& log, const std::string& address) {
@@ -76,7 +76,7 @@ void RcPlayWithAction(remote::Connection* robot, const RcFlags& flags) {
   log.SkipOld();
   other_log.SkipOld();
   const remote::PlayAnswer play = PlayBoth(robot, &other, flags);
-  TakeBoth(&log, &other_log);
+  ReadBothLogs(&log, &other_log);
   RequireWhole(log, flags.address);
   RequireWhole(other_log, flags.with);
   const LogFile merged = MergeLogs(ParseLog(log.File()), ParseLog(other_log.File()));

@@ -208,7 +208,7 @@ void RobotJobs::RunInCopy(int robot, int answer) {
   if (stick_.is_default()) place = "";
   const CrashLog crash_log({stick_.crash_log()}, true, place);
   const Watchdog watchdog(flags_.handler_limit_us);
-  simulation_.robots()[0]->parts().TakeNoiseOf(robot);
+  simulation_.robots()[0]->parts().UseNoiseOf(robot);
   Runner runner(&simulation_, plan_, &interrupts_);
   const auto report = [&] {
     simulation_.CloseFiles();
@@ -229,7 +229,7 @@ void RobotJobs::RunInCopy(int robot, int answer) {
 
 // Stores `said`, the report that the process of `robot` has sent.  If the report is not complete,
 // stores a report about the end of the process instead; `status` is its exit status.
-void RobotJobs::Take(int robot, const std::string& said, int status) {
+void RobotJobs::StoreReport(int robot, const std::string& said, int status) {
   Json report = TryParseJson<Json>(said);
   if (!report.is_object() || !report.contains("robots"))
     report = LostReport(simulation_.model().name, status);
@@ -289,7 +289,7 @@ void RobotJobs::RunAll() {
     for (size_t i = running.size(); i-- > 0;) {  // goes backwards, because the loop erases elements
       if (wanted[i].revents == 0 || ReadSome(&running[i])) continue;
       close(running[i].process.answers);
-      Take(running[i].robot, running[i].said, WaitForEnd(running[i].process.pid));
+      StoreReport(running[i].robot, running[i].said, WaitForEnd(running[i].process.pid));
       running.erase(running.begin() + static_cast<ptrdiff_t>(i));
     }
     progress.Show(static_cast<uint64_t>(next) - running.size());

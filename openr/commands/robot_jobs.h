@@ -38,7 +38,7 @@ class RobotJobs {
   ProcessCopy Start(int robot);
   void RunInCopy(int robot, int answer);
   void Print(std::string_view text);
-  void Take(int robot, const std::string& said, int status);
+  void StoreReport(int robot, const std::string& said, int status);
   void RunAll();
   nlohmann::ordered_json ReportOfNoBoot();
   nlohmann::ordered_json Merge(double wall_time_s);

@@ -70,7 +70,7 @@ class Top {
 
   void Listen() {
     bus_.Wait(kSliceUs);
-    runs_.Take(reader_.Take(), Now_s());
+    runs_.Update(reader_.Take(), Now_s());
   }
 
   // Prints all runs once, as a table or as JSON.  Throws std::runtime_error when standard output

@@ -178,7 +178,7 @@ Json ObjectJson(const RunStatus& run, const RunStatus::Object& object) {
 
 }  // namespace
 
-void RunStatusList::Take(const std::vector<RunStatus>& news, double now_s) {
+void RunStatusList::Update(const std::vector<RunStatus>& news, double now_s) {
   for (const RunStatus& status : news) {
     const Key key = {status.run, status.host, status.pid};
     if (!status.objects.empty()) {

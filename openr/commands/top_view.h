@@ -20,7 +20,7 @@ class RunStatusList {
     double heard_s = 0;  // time at which the last status came, by this process's clock
   };
 
-  void Take(const std::vector<RunStatus>& news, double now_s);
+  void Update(const std::vector<RunStatus>& news, double now_s);
 
   // Removes the runs that ended more than 10 s ago.  Until then the table of openr top shows how
   // these runs ended.

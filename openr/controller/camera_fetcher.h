@@ -21,11 +21,11 @@ class CameraFetcher {
 
   // Puts the newest picture of the camera into `*rgb`, three bytes a pixel from the top left, and
   // returns true, if a new picture has come since the last call.
-  bool Take(std::string* rgb);
+  bool CopyNewPicture(std::string* rgb);
 
   // Returns the reason why no pictures come from the robot's camera.  Returns "" if pictures come,
   // if none has come for less than 10 s, or if the reason was returned before.
-  std::string TakeProblem();
+  std::string NewProblem();
 
  private:
   void Fetch();
@@ -34,7 +34,8 @@ class CameraFetcher {
   const openr::remote::Options options_;
   std::atomic<bool> is_ended_ = false;
   std::mutex mutex_;
-  std::string picture_;  // newest picture of the camera; "" if Take() has already returned it
+  std::string
+      picture_;  // newest picture of the camera; "" if CopyNewPicture() has already returned it
   std::string problem_;
   std::thread thread_;
 };

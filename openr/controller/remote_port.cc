@@ -75,7 +75,7 @@ void RemotePort::Check() const {
   if (failure_) std::rethrow_exception(failure_);
 }
 
-bool RemotePort::TakeStep(int* step_ms) {
+bool RemotePort::HasNewStep(int* step_ms) {
   *step_ms = std::exchange(step_ms_, 0);
   return *step_ms > 0;
 }
@@ -109,24 +109,24 @@ void RemotePort::ReceiveUntil(Clock::time_point deadline, const std::function<bo
   do {
     auto event = robot_.NextEvent(std::min(deadline, Clock::now() + kSlice));
     for (int i = 0; i < kEventsAtOnce && event; ++i) {
-      TakeEvent(*event);
+      HandleEvent(*event);
       event = robot_.NextEvent(Clock::time_point{});
     }
-    if (event) TakeEvent(*event);
-    TakeAnswers(false);
+    if (event) HandleEvent(*event);
+    HandleAnswers(false);
     ShowLife();
   } while (Clock::now() < deadline && !is_ended());
-  TakePicture();
+  CopyNewPicture();
 }
 
-void RemotePort::TakeEvent(const remote::Event& event) {
+void RemotePort::HandleEvent(const remote::Event& event) {
   heard_ = Clock::now();
   if (event.stream == rcstreamSENSORS) {
-    TakeSensors(robot_.Read<remote::Sensors>(event), event.frame);
+    StoreSensors(robot_.Read<remote::Sensors>(event), event.frame);
   }
 }
 
-void RemotePort::TakeSensors(const remote::Sensors& sensors, uint32_t frame) {
+void RemotePort::StoreSensors(const remote::Sensors& sensors, uint32_t frame) {
   SensorValues values{};
   values.frame = frame;
   const auto at = [](const std::vector<Sint32>& all, size_t i) {
@@ -170,13 +170,13 @@ void RemotePort::TellMotion(int key_frame, bool is_over) {
   SetMotionValues(message);
 }
 
-void RemotePort::TakePicture() {
+void RemotePort::CopyNewPicture() {
   if (camera_ == nullptr) return;
   std::string rgb;
-  Uint8* const buffer = camera_->Take(&rgb) ? CameraBuffer() : nullptr;
+  Uint8* const buffer = camera_->CopyNewPicture(&rgb) ? CameraBuffer() : nullptr;
   const auto size = static_cast<size_t>(3 * constants_->camera.width * constants_->camera.height);
   if (buffer != nullptr && rgb.size() == size) std::memcpy(buffer, rgb.data(), size);
-  const std::string problem = camera_->TakeProblem();
+  const std::string problem = camera_->NewProblem();
   if (!problem.empty()) Say("no images of the camera: " + problem);
 }
 
@@ -192,7 +192,7 @@ void RemotePort::ShowLife() {
   }
 }
 
-void RemotePort::TakeAnswers(bool waits) {
+void RemotePort::HandleAnswers(bool waits) {
   while (!batches_.empty() && (waits || robot_.IsAnswered(batches_.front().id))) {
     const Batch batch = std::move(batches_.front());
     batches_.pop_front();
@@ -224,7 +224,7 @@ void RemotePort::WarnOfRefusal(const std::string& text) {
 
 void RemotePort::Finish() {
   camera_.reset();
-  TakeAnswers(true);
+  HandleAnswers(true);
 }
 
 // ---- Functions that send commands

@@ -31,17 +31,17 @@ class RecordFields {
   uint16_t U16() { return static_cast<uint16_t>(Number(2)); }
   uint32_t U32() { return static_cast<uint32_t>(Number(4)); }
   uint64_t U64() { return Number(8); }
-  std::string_view Text() { return Take(U32()); }
-  std::string_view Take(uint64_t size) {
+  std::string_view Text() { return ReadBytes(U32()); }
+  std::string_view ReadBytes(uint64_t size) {
     if (bytes_.size() - at_ < size) throw FileIsCut();
     at_ += size;
     return bytes_.substr(at_ - size, size);
   }
-  std::string_view Rest() { return Take(bytes_.size() - at_); }
+  std::string_view Rest() { return ReadBytes(bytes_.size() - at_); }
 
  private:
   uint64_t Number(int size) {
-    const std::string_view bytes = Take(static_cast<uint64_t>(size));
+    const std::string_view bytes = ReadBytes(static_cast<uint64_t>(size));
     uint64_t number = 0;
     for (int i = size - 1; i >= 0; --i)
       number = number << 8 | static_cast<uint8_t>(bytes[static_cast<size_t>(i)]);
@@ -89,7 +89,7 @@ class McapReader {
   void ReadRecord(RecordFields* fields) {
     good_ = depth_ == 0 ? fields->at() : good_;
     const auto op = static_cast<McapOp>(fields->U8());
-    RecordFields record(fields->Take(fields->U64()));
+    RecordFields record(fields->ReadBytes(fields->U64()));
     switch (op) {
       case McapOp::kSchema:
         return ReadSchema(&record);
@@ -110,7 +110,7 @@ class McapReader {
 
   void ReadChunk(RecordFields* record) {
     if (depth_ > 0) Refuse("has a chunk within a chunk, which the format forbids");
-    record->Take(8 + 8 + 8);  // skips two times and a size of the chunk, which are not needed
+    record->ReadBytes(8 + 8 + 8);  // skips two times and a size of the chunk, which are not needed
     const uint32_t crc = record->U32();
     const std::string_view compression = record->Text();
     if (!compression.empty()) {
@@ -118,7 +118,7 @@ class McapReader {
           "{}: is compressed with {}; decompress it first: mcap compress --compression none", file_,
           compression));
     }
-    const std::string_view bytes = record->Take(record->U64());
+    const std::string_view bytes = record->ReadBytes(record->U64());
     const auto* const data = reinterpret_cast<const unsigned char*>(bytes.data());
     // 0 stands for a chunk without a checksum (MCAP specification).
     if (crc != 0 && crc32_z(0, data, bytes.size()) != crc) {
@@ -159,9 +159,9 @@ class McapReader {
 
   void ReadMessage(RecordFields* record) {
     const std::string& topic = topics_[record->U16()];
-    record->Take(4);
+    record->ReadBytes(4);
     const double time_s = static_cast<double>(record->U64()) / 1e9;
-    record->Take(8);
+    record->ReadBytes(8);
     if (topic.empty()) return;
     const std::string_view text = record->Rest();
     auto json = TryParseJson<nlohmann::json>(text);

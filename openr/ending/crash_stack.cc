@@ -28,7 +28,7 @@ struct Walk {
   bool is_outside = false;  // true: the walk of the stack has passed the signal handler's frames
 };
 
-_Unwind_Reason_Code Take(_Unwind_Context* context, void* data) {
+_Unwind_Reason_Code StoreFrame(_Unwind_Context* context, void* data) {
   Walk* const walk = static_cast<Walk*>(data);
   int is_interrupted = 0;
   const uintptr_t address = _Unwind_GetIPInfo(context, &is_interrupted);
@@ -58,7 +58,7 @@ uintptr_t CallerOfNothing([[maybe_unused]] const void* context) {
 CrashStack::CrashStack(const Object& object, const void* context) {
   uintptr_t addresses[kFramesMax];
   Walk walk{static_cast<uintptr_t*>(addresses), kFramesMax};
-  _Unwind_Backtrace(&Take, &walk);
+  _Unwind_Backtrace(&StoreFrame, &walk);
   for (size_t i = 0; i < walk.count; ++i) Add(addresses[i], object);
   if (count_ == 1) Add(CallerOfNothing(context), object);
   size_t last_own = count_;

@@ -38,7 +38,7 @@ class Search {
         stopped_ = "at the bound of " + Counted(plan_.runs, "run");
         break;
       }
-      Take(pool_.RunOne(NextPlan()));
+      AddRun(pool_.RunOne(NextPlan()));
       if (failure_ && plan_.stop_at_first) stopped_ = "at the first broken property";
     } while (stopped_.empty() && Backtrack());
     return Tell();
@@ -58,7 +58,7 @@ class Search {
         {"exact", {{"choices", choices}, {"sleep", SleepToJson(sleep)}, {"reduce", plan_.reduce}}}};
   }
 
-  void Take(const Json& answer) {
+  void AddRun(const Json& answer) {
     ++runs_;
     if (plan_.progress) plan_.progress(runs_);
     if (!answer.at("broken").is_null()) {

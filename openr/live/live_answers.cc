@@ -271,7 +271,7 @@ Json AnswerCamera(const Asked& asked) {
   VirtualRobot& dog = *robots[static_cast<size_t>(robot)];
   Picture picture;
   const std::string problem =
-      layer == "colour" ? dog.TakeColours(&picture) : dog.TakePicture(&picture);
+      layer == "colour" ? dog.CopyColours(&picture) : dog.CopyPicture(&picture);
   if (!problem.empty()) return Error(problem);
   const std::string png = render::EncodePng(picture.width, picture.height, picture.rgb);
   return {{"time_s", TimeOf(asked)},

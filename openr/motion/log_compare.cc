@@ -108,7 +108,7 @@ class LagSearch {
     // Limits the lag to a quarter of the common time, so that half of this time is left when a
     // quarter is cut off at each end.
     const double most = std::min(kLagMaxMs, (end_ms_ - begin_ms_) / 4);
-    TakeRecords(most);
+    CopyRecords(most);
     if (times_.size() < static_cast<size_t>(kSamplesMin) || !Moves(a_.deg[joint_])) return;
     const int steps = static_cast<int>(most / kShiftStepMs);
     int best = -steps;
@@ -119,7 +119,7 @@ class LagSearch {
     // minimum may then lie outside of the range.
     if (best == -steps || best == steps) return;
     const double near_ms = best * kShiftStepMs;
-    TakeRecords(std::abs(near_ms) + kNearMs);
+    CopyRecords(std::abs(near_ms) + kNearMs);
     const double lag_ms = Minimum(near_ms - kNearMs, near_ms + kNearMs);
     found->lag_ms = lag_ms;
     const std::vector<double> shifted = Shifted(lag_ms);
@@ -130,7 +130,7 @@ class LagSearch {
  private:
   // Takes the records (positions at key frames) of motion A whose times stay inside the time that A
   // and motion B have in common, with any shift up to `margin_ms`.
-  void TakeRecords(double margin_ms) {
+  void CopyRecords(double margin_ms) {
     times_.clear();
     a_deg_.clear();
     for (size_t i = 0; i < a_.times_ms.size(); ++i) {

@@ -235,23 +235,23 @@ void RemotePair::Serve(PairSide side) {
   // robot waiting.
   for (int i = 0; i < kEventsMax; ++i) {
     const std::optional<remote::Event> event = sides_[side].robot->NextEvent({});
-    TakeAnswers(side);
+    HandleAnswers(side);
     if (!event) return;
     sides_[side].heard_ms = now_ms_;
-    TakeEvent(side, *event);
+    HandleEvent(side, *event);
   }
 }
 
-void RemotePair::TakeEvent(PairSide side, const remote::Event& event) {
+void RemotePair::HandleEvent(PairSide side, const remote::Event& event) {
   if (event.stream == rcstreamSENSORS) {
-    TakeSensors(side, event);
+    HandleSensors(side, event);
   } else if (side == kSecond) {
-    TakeSetValues(event);
+    HandleSetValues(event);
   }
 }
 
 // Takes all answers that have arrived from the robot `side`.
-void RemotePair::TakeAnswers(PairSide side) {
+void RemotePair::HandleAnswers(PairSide side) {
   auto& posted = sides_[side].posted;
   for (auto next = posted.begin(); next != posted.end();) {
     const auto here = next++;
@@ -259,11 +259,11 @@ void RemotePair::TakeAnswers(PairSide side) {
     if (!answer) continue;
     const Posted request = here->second;
     posted.erase(here);
-    TakeAnswer(side, *answer, request);
+    HandleAnswer(side, *answer, request);
   }
 }
 
-void RemotePair::TakeAnswer(PairSide side, const remote::Answer& answer, const Posted& posted) {
+void RemotePair::HandleAnswer(PairSide side, const remote::Answer& answer, const Posted& posted) {
   Side& own = sides_[side];
   own.heard_ms = now_ms_;
   status_.round_trip_ms[side] = static_cast<double>(now_ms_ - posted.time_ms);
@@ -290,7 +290,7 @@ int64_t RemotePair::SentMs(PairSide side) const {
   return trips.empty() ? now_ms_ : now_ms_ - *std::min_element(trips.begin(), trips.end()) / 2;
 }
 
-void RemotePair::TakeSensors(PairSide side, const remote::Event& event) {
+void RemotePair::HandleSensors(PairSide side, const remote::Event& event) {
   const auto values = sides_[side].robot->Read<RcSensors>(event);
   sides_[side].state = values.state;
   status_.state[side] = MoverStateName(values.state);
@@ -317,7 +317,7 @@ void RemotePair::TakeSensors(PairSide side, const remote::Event& event) {
 // Takes an event with the values that the second robot's object JointMover has set.  If a motion
 // plays and the first robot is to follow motions, sends the joint positions in this event to the
 // first robot.
-void RemotePair::TakeSetValues(const remote::Event& event) {
+void RemotePair::HandleSetValues(const remote::Event& event) {
   const auto values = sides_[kSecond].robot->Read<RcSetValues>(event);
   const bool plays = values.keyFrame >= 0;
   if (plays != (status_.key_frame >= 0)) {

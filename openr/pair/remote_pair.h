@@ -136,12 +136,12 @@ class RemotePair {
   std::vector<remote::Answer> SetAll(PairSide side, const std::vector<remote::Call>& calls);
   void Wait(const PairControl& control);
   void Serve(PairSide side);
-  void TakeEvent(PairSide side, const remote::Event& event);
-  void TakeAnswers(PairSide side);
-  void TakeAnswer(PairSide side, const remote::Answer& answer, const Posted& posted);
+  void HandleEvent(PairSide side, const remote::Event& event);
+  void HandleAnswers(PairSide side);
+  void HandleAnswer(PairSide side, const remote::Answer& answer, const Posted& posted);
   int64_t SentMs(PairSide side) const;
-  void TakeSensors(PairSide side, const remote::Event& event);
-  void TakeSetValues(const remote::Event& event);
+  void HandleSensors(PairSide side, const remote::Event& event);
+  void HandleSetValues(const remote::Event& event);
   bool Lead(PairSide leader, uint32_t frame, const std::vector<int32_t>& goals);
   void MeasureRoundTrip(PairSide side);
   void CheckAlive(PairSide side) const;

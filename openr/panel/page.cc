@@ -66,8 +66,8 @@ void Page::Join(const LiveRun& run) {
   }
 }
 
-void Page::TakeRestOfRun() {
-  if (link_ != nullptr) link_->TakeRest();
+void Page::PassOnLastAnswers() {
+  if (link_ != nullptr) link_->PassOnRest();
 }
 
 void Page::End(int code, const std::string& why) {
@@ -114,7 +114,7 @@ void Page::Collect() {
 
 std::string Page::Next() { return queue_.Next(); }
 
-void Page::Take(std::string_view part, bool is_text, bool is_last) {
+void Page::ReceivePart(std::string_view part, bool is_text, bool is_last) {
   is_amid_message_ = !is_last;
   if (is_closing_) return Drop(part.size(), is_last);
   if (!is_text) return End(kCloseNoText, "the page has sent a message that is no text");

@@ -49,7 +49,7 @@ class Page : public WebPage {
   void Join(const LiveRun& run);
 
   // Passes the last answers of the run on to the page.  Called when the run has ended.
-  void TakeRestOfRun();
+  void PassOnLastAnswers();
   // Tells the page that its run has ended, or why it has no run, and closes the page.  If a part of
   // a message from the page has come, first waits for the rest of this message.  If the server
   // closed a socket with unread bytes, the kernel on the page's side would throw away what it has
@@ -63,7 +63,7 @@ class Page : public WebPage {
   // the page is destroyed only after the loop.
   void Leave();
 
-  void Take(std::string_view part, bool is_text, bool is_last) override;
+  void ReceivePart(std::string_view part, bool is_text, bool is_last) override;
   std::string Next() override;
 
  private:

@@ -307,8 +307,9 @@ void Panel::ForwardRemoteControl(int robot) {
   };
   const size_t index = forwarded_.size();
   const auto accept = [this, descriptor, index] {
-    return AcceptAll(descriptor, &spare_,
-                     [this, index](int client) { forwarded_[index].forwarder.Take(client); });
+    return AcceptAll(descriptor, &spare_, [this, index](int client) {
+      forwarded_[index].forwarder.ServeClient(client);
+    });
   };
   forwarded_.push_back(
       {port, RcForwarder(find, access_.token(), listen_.allows_controllers), Listener(accept)});
@@ -341,7 +342,7 @@ void Panel::EndPages() {
   for (OpenPage* const page : pages_) {
     // Takes the answers that the run sent shortly before its end, because the event loop may see
     // the end of the run first.
-    page->TakeRestOfRun();
+    page->PassOnLastAnswers();
     page->End(kCloseRunEnded, "the run has ended");
   }
   loop_->StopAfter(pages_.empty() ? 1 : kFarewellMs);

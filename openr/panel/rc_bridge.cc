@@ -58,7 +58,7 @@ struct RcBridge::Queue {
 
   // Waits for a remote-control call of the page and takes it.  Returns false when the bridge does
   // not exist any more.
-  bool Take(Call* call) {
+  bool WaitForCall(Call* call) {
     std::unique_lock lock(mutex);
     changed.wait(lock, [this] { return is_ended || !calls.empty(); });
     if (is_ended) return false;
@@ -73,7 +73,7 @@ namespace {
 
 void DoCalls(RcBridge::Queue* queue, RcCalls* calls, Outbox* outbox) {
   RcBridge::Queue::Call call;
-  while (queue->Take(&call)) {
+  while (queue->WaitForCall(&call)) {
     const auto progress = [&](size_t sent, size_t size) {
       outbox->Add(JsonText(
           RcCalls::Json{{"event", "upload"}, {"id", call.ids[0]}, {"sent", sent}, {"size", size}}));

@@ -71,7 +71,7 @@ enum class Received { kBytes, kEnd, kLost };
 Received Receive(int socket, RcFramer* framer) {
   uint8_t bytes[kReceiveMax];
   const ssize_t n = recv(socket, bytes, static_cast<size_t>(framer->Room()), MSG_DONTWAIT);
-  if (n > 0) framer->Take(bytes, static_cast<int>(n));
+  if (n > 0) framer->Append(bytes, static_cast<int>(n));
   if (n == 0) return Received::kEnd;
   return n > 0 || errno == EAGAIN || errno == EINTR ? Received::kBytes : Received::kLost;
 }
@@ -93,7 +93,7 @@ class Forwarding {
 
   // Reads the first packet of the client of the remote control.  Returns whether it has the token;
   // if not, tells the client that it is refused.
-  bool TakeToken();
+  bool ReceiveToken();
   // Connects to the robot, and forwards packets until one side ends its connection.
   void Forward();
   // Tells the client of the remote control that it is refused, and ends the connection.
@@ -103,8 +103,8 @@ class Forwarding {
   void Answer(const OwnAnswer& answer);
   void EndStream() const;
   bool ForwardRequests();
-  bool TakeRequests();
-  bool TakeAnswers();
+  bool ReceiveRequests();
+  bool ReceiveAnswers();
   std::optional<OwnAnswer> OwnAnswerToRequest() const;
 
   const int client_;
@@ -148,7 +148,7 @@ void Forwarding::Refuse(int status, const std::string& why) {
   EndStream();
 }
 
-bool Forwarding::TakeToken() {
+bool Forwarding::ReceiveToken() {
   const int64_t deadline_ms = WallClockMs() + RcForwarder::kTokenTimeoutMs;
   RcFramer::Result result = requests_.Next();
   while (result == RcFramer::NEEDS_MORE) {
@@ -175,7 +175,7 @@ bool Forwarding::TakeToken() {
 // may go to the robot.
 std::optional<OwnAnswer> Forwarding::OwnAnswerToRequest() const {
   const RcHeader& header = requests_.Header();
-  // Refuses a request with the command 0, because TakeAnswers() does not count a packet with
+  // Refuses a request with the command 0, because ReceiveAnswers() does not count a packet with
   // command 0 and tag 0 as an answer.
   if (header.command == 0)
     return OwnAnswer{header, rcerrorUNKNOWN_COMMAND, "there is no command 0", false};
@@ -216,7 +216,7 @@ bool Forwarding::ForwardRequests() {
   }
 }
 
-bool Forwarding::TakeRequests() {
+bool Forwarding::ReceiveRequests() {
   switch (Receive(client_, &requests_)) {
     case Received::kBytes:
       return ForwardRequests();
@@ -230,7 +230,7 @@ bool Forwarding::TakeRequests() {
   return false;
 }
 
-bool Forwarding::TakeAnswers() {
+bool Forwarding::ReceiveAnswers() {
   if (Receive(robot_, &answers_) != Received::kBytes) return false;
   RcFramer::Result result = answers_.Next();
   for (; result == RcFramer::PACKET; result = answers_.Next()) {
@@ -263,7 +263,7 @@ void Forwarding::Forward() {
     if (poll(both, 2, -1) < 0 && errno != EINTR) return;
     if (!is_reading && both[0].revents != 0) return;
     const bool goes_on =
-        (both[1].revents == 0 || TakeAnswers()) && (both[0].revents == 0 || TakeRequests());
+        (both[1].revents == 0 || ReceiveAnswers()) && (both[0].revents == 0 || ReceiveRequests());
     if (!goes_on) return EndStream();
   }
 }
@@ -275,7 +275,7 @@ void Serve(int client, const RcForwarder::Rules& rules) {
   // computers are gone are found.
   setsockopt(client, SOL_SOCKET, SO_KEEPALIVE, &on, sizeof on);
   Forwarding forwarding(client, rules);
-  const bool knows_token = forwarding.TakeToken();
+  const bool knows_token = forwarding.ReceiveToken();
   // Counts the client here before it leaves g_without_token, because HasThreads() must not miss it
   // in between.
   const int clients = knows_token ? ++g_clients : 0;
@@ -296,7 +296,7 @@ RcForwarder::RcForwarder(RcCalls::FindAddress find_address, std::string token,
     : rules_(std::make_shared<const Rules>(
           Rules{std::move(find_address), std::move(token), allows_controllers})) {}
 
-void RcForwarder::Take(int connection) {
+void RcForwarder::ServeClient(int connection) {
   if (++g_without_token > kWithoutTokenMax) {
     --g_without_token;
     close(connection);

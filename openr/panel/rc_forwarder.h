@@ -28,7 +28,7 @@ class RcForwarder {
 
   // Serves the client at the other end of `connection`, a socket, in a thread of its own.  Owns the
   // socket from now on.
-  void Take(int connection);
+  void ServeClient(int connection);
 
   // Returns whether a thread of any RcForwarder of this process still runs.
   static bool HasThreads();

@@ -63,13 +63,13 @@ bool RunLink::OnReadable() {
     if (count < 0) return errno == EAGAIN || errno == EINTR;
     if (count == 0) return false;
     received_.append(buffer, static_cast<size_t>(count));
-    TakeLines();
+    PassOnLines();
     if (received_.size() > kLineMax) return false;
   }
   return true;
 }
 
-void RunLink::TakeRest() {
+void RunLink::PassOnRest() {
   char buffer[64 << 10];
   // Limits the reads of what is left of a run that has ended.  A socket holds far less than so many
   // reads take, so nothing is lost.
@@ -79,11 +79,11 @@ void RunLink::TakeRest() {
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return;
     received_.append(buffer, static_cast<size_t>(count));
-    TakeLines();
+    PassOnLines();
   }
 }
 
-void RunLink::TakeLines() {
+void RunLink::PassOnLines() {
   size_t begin = 0;
   for (size_t end = received_.find('\n'); end != std::string::npos;
        end = received_.find('\n', begin)) {

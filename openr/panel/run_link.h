@@ -39,14 +39,14 @@ class RunLink final : public WebDescriptor {
   bool Send(const std::string& line);
   // Passes on the lines that the run has sent and that were not read yet.  Called when the run has
   // ended, so that its last answers are not lost.
-  void TakeRest();
+  void PassOnRest();
 
   bool OnReadable() override;
   bool OnWritable() override;
   void OnClosed() override;
 
  private:
-  void TakeLines();
+  void PassOnLines();
 
   WebLoop* const loop_;
   const std::string name_;

@@ -264,8 +264,9 @@ class LwsLoop : public WebLoop {
         (*session)->page = LoopOf(wsi)->service_->Open(RequestOf(wsi), &(*session)->connection);
         return 0;
       case LWS_CALLBACK_RECEIVE:
-        (*session)->page->Take({static_cast<const char*>(in), size}, lws_frame_is_binary(wsi) == 0,
-                               lws_is_final_fragment(wsi) != 0);
+        (*session)->page->ReceivePart({static_cast<const char*>(in), size},
+                                      lws_frame_is_binary(wsi) == 0,
+                                      lws_is_final_fragment(wsi) != 0);
         return 0;
       case LWS_CALLBACK_SERVER_WRITEABLE:
         return (*session)->connection.Send((*session)->page.get());

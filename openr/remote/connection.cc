@@ -152,7 +152,7 @@ bool Connection::ReceivePacket(Clock::time_point deadline) {
     size_t count = 0;
     switch (stream_->Receive(bytes, sizeof bytes, deadline, &count)) {
       case TcpStream::Result::kGood:
-        framer_.Take(bytes, static_cast<int>(count));
+        framer_.Append(bytes, static_cast<int>(count));
         break;
       case TcpStream::Result::kTimeout:
         return false;
@@ -164,17 +164,17 @@ bool Connection::ReceivePacket(Clock::time_point deadline) {
 
 // Stores the packet that was received last.  An event is added to the events that NextEvent() will
 // return; an answer is stored with its request.
-void Connection::TakePacket() {
+void Connection::HandlePacket() {
   RcAnswerHeader header;
   if (!header.Read(framer_)) ThrowMalformed();
   if (header.header.command == rcEVENT) {
     KeepEvent(header);
   } else {
-    TakeAnswer(header);
+    StoreAnswer(header);
   }
 }
 
-void Connection::TakeAnswer(const RcAnswerHeader& header) {
+void Connection::StoreAnswer(const RcAnswerHeader& header) {
   const auto found = pending_.find(header.header.tag);
   if (found == pending_.end()) {
     Answer answer = AnswerFrom(header, framer_);
@@ -217,7 +217,7 @@ RequestId Connection::Send(int command, const Bytes& payload, int version) {
 }
 
 bool Connection::IsAnswered(RequestId id) {
-  while (ReceivePacket(Clock::time_point{})) TakePacket();
+  while (ReceivePacket(Clock::time_point{})) HandlePacket();
   const Pending& pending = pending_.at(id);
   if (!pending.answer && Clock::now() - pending.sent > options_.timeout) ThrowSilent();
   return pending.answer.has_value();
@@ -229,7 +229,7 @@ Answer Connection::WaitForAny(RequestId id) {
     // Looks at the clock even if packets arrive, because all of them may be events, so that the
     // answer never comes.
     if (Clock::now() > deadline || !ReceivePacket(deadline)) ThrowSilent();
-    TakePacket();
+    HandlePacket();
   }
   Answer answer = *std::move(pending_.at(id).answer);
   pending_.erase(id);
@@ -299,7 +299,7 @@ std::vector<Answer> Connection::WaitForBatch(RequestId id, size_t count) {
 std::vector<Answer> Connection::ReadBatch(const Answer& answer, size_t count) const {
   std::vector<Answer> answers;
   RcFramer framer;
-  framer.Take(answer.payload.data(), static_cast<int>(answer.payload.size()));
+  framer.Append(answer.payload.data(), static_cast<int>(answer.payload.size()));
   while (framer.Next() == RcFramer::PACKET) {
     RcAnswerHeader header;
     if (!header.Read(framer)) ThrowMalformed();
@@ -329,7 +329,7 @@ void Connection::Unsubscribe(RcStream stream) {
 std::optional<Event> Connection::NextEvent(Clock::time_point deadline) {
   while (events_.empty()) {
     if (!ReceivePacket(deadline)) return std::nullopt;
-    TakePacket();
+    HandlePacket();
   }
   Event event = std::move(events_.front());
   events_.pop_front();

@@ -291,8 +291,8 @@ class Connection {
   bool RobotGoesOn() const;
   void SendBytes(const Bytes& bytes);
   bool ReceivePacket(std::chrono::steady_clock::time_point deadline);
-  void TakePacket();
-  void TakeAnswer(const RcAnswerHeader& header);
+  void HandlePacket();
+  void StoreAnswer(const RcAnswerHeader& header);
   void KeepEvent(const RcAnswerHeader& header);
   Picture WaitForPicture();
   [[noreturn]] void Throw(ErrorCode code, const std::string& text,

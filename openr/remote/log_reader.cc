@@ -30,7 +30,7 @@ void LogReader::SkipOld() {
   next_ = connection_->Read<LogPart>(answer).head.count;
 }
 
-int LogReader::Take() {
+int LogReader::ReadNewRecords() {
   for (;;) {
     const Answer answer = connection_->Request(rcLOG, Connection::BytesOf(RecordNumber{next_}));
     const auto part = connection_->Read<LogPart>(answer);

@@ -22,7 +22,7 @@ class LogReader {
 
   // Reads the records that the robot has added to the log of the motion since the last call.
   // Returns the state of JointMover (MoverState) after the last of these records.
-  int Take();
+  int ReadNewRecords();
 
   // Returns the bytes of a log file (Hohl 2004, table 3.9): the header, and all records that were
   // read from the robot.

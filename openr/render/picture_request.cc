@@ -74,11 +74,11 @@ std::string ParsePictureRequest(std::string_view text, PictureRequest* plan) {
   return "";
 }
 
-std::string TakePicture(const PictureRequest& plan, VirtualRobot* robot,
-                        const std::vector<VirtualRobot*>& company) {
+std::string WritePicture(const PictureRequest& plan, VirtualRobot* robot,
+                         const std::vector<VirtualRobot*>& company) {
   if (plan.view == View::kCamera) {
     Picture seen;
-    const std::string problem = robot->TakePicture(&seen);
+    const std::string problem = robot->CopyPicture(&seen);
     if (!problem.empty()) return fmt::format("{}: {}", plan.file, problem);
     return WriteFile(plan.file, render::EncodePng(seen.width, seen.height, seen.rgb));
   }

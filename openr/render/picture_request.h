@@ -31,7 +31,7 @@ std::string ParsePictureRequest(std::string_view text, PictureRequest* plan);
 // robots in the same world; the robot itself may be among them.  The first picture with another
 // view than View::kCamera loads libopenr_render.so and the graphics library Mesa.  Returns "" or
 // the error.
-std::string TakePicture(const PictureRequest& plan, VirtualRobot* robot,
-                        const std::vector<VirtualRobot*>& company);
+std::string WritePicture(const PictureRequest& plan, VirtualRobot* robot,
+                         const std::vector<VirtualRobot*>& company);
 
 }  // namespace openr_host

@@ -111,14 +111,14 @@ bool Rewind::AfterFrame(bool is_watched) {
   // Limits checkpoints by the clock of this computer, too, because a run at full speed passes
   // kDistanceUs in a moment and would only make forks.
   next_ns_ = now_ns + kDistanceNs;
-  if (Take()) return true;
+  if (MakeCheckpoint()) return true;
   if (!checkpoints_.empty()) DropOld();
   return false;
 }
 
 // Makes a checkpoint of the run, a copy of this process.  Returns false in the original run.
 // Returns again, with true, in a branch: a copy of the run that goes on as a run of its own.
-bool Rewind::Take() {
+bool Rewind::MakeCheckpoint() {
   auto* const stick = dynamic_cast<FolderStick*>(system().robot(0).stick.get());
   ASSERT(stick != nullptr);
   const SavedStick saved = SaveWrittenFiles(stick);

@@ -134,7 +134,7 @@ class Rewind {
   System& system() const;
   // Returns the reason why the run cannot be rewound now; "" if it can be rewound.
   const std::string& WhyNot() const;
-  bool Take();
+  bool MakeCheckpoint();
   void Drop(Checkpoint* checkpoint);
   void DropOld();
   void UpdateMemory();

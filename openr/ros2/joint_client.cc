@@ -60,7 +60,7 @@ void JointClient::Send(NetHandle handle, const void* data, size_t size) {
   const auto* bytes = static_cast<const Uint8*>(data);
   while (size > 0 && !is_broken_) {
     const size_t count = std::min(size, static_cast<size_t>(framer_.Room()));
-    framer_.Take(bytes, static_cast<int>(count));
+    framer_.Append(bytes, static_cast<int>(count));
     bytes += count;
     size -= count;
     ReadAnswers();
@@ -121,7 +121,7 @@ void JointClient::EndConnection() {
 // Connects this client to the robot's remote control.  The remote control waits for clients with
 // Accept().  This function reports in `events` that the oldest waiting Accept() has a connection,
 // and removes this Accept() from the real network.  Returns false if no Accept() waits.
-bool JointClient::TakePlace(std::vector<NetworkEvent>* events) {
+bool JointClient::AnswerAccept(std::vector<NetworkEvent>* events) {
   if (listener_ == 0 || accepts_.empty()) return false;
   const NetHandle handle = accepts_.front();
   accepts_.pop_front();
@@ -163,7 +163,7 @@ std::vector<NetworkEvent> JointClient::Poll() {
   for (const NetworkEvent& event : events) std::erase(accepts_, event.handle);
   // Connects to the robot's remote control only when there is a first joint target, so that a run
   // without commands from ROS 2 has no connection.
-  if (handle_ == 0 && (wanted_.empty() || !TakePlace(&events))) return events;
+  if (handle_ == 0 && (wanted_.empty() || !AnswerAccept(&events))) return events;
   if (taken_ > 0) {
     events.push_back(EventOf(NetworkEvent::Kind::kSent, handle_));
     events.back().count = std::exchange(taken_, 0);

@@ -53,7 +53,7 @@ class JointClient : public PassingNetwork {
   void Forget() override;
 
  private:
-  bool TakePlace(std::vector<NetworkEvent>* events);
+  bool AnswerAccept(std::vector<NetworkEvent>* events);
   void WriteRequests();
   void Request(int command, int joint, double value);
   void ReadAnswers();

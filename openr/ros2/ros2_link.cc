@@ -77,12 +77,12 @@ void Ros2Link::AfterFrame() {
   for (Robot& robot : robots_) {
     const std::string problem = robot.topics->Publish(now_us);
     if (!problem.empty()) robot.complaints->Add(robot.space + "/image_raw: " + problem);
-    TakeCommands(&robot);
-    TakeInputs(&robot);
+    ApplyCommands(&robot);
+    ApplyInputs(&robot);
   }
 }
 
-void Ros2Link::TakeCommands(Robot* robot) {
+void Ros2Link::ApplyCommands(Robot* robot) {
   const std::string topic = robot->space + kCommandTopic;
   if (robot->commands->HasMisfit()) {
     robot->complaints->Add(
@@ -114,7 +114,7 @@ void Ros2Link::TakeCommands(Robot* robot) {
 
 // Gives the robot the inputs (docs/inputs.md) that have come from ROS 2, in their order.  The
 // inputs take effect at the present frame boundary.
-void Ros2Link::TakeInputs(Robot* robot) {
+void Ros2Link::ApplyInputs(Robot* robot) {
   const std::string topic = robot->space + kInputTopic;
   if (robot->inputs->HasMisfit()) {
     robot->complaints->Add(topic +

@@ -80,8 +80,8 @@ class Ros2Link {
     int frames_waiting = 0;
   };
 
-  void TakeCommands(Robot* robot);
-  void TakeInputs(Robot* robot);
+  void ApplyCommands(Robot* robot);
+  void ApplyInputs(Robot* robot);
 
   Bus* const bus_;
   const std::string space_;

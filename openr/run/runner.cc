@@ -93,7 +93,7 @@ void Runner::PressPause() {
   AddInputToAll("press pause");
 }
 
-void Runner::TakePictures(bool at_end) {
+void Runner::WritePictures(bool at_end) {
   System& system = simulation_->system();
   for (size_t i = 0; i < plan_.snapshots.size(); ++i) {
     const PictureRequest& snapshot = plan_.snapshots[i];
@@ -101,7 +101,7 @@ void Runner::TakePictures(bool at_end) {
     const bool wants_end = snapshot.time_us < 0;
     if (wants_end ? at_end : system.now_us() >= snapshot.time_us) {
       taken_[i] = true;
-      Take(snapshot);
+      WritePictureOf(snapshot);
     } else if (at_end) {
       system.AddFindingAbout(
           nullptr, Severity::kError,
@@ -111,10 +111,10 @@ void Runner::TakePictures(bool at_end) {
   }
 }
 
-void Runner::Take(const PictureRequest& snapshot) {
+void Runner::WritePictureOf(const PictureRequest& snapshot) {
   const int64_t begin_ns = WallClockNs();
   VirtualRobot* const robot = simulation_->robots().at(static_cast<size_t>(snapshot.robot));
-  const std::string problem = TakePicture(
+  const std::string problem = WritePicture(
       snapshot, robot,
       simulation_->is_together() ? simulation_->robots() : std::vector<VirtualRobot*>{});
   good_ = good_ && problem.empty();
@@ -167,7 +167,7 @@ void Runner::AfterFrame() {
   if (plan_.after_frame) plan_.after_frame();
   AnnounceBoots();
   AnnouncePorts();
-  TakePictures(false);
+  WritePictures(false);
   if (plan_.rewind != nullptr && plan_.live != nullptr)
     is_new_branch_ = plan_.rewind->AfterFrame(plan_.live->is_watched());
 }
@@ -289,7 +289,7 @@ void Runner::Finish() {
   if (system.options().find_leaks && !goes_on) ReportLeaks(&system);
   simulation_->ReportUnusedCosts();
   simulation_->CloseFiles();
-  if (!goes_on) TakePictures(true);
+  if (!goes_on) WritePictures(true);
 }
 
 }  // namespace openr_host

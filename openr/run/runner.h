@@ -102,8 +102,8 @@ class Runner {
   void AddInputToAll(std::string_view line);
   void PressPause();
   void RunFreely(int64_t stop_us, Pacer* pacer);
-  void TakePictures(bool at_end);
-  void Take(const PictureRequest& snapshot);
+  void WritePictures(bool at_end);
+  void WritePictureOf(const PictureRequest& snapshot);
   void AnnouncePorts();
   void AnnounceBoots();
 

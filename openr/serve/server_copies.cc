@@ -198,8 +198,8 @@ RunServer::Answer RunServer::DoPicture(const Request& request) {
     throw std::runtime_error(fmt::format("there is no robot {}", robot));
   picture.file = text("file");
   const bool is_together = run_->simulation().is_together();
-  problem = TakePicture(picture, robots[static_cast<size_t>(robot)],
-                        is_together ? robots : std::vector<VirtualRobot*>{});
+  problem = WritePicture(picture, robots[static_cast<size_t>(robot)],
+                         is_together ? robots : std::vector<VirtualRobot*>{});
   if (!problem.empty()) throw std::runtime_error(problem);
   return Time();
 }

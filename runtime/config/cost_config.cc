@@ -30,11 +30,11 @@ class Parser {
  public:
   explicit Parser(CostResult* result) : result_(*result) {}
 
-  void Take(const RecordLine& line) {
+  void ParseLine(const RecordLine& line) {
     if (line.words[0].text == "frame") {
-      TakeFrame(line);
+      ParseFrame(line);
     } else {
-      TakeRule(line);
+      ParseRule(line);
     }
   }
 
@@ -43,7 +43,7 @@ class Parser {
     result_.diagnostics.push_back(ErrorAt(line.At(word), std::move(message)));
   }
 
-  void TakeFrame(const RecordLine& line) {
+  void ParseFrame(const RecordLine& line) {
     const auto us = line.words.size() == 2 ? NumberOf(line.words[1].text, kFrameMinUs, kFrameMaxUs)
                                            : std::nullopt;
     if (us) {
@@ -57,7 +57,7 @@ class Parser {
   // Parses a line of a cost file, "OBJECT ENTRY MICROSECONDS [+-JITTER%]": the virtual time that a
   // handler takes.  Because names of entries may contain blanks, the numbers are taken from the end
   // of the line; all words after the object and before the numbers are the entry.
-  void TakeRule(const RecordLine& line) {
+  void ParseRule(const RecordLine& line) {
     CostRule rule;
     rule.place = line.At(line.words[0]);
     size_t count = line.words.size();
@@ -100,7 +100,7 @@ CostResult ParseCostConfig(const std::string& file, std::string_view text) {
   CostResult result;
   Parser parser(&result);
   for (const RecordLine& line : ReadRecords(file, text, kEveryDesign, &result.diagnostics)) {
-    parser.Take(line);
+    parser.ParseLine(line);
   }
   return result;
 }

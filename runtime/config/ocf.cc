@@ -46,13 +46,13 @@ class FieldReader {
   FieldReader(const std::vector<Field>& fields, std::vector<Diagnostic>* diagnostics)
       : fields_(fields), diagnostics_(diagnostics) {}
 
-  // Returns the next word of the .ocf file; a later Take() returns it again.  REQUIRES: not all
-  // words are taken.
+  // Returns the next word of the .ocf file; a later ReadField() returns it again.  REQUIRES: not
+  // all words are taken.
   const Field& Peek() const {
     ASSERT(next_ < fields_.size(), "field {} of {}", next_, fields_.size());
     return fields_[next_];
   }
-  const Field& Take() {
+  const Field& ReadField() {
     const Field& field = Peek();
     next_ += 1;
     return field;
@@ -67,13 +67,13 @@ class FieldReader {
 
   bool is_at_end() const { return next_ == fields_.size(); }
 
-  std::string TakeName();
-  int64_t TakeSize(const char* what);
-  int TakePriority();
+  std::string ReadName();
+  int64_t ReadSize(const char* what);
+  int ReadPriority();
   // Takes the next field of the .ocf file.  Returns true if it is `yes`, false if it is `no`.  Any
   // other word is an error, whose message names the field `what`.
-  bool TakeChoice(const char* what, const char* yes, const char* no);
-  bool TakeCache();
+  bool ReadChoice(const char* what, const char* yes, const char* no);
+  bool ReadCache();
 
  private:
   const std::vector<Field>& fields_;
@@ -81,8 +81,8 @@ class FieldReader {
   size_t next_ = 1;  // index of the next field; field 0 is the word "object"
 };
 
-std::string FieldReader::TakeName() {
-  const Field& field = Take();
+std::string FieldReader::ReadName() {
+  const Field& field = ReadField();
   if (field.text.size() > static_cast<size_t>(kObjectNameBytesMax)) {
     Error(field, fmt::format("object name of {} characters, the limit is {}", field.text.size(),
                              kObjectNameBytesMax));
@@ -96,8 +96,8 @@ std::string FieldReader::TakeName() {
   return field.text;
 }
 
-int64_t FieldReader::TakeSize(const char* what) {
-  const Field& field = Take();
+int64_t FieldReader::ReadSize(const char* what) {
+  const Field& field = ReadField();
   std::string_view digits = field.text;
   int64_t unit = 1;
   if (digits.size() > 1 && (digits.back() == 'k' || digits.back() == 'K')) {
@@ -115,8 +115,8 @@ int64_t FieldReader::TakeSize(const char* what) {
   return value * unit;
 }
 
-int FieldReader::TakePriority() {
-  const Field& field = Take();
+int FieldReader::ReadPriority() {
+  const Field& field = ReadField();
   int value = 0;
   const char* const last = field.text.data() + field.text.size();
   const auto [end, status] = std::from_chars(field.text.data(), last, value);
@@ -128,8 +128,8 @@ int FieldReader::TakePriority() {
   return value;
 }
 
-bool FieldReader::TakeChoice(const char* what, const char* yes, const char* no) {
-  const Field& field = Take();
+bool FieldReader::ReadChoice(const char* what, const char* yes, const char* no) {
+  const Field& field = ReadField();
   if (field.text != yes && field.text != no) {
     Error(field, fmt::format("{} is '{}', must be '{}' or '{}'{}", what, field.text, yes, no,
                              DidYouMean(field.text, {yes, no})));
@@ -139,8 +139,8 @@ bool FieldReader::TakeChoice(const char* what, const char* yes, const char* no) 
 
 // Takes the field of the .ocf file that must be "cache" or "nocache".  Only warns about other
 // words, because gensnap, a tool of the SDK, silently takes them as "nocache".
-bool FieldReader::TakeCache() {
-  const Field& field = Take();
+bool FieldReader::ReadCache() {
+  const Field& field = ReadField();
   if (field.text != "cache" && field.text != "nocache") {
     Warning(field, fmt::format("'{}' counts as 'nocache'{}", field.text,
                                DidYouMean(field.text, {"cache", "nocache"})));
@@ -155,29 +155,29 @@ Ocf ReadOcf(const std::vector<Field>& fields, std::vector<Diagnostic>* diagnosti
   FieldReader reader(fields, diagnostics);
   Ocf ocf;
   ocf.place = fields[1].place;
-  ocf.name = reader.TakeName();
+  ocf.name = reader.ReadName();
   ocf.module = ocf.name;
   if (is_long) {
     for (std::string* field :
          {&ocf.module, &ocf.metaspace, &ocf.pic, &ocf.pid, &ocf.heap_library}) {
-      *field = reader.Take().text;
+      *field = reader.ReadField().text;
     }
   }
-  ocf.stack_bytes = reader.TakeSize("stack");
+  ocf.stack_bytes = reader.ReadSize("stack");
   const Field& heap = reader.Peek();
-  ocf.heap_bytes = reader.TakeSize("heap");
+  ocf.heap_bytes = reader.ReadSize("heap");
   if (ocf.heap_bytes == kMistypedHeapBytes) {
     reader.Warning(heap, "heap step of 16386 bytes; did you mean 16384?");
   }
   if (is_long) {
-    ocf.same_space = reader.Take().text;
-    ocf.install_selector = reader.Take().text;
+    ocf.same_space = reader.ReadField().text;
+    ocf.install_selector = reader.ReadField().text;
   }
-  ocf.priority = reader.TakePriority();
-  ocf.is_cached = reader.TakeCache();
+  ocf.priority = reader.ReadPriority();
+  ocf.is_cached = reader.ReadCache();
   const Field& tlb = reader.Peek();
-  ocf.is_translated = reader.TakeChoice("virtual memory", "tlb", "notlb");
-  ocf.is_user_mode = reader.TakeChoice("mode", "user", "kernel");
+  ocf.is_translated = reader.ReadChoice("virtual memory", "tlb", "notlb");
+  ocf.is_user_mode = reader.ReadChoice("mode", "user", "kernel");
   if (ocf.is_user_mode && tlb.text == "notlb") {
     reader.Warning(tlb, "'user' mode needs 'tlb' on a robot with memory protection");
   }

@@ -141,7 +141,7 @@ int AddressPlace::OfHeap(const void* address) {
   return static_cast<int>(offset / kHeapBytes);
 }
 
-char* TakeRegionArea() {
+char* ReserveRegionArea() {
   Plan& plan = ThePlan();
   if (plan.area == 0) return nullptr;
   const auto free = std::find(plan.regions_taken.begin(), plan.regions_taken.end(), false);

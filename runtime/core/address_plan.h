@@ -77,8 +77,8 @@ class AddressPlace {
 // Takes an area of kRegionAreaBytes for the regions (blocks of shared memory) of one System and
 // returns its first address.  There are two such areas.  Returns null if both are taken or
 // addresses are not planned.
-char* TakeRegionArea();
-// Gives back `area`, the addresses for the regions of one System that TakeRegionArea() has
+char* ReserveRegionArea();
+// Gives back `area`, the addresses for the regions of one System that ReserveRegionArea() has
 // returned, so that another System can take them.
 void GiveRegionArea(char* area);
 // The size of a region area.  RegionMemory needs about 1.33 TiB: for each of its 65,536 slots one

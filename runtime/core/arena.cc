@@ -72,7 +72,7 @@ bool Arena::MapUpTo(size_t span_end) {
 // the first address.  `use` becomes the Span::use of the first span: a size class, or kLarge.  The
 // bytes of the spans are zeros.  Returns null if there are not enough neighbouring free spans, or
 // no memory.
-char* Arena::TakeSpans(size_t count, int16_t use) {
+char* Arena::AllocateSpans(size_t count, int16_t use) {
   size_t run = 0;
   for (size_t i = first_free_; i < kSpans; ++i) {
     run = spans_[i].use == kFree ? run + 1 : 0;
@@ -88,10 +88,10 @@ char* Arena::TakeSpans(size_t count, int16_t use) {
 }
 
 // Frees the spans (pieces of 64 KiB) of the large block that begins with span number `first`.
-void Arena::GiveSpans(size_t first) {
+void Arena::FreeSpans(size_t first) {
   const size_t count = spans_[first].span_count;
   // Gives the pages of the freed spans back to the kernel (MADV_DONTNEED), which gives pages of
-  // zeros at the next access.  So free spans hold only zeros, which TakeSpans() promises.
+  // zeros at the next access.  So free spans hold only zeros, which AllocateSpans() promises.
   madvise(base_ + first * kSpanBytes, count * kSpanBytes, MADV_DONTNEED);
   for (size_t k = first; k < first + count; ++k) spans_[k] = {};
   first_free_ = std::min(first_free_, first);
@@ -128,7 +128,7 @@ void* Arena::AllocateSmall(int size_class) {
     std::memset(block, 0, size);
   } else {
     if (bump_[size_class] == nullptr || bump_[size_class] + size > bump_end_[size_class]) {
-      char* const span = TakeSpans(1, static_cast<int16_t>(size_class));
+      char* const span = AllocateSpans(1, static_cast<int16_t>(size_class));
       if (span == nullptr) return nullptr;
       bump_[size_class] = span;
       bump_end_[size_class] = span + kSpanBytes;
@@ -143,7 +143,7 @@ void* Arena::AllocateSmall(int size_class) {
 void* Arena::AllocateLarge(size_t size) {
   const size_t count = (size + kSpanBytes - 1) / kSpanBytes;
   if (count > kSpans) return nullptr;
-  void* const block = TakeSpans(count, kLarge);
+  void* const block = AllocateSpans(count, kLarge);
   if (block != nullptr) Account(count * kSpanBytes);
   return block;
 }
@@ -213,7 +213,7 @@ bool Arena::FreeFrom(void* block) {
   in_use_ -= size;
   budget_->used_bytes -= size;
   if (use == kLarge) {
-    GiveSpans(index);
+    FreeSpans(index);
     return true;
   }
   FreeBlock* const free_block = static_cast<FreeBlock*>(block);

@@ -96,8 +96,8 @@ class Arena {
     FreeBlock* next;
   };
 
-  char* TakeSpans(size_t count, int16_t use);
-  void GiveSpans(size_t first);
+  char* AllocateSpans(size_t count, int16_t use);
+  void FreeSpans(size_t first);
   bool MapUpTo(size_t span_end);
   size_t IndexOf(const void* block) const {
     return static_cast<size_t>(static_cast<const char*>(block) - base_) / kSpanBytes;

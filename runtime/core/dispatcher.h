@@ -95,7 +95,7 @@ class Dispatcher {
   void CallEntry(Object* object);
   void FinishHandler(Object* object);
   void FinishImage(Object* object);
-  Fiber* TakeFiber();
+  Fiber* NextIdleFiber();
   void SwitchTo(Fiber* fiber);
   void Recycle();
 

@@ -51,7 +51,7 @@ char* GuardPages::MapPages(char* area, size_t bytes) {
 // Returns writable pages for a new read-only copy of received data.  With GivenBack::kReused, uses
 // pages of a copy that was given back, if there are such pages of the same size.  In all other
 // cases, maps new pages.
-char* GuardPages::TakePages(char* area, size_t bytes) {
+char* GuardPages::AllocatePages(char* area, size_t bytes) {
   std::vector<char*>& unused = unused_[{area, bytes}];
   if (unused.empty()) return MapPages(area, bytes);
   char* const pages = unused.back();
@@ -67,7 +67,7 @@ char* GuardPages::NewCopy(const AddressPlace* place, const char* data, size_t si
   const size_t bytes = Pages(shift + size + 1);
   if (bytes > AddressPlace::kCopyBytes) return nullptr;
   char* const area = (place == nullptr ? shared_place_ : *place).copies();
-  char* const page = TakePages(area, bytes);
+  char* const page = AllocatePages(area, bytes);
   if (page == nullptr) return nullptr;
   std::memcpy(page + shift, data, size);
   mprotect(page, bytes, PROT_READ);

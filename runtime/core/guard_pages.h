@@ -60,7 +60,7 @@ class GuardPages {
     size_t bytes;
   };
 
-  char* TakePages(char* area, size_t bytes);
+  char* AllocatePages(char* area, size_t bytes);
 
   const GivenBack given_back_;
   const AddressPlace shared_place_{kNoObject};  // the area of objects that have no place

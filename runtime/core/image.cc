@@ -88,7 +88,7 @@ std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
           library);
     }
     original = image.bytes;
-    copy = folder->AddCopy(file, TakePlace(original), &problem);
+    copy = folder->AddCopy(file, MoveToOwnAddresses(original), &problem);
   }
   if (copy.empty()) return problem;
   {
@@ -102,7 +102,7 @@ std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
   }
   folder->Replace(copy, original);
   problem = CheckVersions();
-  if (problem.empty()) problem = TakeImports();
+  if (problem.empty()) problem = RedirectOwnImports();
   if (problem.empty()) problem = RunConstructors();
   return problem.empty() ? ReadTables() : problem;
 }
@@ -110,7 +110,7 @@ std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
 // Takes planned addresses (address_plan.h) for the image, its heap and its stack.  Returns the
 // bytes to load, changed for the planned address.  If an image cannot be changed in this way, the
 // kernel chooses its load address; its heap and stack still get planned addresses.
-std::string ImageObject::TakePlace(const std::string& original) {
+std::string ImageObject::MoveToOwnAddresses(const std::string& original) {
   std::string bytes = original;
   HoldConstructors(&bytes);
   auto taken = std::make_unique<AddressPlace>(id);
@@ -151,7 +151,7 @@ std::string ImageObject::CheckVersions() {
 // memory checker, such as Valgrind, watches the stack.  Does nothing either if the image is not at
 // its planned address, because RedirectImports() works only there.  Returns "" or the reason of a
 // failure.
-std::string ImageObject::TakeImports() {
+std::string ImageObject::RedirectOwnImports() {
   const char* const info = static_cast<const char*>(dlsym(handle_, "ObjectEntryTable"));
   if (place == nullptr || IsStackWatched() || info < place->image() ||
       info >= place->image() + AddressPlace::kImageBytes)

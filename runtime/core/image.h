@@ -65,9 +65,9 @@ class ImageObject : public Object {
   }
 
  private:
-  std::string TakePlace(const std::string& original);
+  std::string MoveToOwnAddresses(const std::string& original);
   std::string CheckVersions();
-  std::string TakeImports();
+  std::string RedirectOwnImports();
   std::string RunConstructors();
   void Run(void (*function)(void*), void* argument);
   std::string ReadTables();

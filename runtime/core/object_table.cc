@@ -65,7 +65,7 @@ void Disconnect(Object* other, Object* gone) {
 
 // Moves the messages to object `id`, except replies, from the outbox of `sender` to `messages`.
 // The outbox has messages of a handler whose processor time is not over.
-void TakeOutgoing(Object* sender, ObjectId id, std::vector<OwnedMessage>* messages) {
+void MoveOutgoing(Object* sender, ObjectId id, std::vector<OwnedMessage>* messages) {
   if (sender == nullptr) return;
   auto& outbox = sender->processor.outbox;
   for (ProcessorState::Outgoing& outgoing : outbox) {
@@ -201,8 +201,8 @@ std::vector<OwnedMessage> ObjectTable::TakeMessagesTo(Object* object) {
   // next, were never counted as waiting.
   object->waiting -= static_cast<int>(messages.size());
   ASSERT(object->waiting >= 0, "{} has {} waiting messages", object->name, object->waiting);
-  for (const auto& sender : objects_) TakeOutgoing(sender.get(), object->id, &messages);
-  for (const auto& sender : replaced_running_) TakeOutgoing(sender.get(), object->id, &messages);
+  for (const auto& sender : objects_) MoveOutgoing(sender.get(), object->id, &messages);
+  for (const auto& sender : replaced_running_) MoveOutgoing(sender.get(), object->id, &messages);
   return messages;
 }
 

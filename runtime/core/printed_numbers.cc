@@ -55,7 +55,7 @@ struct Arguments {
 
 // Takes the argument that `conversion` prints from `arguments`.  Sets `*is_nan` if the argument is
 // a NaN.  Returns false if the type of the argument is not known.
-bool TakeArgument(const Conversion& conversion, Arguments* arguments, bool* is_nan) {
+bool ReadArgument(const Conversion& conversion, Arguments* arguments, bool* is_nan) {
   const std::string_view length = conversion.length;
   if (IsOneOf(conversion.type, "diouxXc")) {
     if (length == "ll" || length == "q" || length == "j" || length == "L") {
@@ -88,7 +88,7 @@ bool PrintsNaN(const char* format, va_list arguments) {
     const Conversion conversion = ReadConversion(&at);
     for (int i = 0; i < conversion.stars; ++i) va_arg(copy.list, int);
     if (conversion.type == '%' || conversion.type == 'm') continue;
-    if (!TakeArgument(conversion, &copy, &is_nan)) break;
+    if (!ReadArgument(conversion, &copy, &is_nan)) break;
   }
   va_end(copy.list);
   return is_nan;

@@ -46,7 +46,7 @@ size_t RegionMemory::OffsetOf(int size_class) {
   return (CellBytes(size_class) - CellBytes(0)) / 3 * kSlots;
 }
 
-RegionMemory::RegionMemory() : area_(TakeRegionArea()) {
+RegionMemory::RegionMemory() : area_(ReserveRegionArea()) {
   static_assert((size_t{64} << (2 * kClasses)) / 3 * kSlots <= kRegionAreaBytes);
 }
 

@@ -95,7 +95,7 @@ void GatewayConnection::Listen() {
   if (!listener_.IsNull()) Post(TCPEndpointListenMsg(listener_, IP_ADDR_ANY, record_.port));
 }
 
-void GatewayConnection::TakeListen(const TCPEndpointListenMsg& answer) {
+void GatewayConnection::HandleListenAnswer(const TCPEndpointListenMsg& answer) {
   if (answer.dstModule != listener_) return;
   if (answer.error != TCP_SUCCESS) {
     Warn(fmt::format("cannot listen, error {}", static_cast<int>(answer.error)));
@@ -109,7 +109,7 @@ void GatewayConnection::TakeListen(const TCPEndpointListenMsg& answer) {
     Warn("a second connection is refused; a service of the gateway carries one");
     Close(client);
   } else {
-    TakeConnection(client);
+    UseConnection(client);
   }
 }
 
@@ -120,10 +120,10 @@ void GatewayConnection::Connect() {
                              record_.port));
 }
 
-void GatewayConnection::TakeConnect(const TCPEndpointConnectMsg& answer) {
+void GatewayConnection::HandleConnectAnswer(const TCPEndpointConnectMsg& answer) {
   if (answer.dstModule != endpoint_) return;
   had_answer_ = true;
-  if (answer.error == TCP_SUCCESS) return TakeConnection(endpoint_);
+  if (answer.error == TCP_SUCCESS) return UseConnection(endpoint_);
   Warn(fmt::format("cannot connect to {}, error {}; tried again every second{}", record_.host,
                    static_cast<int>(answer.error), HintFor(IPAddress(record_.host.c_str()))));
   Close(endpoint_);
@@ -131,7 +131,7 @@ void GatewayConnection::TakeConnect(const TCPEndpointConnectMsg& answer) {
   gateway_->OpenLater(index_, kRetryUs);
 }
 
-void GatewayConnection::TakeConnection(const antModuleRef& endpoint) {
+void GatewayConnection::UseConnection(const antModuleRef& endpoint) {
   endpoint_ = endpoint;
   is_up_ = true;
   Receive();
@@ -179,12 +179,12 @@ void GatewayConnection::Lose() {
   if (!record_.host.empty()) gateway_->OpenLater(index_, kRetryUs);
 }
 
-void GatewayConnection::TakeAnswer(const antEnvMsg& answer) {
+void GatewayConnection::HandleAnswer(const antEnvMsg& answer) {
   switch (answer.dstOperation) {
     case TCPEndpoint_Operation_Listen:
-      return TakeListen(static_cast<const TCPEndpointListenMsg&>(answer));
+      return HandleListenAnswer(static_cast<const TCPEndpointListenMsg&>(answer));
     case TCPEndpoint_Operation_Connect:
-      return TakeConnect(static_cast<const TCPEndpointConnectMsg&>(answer));
+      return HandleConnectAnswer(static_cast<const TCPEndpointConnectMsg&>(answer));
     case TCPEndpoint_Operation_Close:
       return;
     default:

@@ -53,7 +53,7 @@ class GatewayConnection {
   // and adds a finding.  REQUIRES: is_up()
   void Refuse(const std::string& why);
 
-  void TakeAnswer(const antEnvMsg& answer);
+  void HandleAnswer(const antEnvMsg& answer);
   // Warns the user if the peer, the gateway of the other computer, has neither accepted nor refused
   // an attempt to connect.  Called when kHintUs have passed since an attempt.
   void LookForAnswer();
@@ -64,10 +64,10 @@ class GatewayConnection {
   bool NewBuffer();
   antModuleRef NewEndpoint();
   void Listen();
-  void TakeListen(const TCPEndpointListenMsg& answer);
+  void HandleListenAnswer(const TCPEndpointListenMsg& answer);
   void Connect();
-  void TakeConnect(const TCPEndpointConnectMsg& answer);
-  void TakeConnection(const antModuleRef& endpoint);
+  void HandleConnectAnswer(const TCPEndpointConnectMsg& answer);
+  void UseConnection(const antModuleRef& endpoint);
   void Receive();
   void SendNext();
   void Close(antModuleRef endpoint);

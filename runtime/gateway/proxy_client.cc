@@ -13,7 +13,7 @@
 
 namespace openr_host {
 
-void ProxyClient::Take(const void* payload, size_t size) {
+void ProxyClient::AddRequest(const void* payload, size_t size) {
   ProxyRequest head;
   Request request;
   request.ticket = gateway_->system().requests().TakeTicket();
@@ -100,13 +100,13 @@ void ProxyClient::Received(std::string_view bytes) {
                               : fmt::format("has {} items; an answer has one", set.size());
     if (problem.empty() && !waits_) problem = "has an answer that nobody asked for";
     if (!problem.empty()) return connection_.Refuse(problem);
-    TakeAnswer(frame);
+    HandleAnswer(frame);
     if (!connection_.is_up()) return;
   }
   if (result == GatewayStream::Result::kBroken) connection_.Refuse(stream_.error());
 }
 
-void ProxyClient::TakeAnswer(const ProxyFrame& frame) {
+void ProxyClient::HandleAnswer(const ProxyFrame& frame) {
   ASSERT(waits_ && !requests_.empty());
   const std::string object = requests_.front().object;
   const bool is_found = oids_.contains(object);

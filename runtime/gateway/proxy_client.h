@@ -39,7 +39,7 @@ class ProxyClient : public GatewayChannel {
   // Queues the request in `payload` (a ProxyRequest with the bytes of the call), which is the
   // message that the running handler has received.  The reply to this message is a word with an
   // sError, then the bytes of the robot's reply.
-  void Take(const void* payload, size_t size);
+  void AddRequest(const void* payload, size_t size);
   // Fails all requests if the oldest request has waited for the robot's answer for kPatienceUs,
   // because the other requests are sent only after the answer to this request.  The error is
   // sTIMEOUT.  But if the connection to the robot is open, closes the connection, and the error is
@@ -64,7 +64,7 @@ class ProxyClient : public GatewayChannel {
 
   void WatchTime();
   void SendNext();
-  void TakeAnswer(const ProxyFrame& frame);
+  void HandleAnswer(const ProxyFrame& frame);
   // Answers and removes the oldest request, a call that waits for the robot's answer.  REQUIRES:
   // there is a request.
   void Answer(int32_t error, const std::string& bytes = "");

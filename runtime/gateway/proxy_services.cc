@@ -75,7 +75,7 @@ OStatus ProxyServices::ControlGains(ControlRequest request, OPrimitiveID id, con
                  EncodeWord(id) + std::string(reinterpret_cast<const char*>(gains), kGainsBytes));
 }
 
-OStatus ProxyServices::TakeGains(ControlRequest request, OPrimitiveID id, word gains[6]) {
+OStatus ProxyServices::ReadGains(ControlRequest request, OPrimitiveID id, word gains[6]) {
   std::string result;
   const OStatus status = Control(request, EncodeWord(id), &result);
   if (status == oSUCCESS) std::memcpy(gains, result.data() + 4, kGainsBytes);
@@ -131,7 +131,7 @@ OStatus ProxyServices::SetJointGain(OPrimitiveID id, const word gains[6]) {
   return ControlGains(ControlRequest::kSetGain, id, gains);
 }
 OStatus ProxyServices::GetJointGain(OPrimitiveID id, word gains[6]) {
-  return TakeGains(ControlRequest::kGetGain, id, gains);
+  return ReadGains(ControlRequest::kGetGain, id, gains);
 }
 OStatus ProxyServices::RegisterDefaultJointGain(OPrimitiveID id, const word gains[6]) {
   return ControlGains(ControlRequest::kRegisterGain, id, gains);
@@ -140,7 +140,7 @@ OStatus ProxyServices::SetDefaultJointGain(OPrimitiveID id) {
   return Control(ControlRequest::kSetDefaultGain, EncodeWord(id));
 }
 OStatus ProxyServices::GetDefaultJointGain(OPrimitiveID id, word gains[6]) {
-  return TakeGains(ControlRequest::kGetDefaultGain, id, gains);
+  return ReadGains(ControlRequest::kGetDefaultGain, id, gains);
 }
 
 OStatus ProxyServices::GetJointValue(OPrimitiveID id, OJointValue* value) {

@@ -59,7 +59,7 @@ class ProxyServices : public ForwardingServices {
   // in `*result`, unless `result` is null.
   OStatus Control(ControlRequest request, const std::string& param, std::string* result = nullptr);
   OStatus ControlGains(ControlRequest request, OPrimitiveID id, const word gains[6]);
-  OStatus TakeGains(ControlRequest request, OPrimitiveID id, word gains[6]);
+  OStatus ReadGains(ControlRequest request, OPrimitiveID id, word gains[6]);
   OStatus RefuseCall(const char* function);
   // Warns that `function` is not sent to the robot because its message is unknown, and returns the
   // services of this run's own robot, which execute it instead.

@@ -29,13 +29,13 @@ class ItemReader {
   // Reads one 32-bit word of the item (a call or answer) into each argument.  Returns false if the
   // item has fewer words.
   template <typename... Words>
-  bool Take(Words*... words) {
-    return (TakeOne(words) && ...);
+  bool ReadNumbers(Words*... words) {
+    return (ReadNumber(words) && ...);
   }
   std::string Rest() const { return item_.substr(at_); }
 
  private:
-  bool TakeOne(uint32_t* to) {
+  bool ReadNumber(uint32_t* to) {
     const std::optional<uint32_t> word = Word();
     if (word) *to = *word;
     return word.has_value();
@@ -61,15 +61,15 @@ bool ReadWords(ItemReader* reader, ProxyFrame* frame, uint32_t* size) {
       *size = kNameBytes;
       return true;
     case ProxyCommand::kFindReply:
-      return reader->Take(&frame->error, &frame->oid);
+      return reader->ReadNumbers(&frame->error, &frame->oid);
     case ProxyCommand::kSend:
-      return reader->Take(&frame->oid, &frame->selector, size);
+      return reader->ReadNumbers(&frame->oid, &frame->selector, size);
     case ProxyCommand::kSendReply:
-      return reader->Take(&frame->error);
+      return reader->ReadNumbers(&frame->error);
     case ProxyCommand::kCall:
-      return reader->Take(&frame->oid, &frame->selector, size, &frame->reply_size);
+      return reader->ReadNumbers(&frame->oid, &frame->selector, size, &frame->reply_size);
     default:
-      return reader->Take(&frame->error, size);
+      return reader->ReadNumbers(&frame->error, size);
   }
 }
 

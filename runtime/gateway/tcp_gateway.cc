@@ -24,7 +24,7 @@ TcpGateway::TcpGateway(const GatewayConfig& config) {
   answer_ = AddExtra("Network", [this](void* payload) {
     const antEnvMsg& answer = *antEnvMsg::Receive(payload);
     const auto index = reinterpret_cast<uintptr_t>(answer.continuation);
-    channels_.at(index)->connection().TakeAnswer(answer);
+    channels_.at(index)->connection().HandleAnswer(answer);
   });
   open_ = AddExtra("Open", [this](void* payload) {
     int index = 0;
@@ -73,7 +73,7 @@ void TcpGateway::AddProxies(const GatewayConfig& config) {
   proxy_client_ = client.get();
   channels_.push_back(std::move(client));
   call_ = AddExtra("Call", [this](void* payload) {
-    proxy_client_->Take(payload, host().handler.running->size);
+    proxy_client_->AddRequest(payload, host().handler.running->size);
   });
   expire_ = AddExtra("Expire", [this](void*) { proxy_client_->Expire(); });
 }

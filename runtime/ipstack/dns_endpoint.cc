@@ -124,7 +124,7 @@ void DnsEndpoint::Query(const Operation& operation) {
   stack_->network().Resolve(socket_, name);
 }
 
-void DnsEndpoint::Take(const NetworkEvent& event) {
+void DnsEndpoint::StoreEvent(const NetworkEvent& event) {
   if (query_) answer_ = event;
 }
 

@@ -27,7 +27,7 @@ class DnsEndpoint : public Endpoint {
   static constexpr int64_t kAnswerUs = 30'000'000;
 
   void Start(const Operation& operation) override;
-  void Take(const NetworkEvent& event) override;
+  void StoreEvent(const NetworkEvent& event) override;
   void AnswerReady() override;
   bool WaitsForNetwork() const override { return !dead_ && query_.has_value(); }
   void Drop() override;

@@ -19,11 +19,11 @@ class EventSink {
 
   // Stores `event` of a socket.  Does not answer any operation of the program; AnswerReady() does
   // that after all events of one Poll() of the network have been stored.
-  virtual void Take(const NetworkEvent& event) = 0;
+  virtual void StoreEvent(const NetworkEvent& event) = 0;
 };
 
 // An endpoint, which a program creates for TCP, UDP or DNS.  Start() stores an operation (a message
-// of the program).  Take() stores an event of the network.  AnswerReady() later answers all
+// of the program).  StoreEvent() stores an event of the network.  AnswerReady() later answers all
 // operations that can be answered, always in the same order: Listen or Connect, then Send, Receive
 // and Close.  So the order of answers does not depend on the order of events.
 class Endpoint : public EventSink {
@@ -42,7 +42,7 @@ class Endpoint : public EventSink {
   virtual bool WaitsForNetwork() const = 0;
 
   // Resets what the endpoint counts within one frame, such as the bytes that it has sent.  Called
-  // at the beginning of each poll of the network, before Take().
+  // at the beginning of each poll of the network, before StoreEvent().
   virtual void BeginFrame() {}
 
   // Releases all sockets without answering the pending operations (messages of the program).

@@ -63,7 +63,7 @@ IpStack::IpStack(std::shared_ptr<Network> network, IpStackOptions options)
   if (!wlan.dns_server_1.empty()) dns_servers_.push_back(IpFromText(wlan.dns_server_1));
   network_->Attach(address_);
 
-  const auto take = [this](void* payload) { TakeMessage(payload); };
+  const auto take = [this](void* payload) { HandleMessage(payload); };
   // Adds the entries of the network stack in the order of their documented selectors, 0 to 2,
   // because EntryFor() adds the documented selector to first_entry_.
   first_entry_ = AddExtra("Initialize", take);
@@ -131,7 +131,7 @@ void IpStack::WarnIfChanged(const Operation& operation, const void* data, size_t
 }
 
 // Handles a message that an object has sent to the network stack with antEnvMsg::Send() or Call().
-void IpStack::TakeMessage(void* payload) {
+void IpStack::HandleMessage(void* payload) {
   const Message& request = *host().handler.running;
   Operation operation;
   const auto& message = *static_cast<const antEnvMsg*>(payload);
@@ -277,7 +277,7 @@ void IpStack::PollNetwork() {
       continue;
     }
     const auto sink = sinks_.find(event.handle);
-    if (sink != sinks_.end()) sink->second->Take(event);
+    if (sink != sinks_.end()) sink->second->StoreEvent(event);
   }
   for (auto& [index, endpoint] : endpoints_) endpoint->AnswerReady();
   EraseDead();

@@ -111,7 +111,7 @@ class IpStack : public CodeObject {
   // Returns a port of 1024 to 4999 (IPPORT_RESERVED, IPPORT_USERRESERVED) that no UDP endpoint has
   // bound and that is not open for TCP, or 0 if there is no such port.
   uint16_t ChoosePort();
-  bool TakeUdpPort(uint16_t port) { return udp_ports_.insert(port).second; }
+  bool ReserveUdpPort(uint16_t port) { return udp_ports_.insert(port).second; }
   void ReturnUdpPort(uint16_t port) { udp_ports_.erase(port); }
 
   // Sends the message of `operation` back to the object that has sent it, with `error` in its error
@@ -131,7 +131,7 @@ class IpStack : public CodeObject {
   std::vector<uint32_t>& dns_servers() { return dns_servers_; }
 
  private:
-  void TakeMessage(void* payload);
+  void HandleMessage(void* payload);
   void HandleStackMessage(Operation* operation);
   void HandleEndpointMessage(Operation* operation);
   void CreateEndpoint(Operation* operation);

@@ -262,7 +262,7 @@ void TcpEndpoint::Address(Operation operation) {
   stack_->Answer(&operation, TCP_SUCCESS);
 }
 
-void TcpEndpoint::Take(const NetworkEvent& event) {
+void TcpEndpoint::StoreEvent(const NetworkEvent& event) {
   switch (event.kind) {
     case NetworkEvent::Kind::kAccepted:
       return Accepted(event);

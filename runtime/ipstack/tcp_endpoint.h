@@ -46,7 +46,7 @@ class TcpEndpoint : public Endpoint {
   static constexpr int64_t kRobotAcknowledgeUs = 200'000;
 
   void Start(const Operation& operation) override;
-  void Take(const NetworkEvent& event) override;
+  void StoreEvent(const NetworkEvent& event) override;
   void AnswerReady() override;
   bool WaitsForNetwork() const override;
   void Drop() override;

@@ -6,10 +6,10 @@
 
 namespace openr_host {
 
-void TcpPorts::Port::Take(const NetworkEvent& event) {
+void TcpPorts::Port::StoreEvent(const NetworkEvent& event) {
   if (event.kind != NetworkEvent::Kind::kFailed) return;
   failed = true;
-  for (EventSink* endpoint : waiting) endpoint->Take(event);
+  for (EventSink* endpoint : waiting) endpoint->StoreEvent(event);
 }
 
 bool TcpPorts::Accept(uint16_t number, uint32_t ip, NetHandle socket, EventSink* endpoint) {

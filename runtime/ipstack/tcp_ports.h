@@ -41,7 +41,7 @@ class TcpPorts {
 
  private:
   struct Port : EventSink {
-    void Take(const NetworkEvent& event) override;  // passes kFailed to all waiting endpoints
+    void StoreEvent(const NetworkEvent& event) override;  // passes kFailed to all waiting endpoints
 
     NetHandle listener = 0;
     bool failed = false;

@@ -77,7 +77,7 @@ void UdpEndpoint::Bind(Operation operation) {
   if (!stack_->IsOwnAddress(message.address.Address())) return Refuse(operation, UDP_ADDRESSERROR);
   const bool any_port = message.port == 0;
   const uint16_t port = any_port ? stack_->ChoosePort() : message.port;
-  if (port == 0 || !stack_->TakeUdpPort(port)) return Refuse(operation, UDP_ADDRESSINUSE);
+  if (port == 0 || !stack_->ReserveUdpPort(port)) return Refuse(operation, UDP_ADDRESSINUSE);
   port_ = port;
   local_ip_ = message.address.Address();
   socket_ = stack_->Open(this);
@@ -193,7 +193,7 @@ void UdpEndpoint::Address(Operation operation) {
   stack_->Answer(&operation, UDP_SUCCESS);
 }
 
-void UdpEndpoint::Take(const NetworkEvent& event) {
+void UdpEndpoint::StoreEvent(const NetworkEvent& event) {
   if (event.kind == NetworkEvent::Kind::kFailed) {
     asked_ = false;
     error_ = UdpErrorOf(event.error);

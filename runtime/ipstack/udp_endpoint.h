@@ -22,7 +22,7 @@ class UdpEndpoint : public Endpoint {
   static constexpr size_t kReadAhead = 16;    // number of datagrams read at a time
 
   void Start(const Operation& operation) override;
-  void Take(const NetworkEvent& event) override;
+  void StoreEvent(const NetworkEvent& event) override;
   void AnswerReady() override;
   bool WaitsForNetwork() const override;
   void BeginFrame() override { sent_in_frame_ = 0; }

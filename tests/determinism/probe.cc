@@ -26,7 +26,7 @@ uint64_t HashOfCameras(const openr_host::Simulation& simulation) {
   openr_host::Hasher hasher;
   for (openr_host::VirtualRobot* const robot : simulation.robots()) {
     openr_host::Picture picture;
-    const std::string problem = robot->TakePicture(&picture);
+    const std::string problem = robot->CopyPicture(&picture);
     if (!problem.empty()) throw std::runtime_error(problem);
     hasher.AddBytes(picture.rgb.data(), picture.rgb.size());
   }

@@ -76,24 +76,24 @@ void Relay::Run() {
     pollfd wanted[2] = {{ends_[0], POLLIN, 0}, {ends_[1], POLLIN, 0}};
     if (ppoll(wanted, 2, &wait, nullptr) <= 0) continue;
     for (size_t end = 0; end < 2; ++end) {
-      if (wanted[end].revents != 0 && !TakeFrom(end)) return;  // the host is gone
+      if (wanted[end].revents != 0 && !ReadPackets(end)) return;  // the host is gone
     }
   }
 }
 
 // Reads all packets that have arrived at this end.  False when the interface is gone.
-bool Relay::TakeFrom(size_t end) {
+bool Relay::ReadPackets(size_t end) {
   for (;;) {
     std::vector<char> bytes(kPacketMax);
     const ssize_t size = read(ends_[end], bytes.data(), bytes.size());
     if (size <= 0) return errno == EAGAIN || errno == EINTR;
     bytes.resize(static_cast<size_t>(size));
     const std::lock_guard lock(mutex_);
-    Take(1 - end, std::move(bytes));
+    AddPacket(1 - end, std::move(bytes));
   }
 }
 
-void Relay::Take(size_t to, std::vector<char> bytes) {
+void Relay::AddPacket(size_t to, std::vector<char> bytes) {
   const uint64_t number = ++last_taken_[to];
   if (is_cut_) {
     ++counts_.cut;

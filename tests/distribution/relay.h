@@ -55,8 +55,8 @@ class Relay {
   };
 
   void Run();
-  bool TakeFrom(size_t end);
-  void Take(size_t to, std::vector<char> bytes);
+  bool ReadPackets(size_t end);
+  void AddPacket(size_t to, std::vector<char> bytes);
   int64_t SendWhatIsDue();  // returns the time until the next packet is due, in ns
   bool Happens(double share) { return std::uniform_real_distribution<>(0, 1)(random_) < share; }
 

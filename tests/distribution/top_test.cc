@@ -253,20 +253,20 @@ TEST(TopViewTest, ARunWithoutNewStatusIsShownAsSilent) {
 
 TEST(TopViewTest, ARunThatIsGoneIsShownAsEndedAndThenRemoved) {
   RunStatusList runs;
-  runs.Take({MadeUp().status}, 1);
+  runs.Update({MadeUp().status}, 1);
   RunStatus gone;
   gone.run = "dog";
   gone.host = "den";
   gone.pid = 7;
   gone.has_ended = true;
-  runs.Take({gone}, 11);  // the lease of the run has ended
+  runs.Update({gone}, 11);  // the lease of the run has ended
   ASSERT_EQ(runs.All().size(), 1u);
   EXPECT_THAT(TopText(runs.All(), 20), HasSubstr("; ended\n"));
   EXPECT_EQ(runs.All()[0].status.objects.size(), 2u) << "what was heard last is shown";
   RunStatus told = MadeUp().status;
   told.has_ended = true;
   told.end = "ended by time: --for 1s is over";
-  runs.Take({told}, 12);
+  runs.Update({told}, 12);
   EXPECT_THAT(TopText(runs.All(), 20), HasSubstr("; ended by time: --for 1s is over\n"));
   EXPECT_EQ(TopJson(runs.All(), 20)["runs"][0]["end"], "ended by time: --for 1s is over");
   runs.Forget(14);

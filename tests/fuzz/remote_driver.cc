@@ -165,7 +165,7 @@ void RemoteDriver::LetArrive(int index, size_t count) {
   const std::string bytes = client->written.substr(0, count);
   client->written.erase(0, count);
   client->is_receiving = false;
-  client->session.Take(reinterpret_cast<const Uint8*>(bytes.data()), static_cast<int>(count));
+  client->session.Receive(reinterpret_cast<const Uint8*>(bytes.data()), static_cast<int>(count));
   NoteRequests(client, bytes);
   Serve(index);
 }

@@ -58,7 +58,7 @@ inline std::vector<HeardPacket> RcHeard(const std::string& heard) {
   for (size_t at = 0; at + RC_ANSWER_HEADER_SIZE <= heard.size();) {
     RcFramer framer;
     const size_t count = std::min<size_t>(heard.size() - at, RC_MAX_PACKET);
-    framer.Take(reinterpret_cast<const Uint8*>(heard.data()) + at, static_cast<int>(count));
+    framer.Append(reinterpret_cast<const Uint8*>(heard.data()) + at, static_cast<int>(count));
     RcAnswerHeader header;
     if (framer.Next() != RcFramer::PACKET || !header.Read(framer)) break;
     const size_t begin = at + RC_ANSWER_HEADER_SIZE;

@@ -29,8 +29,8 @@ struct Answer {
 Answer LastAnswer(const openr::testing::TcpClient& client) {
   RcFramer framer;
   framer.Reset();
-  framer.Take(reinterpret_cast<const Uint8*>(client.heard().data()),
-              static_cast<int>(client.heard().size()));
+  framer.Append(reinterpret_cast<const Uint8*>(client.heard().data()),
+                static_cast<int>(client.heard().size()));
   Answer answer;
   while (framer.Next() == RcFramer::PACKET) {
     RcAnswerHeader header;

@@ -29,7 +29,7 @@ class BatchTest : public testing::Test {
     EXPECT_EQ(Send(), rcOK) << robot_.error;
     std::vector<Part> parts;
     RcFramer framer;
-    framer.Take(robot_.payload.data(), static_cast<int>(robot_.payload.size()));
+    framer.Append(robot_.payload.data(), static_cast<int>(robot_.payload.size()));
     while (framer.Next() == RcFramer::PACKET) {
       RcAnswerHeader header;
       EXPECT_TRUE(header.Read(framer));

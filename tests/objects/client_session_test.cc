@@ -18,9 +18,11 @@ class ClientSessionTest : public testing::Test {
  protected:
   ClientSessionTest() { session_.Begin(0, &robot_.handler); }
 
-  void Take(const Bytes& bytes) { session_.Take(bytes.data(), static_cast<int>(bytes.size())); }
+  void Receive(const Bytes& bytes) {
+    session_.Receive(bytes.data(), static_cast<int>(bytes.size()));
+  }
   void Ask(int command, const Bytes& payload, int tag = 1) {
-    Take(RemoteRobot::Packet(command, payload, RC_VERSION_FILES, tag));
+    Receive(RemoteRobot::Packet(command, payload, RC_VERSION_FILES, tag));
   }
   void Subscribe(RcStream stream, uint8_t period, int tag = 9) {
     Ask(rcSUBSCRIBE, {static_cast<uint8_t>(stream), period, 0}, tag);
@@ -49,7 +51,7 @@ class ClientSessionTest : public testing::Test {
     EXPECT_LE(size, RC_MAX_PACKET);
     std::vector<SentPacket> packets;
     RcFramer framer;
-    framer.Take(buffer_, size);
+    framer.Append(buffer_, size);
     while (framer.Next() == RcFramer::PACKET) {
       SentPacket packet;
       EXPECT_TRUE(packet.head.Read(framer));
@@ -79,7 +81,7 @@ class ClientSessionTest : public testing::Test {
 TEST_F(ClientSessionTest, BytesMayArriveOneByOne) {
   for (const uint8_t byte : RemoteRobot::Packet(rcINFO, {})) {
     EXPECT_TRUE(Answers().empty());
-    Take({byte});
+    Receive({byte});
   }
   EXPECT_EQ(Answers().size(), 1u);
   EXPECT_TRUE(Answers().empty());
@@ -107,7 +109,7 @@ TEST_F(ClientSessionTest, AnAnswerWithoutRoomGoesOutInTheNextSend) {
 
 TEST_F(ClientSessionTest, BytesThatAreNoPacketEndTheSession) {
   Ask(rcINFO, {});
-  Take({'H', 'T', 'T', 'P'});
+  Receive({'H', 'T', 'T', 'P'});
   const auto sent = Answers();
   ASSERT_EQ(sent.size(), 2u);
   EXPECT_EQ(sent[1].head.status, rcerrorBAD_PACKET);
@@ -188,12 +190,12 @@ TEST_F(ClientSessionTest, AnyBytesOfTheClientLetEventsCome) {
   EXPECT_EQ(EventsNotTaken().size(), 1u);
   Vector(2507);
   EXPECT_TRUE(EventsNotTaken().empty());
-  Take({'R'});
+  Receive({'R'});
   EXPECT_EQ(EventsNotTaken().size(), 1u);
 }
 
 TEST_F(ClientSessionTest, InVersion1AnAcknowledgementIsAnUnknownCommand) {
-  Take(RemoteRobot::Packet(rcEVENT, {}, RC_VERSION));
+  Receive(RemoteRobot::Packet(rcEVENT, {}, RC_VERSION));
   const auto answers = Answers();
   ASSERT_EQ(answers.size(), 1u);
   EXPECT_EQ(answers[0].head.status, rcerrorUNKNOWN_COMMAND);

@@ -72,14 +72,14 @@ class FilesTest : public testing::Test, private RequestPort {
     in.Bytes(request.data(), static_cast<int>(request.size()));
     in.PutHeader(command, 5, RC_VERSION_FILES);
     RcFramer framer;
-    framer.Take(bytes, in.Size());
+    framer.Append(bytes, in.Size());
     EXPECT_EQ(framer.Next(), RcFramer::PACKET);
     uint8_t answer[RC_MAX_PACKET];
     RcWriter out(answer, RC_MAX_PACKET);
     handler_->Answer(client, framer, &out);
     EXPECT_FALSE(out.HasOverflowed());
     RcFramer back;
-    back.Take(answer, out.Size());
+    back.Append(answer, out.Size());
     EXPECT_EQ(back.Next(), RcFramer::PACKET);
     RcAnswerHeader header;
     EXPECT_TRUE(header.Read(back));

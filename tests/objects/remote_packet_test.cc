@@ -28,9 +28,9 @@ TEST(RemotePacketTest, ArrivesWholeHoweverItIsCut) {
   const std::vector<uint8_t> bytes = Packet(rcMOVE, 7, {1, 2, 3, 4, 5});
   for (size_t cut = 1; cut < bytes.size(); ++cut) {
     RcFramer framer;
-    framer.Take(bytes.data(), static_cast<int>(cut));
+    framer.Append(bytes.data(), static_cast<int>(cut));
     ASSERT_EQ(framer.Next(), RcFramer::NEEDS_MORE) << cut;
-    framer.Take(bytes.data() + cut, static_cast<int>(bytes.size() - cut));
+    framer.Append(bytes.data() + cut, static_cast<int>(bytes.size() - cut));
     ASSERT_EQ(framer.Next(), RcFramer::PACKET) << cut;
     EXPECT_EQ(framer.PayloadSize(), 5);
     EXPECT_EQ(framer.Payload()[4], 5);
@@ -45,7 +45,7 @@ TEST(RemotePacketTest, SeveralInOnePieceComeOneAfterTheOther) {
     bytes.insert(bytes.end(), packet.begin(), packet.end());
   }
   RcFramer framer;
-  framer.Take(bytes.data(), static_cast<int>(bytes.size()));
+  framer.Append(bytes.data(), static_cast<int>(bytes.size()));
   for (int tag = 0; tag < 50; ++tag) {
     ASSERT_EQ(framer.Next(), RcFramer::PACKET);
     EXPECT_EQ(framer.Header().tag, tag);
@@ -57,17 +57,17 @@ TEST(RemotePacketTest, OneOfFullSizeFits) {
   const std::vector<uint8_t> bytes =
       Packet(rcUPLOAD_DATA, 1, std::vector<uint8_t>(RC_MAX_PACKET - RC_HEADER_SIZE, 9));
   RcFramer framer;
-  framer.Take(bytes.data(), static_cast<int>(bytes.size()) - 1);
+  framer.Append(bytes.data(), static_cast<int>(bytes.size()) - 1);
   ASSERT_EQ(framer.Next(), RcFramer::NEEDS_MORE);
   EXPECT_GE(framer.Room(), RC_MAX_PACKET);
-  framer.Take(&bytes.back(), 1);
+  framer.Append(&bytes.back(), 1);
   EXPECT_EQ(framer.Next(), RcFramer::PACKET);
 }
 
 TEST(RemotePacketTest, SomethingElseIsRefusedAtTheSecondByte) {
   RcFramer framer;
   const uint8_t bytes[] = {'G', 'E'};
-  framer.Take(bytes, 2);
+  framer.Append(bytes, 2);
   EXPECT_EQ(framer.Next(), RcFramer::BROKEN);
   EXPECT_EQ(framer.Error(), "a packet begins with 'RC', not with the bytes 47 45");
 }
@@ -78,7 +78,7 @@ TEST(RemotePacketTest, AnAbsurdSizeIsRefused) {
     bytes[2] = size & 0xff;
     bytes[3] = size >> 8;
     RcFramer framer;
-    framer.Take(bytes.data(), static_cast<int>(bytes.size()));
+    framer.Append(bytes.data(), static_cast<int>(bytes.size()));
     EXPECT_EQ(framer.Next(), RcFramer::BROKEN) << size;
     EXPECT_NE(framer.Error(), "") << size;
   }
@@ -96,7 +96,7 @@ TEST(RemotePacketTest, RandomBytesNeverCrashTheFramer) {
         bytes[1] = 'C';
         bytes[3] &= 1;
       }
-      framer.Take(bytes.data(), static_cast<int>(bytes.size()));
+      framer.Append(bytes.data(), static_cast<int>(bytes.size()));
       for (int i = 0; i < 100 && framer.Next() == RcFramer::PACKET; ++i)
         ASSERT_GE(framer.PayloadSize(), 0);
     }
@@ -106,7 +106,7 @@ TEST(RemotePacketTest, RandomBytesNeverCrashTheFramer) {
 TEST(RemotePacketTest, TakingMoreThanThereIsRoomForChangesNothing) {
   RcFramer framer;
   const std::vector<uint8_t> bytes(5000, 'R');
-  framer.Take(bytes.data(), 5000);
+  framer.Append(bytes.data(), 5000);
   EXPECT_EQ(framer.Next(), RcFramer::NEEDS_MORE);
   EXPECT_EQ(framer.Room(), 2 * RC_MAX_PACKET);
 }

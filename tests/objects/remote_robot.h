@@ -68,7 +68,7 @@ class RemoteRobot : public RequestPort {
           int client = 0) {
     const std::vector<uint8_t> bytes = Packet(command, request, version);
     RcFramer framer;
-    framer.Take(bytes.data(), static_cast<int>(bytes.size()));
+    framer.Append(bytes.data(), static_cast<int>(bytes.size()));
     EXPECT_EQ(framer.Next(), RcFramer::PACKET);
     uint8_t answer[RC_MAX_PACKET];
     RcWriter out(answer, RC_MAX_PACKET);
@@ -78,7 +78,7 @@ class RemoteRobot : public RequestPort {
 
   int ReadAnswer(const uint8_t* answer, int size, int command, int tag) {
     RcFramer framer;
-    framer.Take(answer, size);
+    framer.Append(answer, size);
     EXPECT_EQ(framer.Next(), RcFramer::PACKET);
     RcAnswerHeader header;
     EXPECT_TRUE(header.Read(framer));

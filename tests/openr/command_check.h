@@ -24,15 +24,15 @@ class ShellLine {
     static const std::regex kOutput("\\$\\([^()]*\\)");
     for (const char c : std::regex_replace(line, kOutput, "$$output")) {
       if (c == '#' && !word_ && quote_ == 0) break;
-      Take(c);
+      AddCharacter(c);
     }
     EndCommand();
   }
   const std::vector<CallWords>& commands() const { return commands_; }
 
  private:
-  void Take(char c) {
-    if (quote_ != 0) return TakeQuoted(c);
+  void AddCharacter(char c) {
+    if (quote_ != 0) return AddInQuotes(c);
     if (c == ' ') return EndWord();
     if (c == '<' || c == '>') return BeginRedirection();
     if (c == '&' && is_redirection_ && !word_) return;  // the & of 2>&1
@@ -44,7 +44,7 @@ class ShellLine {
       *word_ += c;
     }
   }
-  void TakeQuoted(char c) {
+  void AddInQuotes(char c) {
     if (c == quote_) {
       quote_ = 0;
     } else {

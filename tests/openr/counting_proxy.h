@@ -111,7 +111,7 @@ class CountingProxy {
     (void)!send(from_client ? pair->robot : pair->client, bytes, static_cast<size_t>(count),
                 MSG_NOSIGNAL);
     if (!from_client) return;
-    pair->framer.Take(bytes, static_cast<int>(count));
+    pair->framer.Append(bytes, static_cast<int>(count));
     Note(&pair->framer);
   }
 
@@ -119,7 +119,7 @@ class CountingProxy {
     while (framer->Next() == RcFramer::PACKET) {
       if (framer->Header().command == rcBATCH) {
         RcFramer inner;
-        inner.Take(framer->Payload(), framer->PayloadSize());
+        inner.Append(framer->Payload(), framer->PayloadSize());
         Note(&inner);
       } else if (framer->Header().command != rcEVENT) {
         const std::lock_guard lock(mutex_);

@@ -130,7 +130,7 @@ class RcForwarderTest : public ::testing::Test {
     ASSERT_EQ(socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends), 0);
     clients_.push_back(ends[0]);
     const auto find = [this] { return openr::remote::Address{"127.0.0.1", port_}; };
-    RcForwarder(find, kToken, allows_controllers).Take(ends[1]);
+    RcForwarder(find, kToken, allows_controllers).ServeClient(ends[1]);
     framer_.Reset();
   }
 
@@ -190,7 +190,7 @@ class RcForwarderTest : public ::testing::Test {
       const ssize_t n =
           poll(&wanted, 1, 120'000) > 0 ? recv(clients_.back(), bytes, sizeof bytes, 0) : -1;
       if (n <= 0) return "end";
-      framer_.Take(bytes, static_cast<int>(n));
+      framer_.Append(bytes, static_cast<int>(n));
     }
     if (result != RcFramer::PACKET || !header.Read(framer_)) return "no answer";
     RcReader reader(framer_.Payload() + 8, framer_.PayloadSize() - 8);

@@ -279,7 +279,7 @@ TEST_F(NoThreadsTest, AClientForWhichThereIsNoThreadIsClosed) {
   for (int i = 0; i <= RcForwarder::kWithoutTokenMax; ++i) {
     int ends[2];
     ASSERT_EQ(socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends), 0);
-    forwarder.Take(ends[1]);
+    forwarder.ServeClient(ends[1]);
     char byte;
     EXPECT_EQ(recv(ends[0], &byte, 1, 0), 0);
     close(ends[0]);

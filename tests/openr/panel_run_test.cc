@@ -39,7 +39,7 @@ class PanelRunTest : public PanelTest {
       const std::string& text = run->heard();
       return text.find('\n', text.find("panel: ")) != std::string::npos;
     }));
-    TakeAddress(run->heard());
+    ReadAddress(run->heard());
     return run;
   }
 

@@ -35,7 +35,7 @@ class PanelTest : public ::testing::Test {
   }
 
   // Reads port and token from the address that the server has printed.
-  void TakeAddress(const std::string& text) {
+  void ReadAddress(const std::string& text) {
     std::smatch match;
     ASSERT_TRUE(std::regex_search(
         text, match, std::regex("panel: http://127\\.0\\.0\\.1:(\\d+)/\\?token=([0-9a-f]{32})\n")))

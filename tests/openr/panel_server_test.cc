@@ -35,7 +35,7 @@ class PanelServerTest : public PanelTest {
     server_ = std::make_unique<ProgramRun>(
         std::vector<std::string>{"panel", "--port", port, "--run", run_.id()});
     ASSERT_TRUE(server_->WaitForOutput("\n"));
-    TakeAddress(server_->said());
+    ReadAddress(server_->said());
   }
 
   // Opens a page of the run and waits until the run has its connection.
@@ -448,7 +448,7 @@ TEST_F(PanelTest, ThePageGetsTheLastAnswerOfARunThatEnds) {
   ProgramRun server({"panel", "--port", "0", "--fd", std::to_string(ends[0]), "--run", run.id()});
   close(ends[0]);
   ASSERT_TRUE(server.WaitFor("\n"));
-  TakeAddress(server.heard());
+  ReadAddress(server.heard());
   WebSocketClient page(port_, Known());
   run.Accept();
   page.Send(R"({"do":"status","id":1})");

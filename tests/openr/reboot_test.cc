@@ -171,13 +171,13 @@ TEST_F(RebootTest, TheSourceOfPicturesGoesOn) {
   images_ = "pattern";
   Start();
   Picture before, after;
-  EXPECT_EQ(dog().TakePicture(&before), "");
+  EXPECT_EQ(dog().CopyPicture(&before), "");
   const int64_t frame = dog().frame();
   Reboot();
   system().RunUntil(system().robot_table().off_robots().BootUs(0));
   while (dog().frame() < frame) system().RunFor(kFrameUs);
   EXPECT_EQ(dog().frame(), frame);
-  EXPECT_EQ(dog().TakePicture(&after), "");
+  EXPECT_EQ(dog().CopyPicture(&after), "");
   EXPECT_NE(before.rgb, after.rgb);
 }
 

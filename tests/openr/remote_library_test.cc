@@ -197,7 +197,7 @@ class OldRobot : public StalledServer {
     RcFramer framer;
     uint8_t bytes[RC_MAX_PACKET];
     for (ssize_t n; (n = recv(peer, bytes, sizeof bytes, 0)) > 0;) {
-      framer.Take(bytes, static_cast<int>(n));
+      framer.Append(bytes, static_cast<int>(n));
       while (framer.Next() == RcFramer::PACKET) Answer(peer, framer.Header());
     }
     close(peer);

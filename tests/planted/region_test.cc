@@ -28,12 +28,12 @@ class Sender : public Actor {
 class Receiver : public Actor {
  public:
   Receiver() {
-    in_ = AddObserver(kIn, [this](const ONotifyEvent& event) { Take(event); });
+    in_ = AddObserver(kIn, [this](const ONotifyEvent& event) { HandleEvent(event); });
   }
   OStatus DoStart(const OSystemEvent&) override { return in_->AssertReady(); }
 
  protected:
-  virtual void Take(const ONotifyEvent& event) = 0;
+  virtual void HandleEvent(const ONotifyEvent& event) = 0;
   OObserver* in_;
 };
 
@@ -52,7 +52,7 @@ ExplorePlan PlanWith(bool guard, bool is_strict = false) {
 
 // Fault: gives a received region back twice.
 class GenerousReceiver : public Receiver {
-  void Take(const ONotifyEvent& event) override {
+  void HandleEvent(const ONotifyEvent& event) override {
     event.RCData(0)->RemoveReference();
     in_->AssertReady();
   }
@@ -67,7 +67,7 @@ TEST(PlantedRegionTest, ARegionReleasedTooOftenIsAnError) {
 
 // Fault: keeps the address of the data beyond AssertReady().
 class RetentiveReceiver : public Receiver {
-  void Take(const ONotifyEvent& event) override {
+  void HandleEvent(const ONotifyEvent& event) override {
     if (kept_ != nullptr) Say("the last one was " + std::to_string(*kept_));
     kept_ = static_cast<const int*>(event.Data(0));
     in_->AssertReady();
@@ -87,7 +87,7 @@ TEST(PlantedRegionTest, AKeptAddressFaultsWhenDataAreWatched) {
 
 // Fault: uses received data as its own memory.
 class ScribblingReceiver : public Receiver {
-  void Take(const ONotifyEvent& event) override {
+  void HandleEvent(const ONotifyEvent& event) override {
     ++*const_cast<int*>(static_cast<const int*>(event.Data(0)));
     in_->AssertReady();
   }
@@ -125,7 +125,7 @@ class ThriftySender : public Actor {
 };
 
 class PlainReceiver : public Receiver {
-  void Take(const ONotifyEvent&) override { in_->AssertReady(); }
+  void HandleEvent(const ONotifyEvent&) override { in_->AssertReady(); }
 };
 
 TEST(PlantedRegionTest, DataChangedOnTheirWayAreAnErrorOfTheSender) {

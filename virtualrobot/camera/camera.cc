@@ -182,7 +182,7 @@ RCRegion* CameraDevice::MakeVector(int64_t frame, const Body& body, std::string*
   return region;
 }
 
-std::string CameraDevice::TakePicture(int64_t frame, const Body& body, Picture* picture) {
+std::string CameraDevice::CopyPicture(int64_t frame, const Body& body, Picture* picture) {
   picture->width = model_.width_px;
   picture->height = model_.height_px;
   picture->rgb.resize(PictureBytes(model_));
@@ -195,7 +195,7 @@ std::string CameraDevice::TakePicture(int64_t frame, const Body& body, Picture* 
   return "";
 }
 
-std::string CameraDevice::TakeColours(int64_t frame, const Body& body, Picture* colours) {
+std::string CameraDevice::CopyColours(int64_t frame, const Body& body, Picture* colours) {
   if (tables_.empty()) return "no object has set a colour table (OPENR::SetCdtVectorData)";
   Picture picture = picture_;
   picture.rgb.resize(PictureBytes(model_));

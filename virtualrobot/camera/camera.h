@@ -53,14 +53,14 @@ class CameraDevice {
   // Takes the picture of the image that MakeVector() returns, for a reader outside the simulation.
   // The picture is not split into layers: it has the size of the sensor, with gain, shutter and
   // white balance applied.  Changes no state.  Returns "", or the reason why there is no picture.
-  std::string TakePicture(int64_t frame, const Body& body, Picture* picture);
+  std::string CopyPicture(int64_t frame, const Body& body, Picture* picture);
 
-  // Writes to `colours` how the robot's colour detection sees the image of TakePicture(): layer C
+  // Writes to `colours` how the robot's colour detection sees the image of CopyPicture(): layer C
   // of the image, with the colour of ColourOfChannel() in each pixel in which a channel was
   // detected, and black elsewhere.  Returns "", or the reason why there is no picture.
-  std::string TakeColours(int64_t frame, const Body& body, Picture* colours);
+  std::string CopyColours(int64_t frame, const Body& body, Picture* colours);
   // Returns the colour (red, green and blue) that stands for a channel of the colour detection, 0
-  // to 7, in a picture of TakeColours().
+  // to 7, in a picture of CopyColours().
   static const std::array<uint8_t, 3>& ColourOfChannel(int channel);
 
   // Sets the settings as they are at boot, and gives up the references to the regions of all

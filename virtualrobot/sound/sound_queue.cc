@@ -122,7 +122,7 @@ void SoundQueue::Start(int64_t frame, bool behind_another, std::vector<SoundProb
         "copied); it is not played",
         oINVALID_DATA_VECTOR_ID, vector.header->memRegionID, playing_.region->MemID()));
   } else if (vector.header != nullptr) {
-    robot_.optional.Take(*vector.header, &found);
+    robot_.optional.CopyFrom(*vector.header, &found);
     for (int i = 0; i < vector.elements; ++i) ReadSound(vector, i, FrameNumber(start_), &found);
   }
   for (std::string& text : found) problems->push_back({playing_.subject, std::move(text)});

@@ -76,7 +76,7 @@ bool fuzz::panel_websocket(std::string_view bytes) {
     parts += 1;
     const bool is_last = (flags & 1) != 0;
     if (is_last && LeavesProcess(message)) return false;
-    page.Take(part, (flags & 0x0e) != 0x0e, is_last);
+    page.ReceivePart(part, (flags & 0x0e) != 0x0e, is_last);
     if (is_last) message.clear();
     for (std::string answer = page.Next(); !answer.empty(); answer = page.Next()) {
       const nlohmann::json read = nlohmann::json::parse(answer, nullptr, false);

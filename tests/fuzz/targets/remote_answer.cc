@@ -15,7 +15,7 @@ bool fuzz::remote_answer(std::string_view bytes) {
   RcFramer framer;
   for (size_t at = 0; at < bytes.size();) {
     const auto count = std::min<size_t>(bytes.size() - at, static_cast<size_t>(framer.Room()));
-    framer.Take(reinterpret_cast<const Uint8*>(bytes.data() + at), static_cast<int>(count));
+    framer.Append(reinterpret_cast<const Uint8*>(bytes.data() + at), static_cast<int>(count));
     at += count;
     RcFramer::Result result;
     while ((result = framer.Next()) == RcFramer::PACKET) {

@@ -73,7 +73,7 @@ class Robot : public RequestPort {
   void Ask(int command, int tag, const std::vector<Uint8>& payload) {
     const std::vector<Uint8> bytes = Packet(command, tag, payload);
     RcFramer framer;
-    framer.Take(&bytes[0], static_cast<int>(bytes.size()));
+    framer.Append(&bytes[0], static_cast<int>(bytes.size()));
     if (framer.Next() != RcFramer::PACKET) return;
     Uint8 answer[RC_MAX_PACKET];
     RcWriter out(answer, RC_MAX_PACKET);
@@ -123,7 +123,7 @@ void DumpPackets() {
       if (piece > framer.Room()) piece = framer.Room();
       if (piece > static_cast<int>(stream.size() - at))
         piece = static_cast<int>(stream.size() - at);
-      framer.Take(&stream[at], piece);
+      framer.Append(&stream[at], piece);
       at += static_cast<size_t>(piece);
       for (;;) {
         const RcFramer::Result result = framer.Next();

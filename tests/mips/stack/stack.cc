@@ -97,7 +97,7 @@ void Ask(int command, const std::vector<Uint8>& payload, int version = RC_VERSIO
   for (size_t i = 0; i < payload.size(); i++) in.U8(payload[i]);
   in.PutHeader(command, 1, version);
   RcFramer framer;
-  framer.Take(bytes, in.Size());
+  framer.Append(bytes, in.Size());
   request = &framer;
   Measure(TakeRequest);
   Measure(AnswerRequest);

@@ -225,7 +225,7 @@ TEST_F(ImageTest, SomebodyOutsideSeesTheSameWithItsSettings) {
   });
   const uint64_t before = system.state_hash();
   Picture picture;
-  EXPECT_EQ(robot->TakePicture(&picture), "");
+  EXPECT_EQ(robot->CopyPicture(&picture), "");
   EXPECT_EQ(picture.width, 352);
   EXPECT_EQ(picture.height, 288);
   EXPECT_EQ(picture.rgb.size(), 3u * 352 * 288);
@@ -237,8 +237,8 @@ TEST_F(ImageTest, SomebodyOutsideSeesTheSameWithItsSettings) {
   RunToFrame(11);
   EXPECT_FALSE(robot->ImageIsDue());
   source->problem = "a.png: cannot be read";
-  EXPECT_EQ(robot->TakePicture(&picture), "a.png: cannot be read");
-  EXPECT_EQ(robot->TakeColours(&picture),
+  EXPECT_EQ(robot->CopyPicture(&picture), "a.png: cannot be read");
+  EXPECT_EQ(robot->CopyColours(&picture),
             "no object has set a colour table (OPENR::SetCdtVectorData)");
 }
 
@@ -257,7 +257,7 @@ TEST_F(ImageTest, SomebodyOutsideSeesWhatObjectsSee) {
   Boot();
   RunToFrame(10);
   Picture picture;
-  EXPECT_EQ(robot->TakePicture(&picture), "");
+  EXPECT_EQ(robot->CopyPicture(&picture), "");
   OFbkImage luminance = viewer->Band(ofbkimageLAYER_H, ofbkimageBAND_Y);
   OFbkImage red = viewer->Band(ofbkimageLAYER_H, ofbkimageBAND_Cr);
   OFbkImage blue = viewer->Band(ofbkimageLAYER_H, ofbkimageBAND_Cb);
@@ -374,7 +374,7 @@ TEST_F(PatternTest, ThePinkBallOfTheTestPatternIsFoundByColour) {
   };
   RunToFrame(125);
   Picture colours;
-  EXPECT_EQ(robot->TakeColours(&colours), "");
+  EXPECT_EQ(robot->CopyColours(&colours), "");
   RunToFrame(130);
   ASSERT_EQ(places.size(), 25u);
   EXPECT_LT(places.front(), 15);

@@ -264,7 +264,7 @@ class FieldColoursTest : public testing::Test {
     X_WB.linear() = RotationFromRpy({0, 0, Radians(yaw_deg)});
     X_WB.translation() = Vector3d(x_m, y_m, 0.1);
     body.Place(X_WB);
-    ASSERT_EQ(camera.TakeColours(5, body, &colours), "");
+    ASSERT_EQ(camera.CopyColours(5, body, &colours), "");
   }
   // Returns the mean column and the number of the pixels of a channel.
   std::pair<double, int> Found(Channel channel) {
