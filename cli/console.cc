@@ -81,7 +81,7 @@ void Console::Print(std::string_view text) {
 }
 
 std::string Console::Problem() const {
-  return file_.empty() || g_error == 0 ? "" : WhyNotWritten(file_, g_error);
+  return file_.empty() || g_error == 0 ? "" : WriteErrorText(file_, g_error);
 }
 
 void EndConsoleLine() {

@@ -24,7 +24,7 @@ int OpenLocked(const std::string& file, const OutputTarget& target, struct stat*
           ? fcntl(target.stream, F_DUPFD_CLOEXEC, STDERR_FILENO + 1)
           : open(target.path.c_str(), O_WRONLY | O_CREAT | O_NOCTTY | O_CLOEXEC, 0666);
   if (descriptor < 0 || fstat(descriptor, status) != 0) {
-    *problem = WhyNotWritten(file, errno);
+    *problem = WriteErrorText(file, errno);
     if (descriptor >= 0) close(descriptor);
     return -1;
   }
@@ -63,7 +63,7 @@ int OpenGrowingFile(const std::string& file, std::string* problem) {
   const int descriptor = OpenLocked(file, target, &status, problem);
   if (descriptor < 0 || target.stream >= 0 || !S_ISREG(status.st_mode)) return descriptor;
   if (ftruncate(descriptor, 0) == 0) return descriptor;
-  *problem = WhyNotWritten(file, errno);
+  *problem = WriteErrorText(file, errno);
   close(descriptor);
   return -1;
 }
@@ -80,7 +80,7 @@ int OpenNewGrowingFile(const std::string& file, std::string* problem) {
   close(old);
   if (descriptor >= 0) return descriptor;
   if (MayBeInPlace(error)) return OpenGrowingFile(file, problem);
-  *problem = WhyNotWritten(file, error);
+  *problem = WriteErrorText(file, error);
   return -1;
 }
 
@@ -120,7 +120,7 @@ void GrowingFile::Append(std::string_view bytes, std::string_view end) {
 
 std::string GrowingFile::Problem() const {
   if (error_ == 0) return "";
-  return WhyNotWritten(file_, error_);
+  return WriteErrorText(file_, error_);
 }
 
 }  // namespace openr_host

@@ -32,8 +32,8 @@ std::string ExampleIn(const std::string& folder, const std::string& extension) {
 
 }  // namespace
 
-std::string WhyNotReadable(const std::string& path, const std::string& kind,
-                           const std::string& extension) {
+std::string FileReadProblem(const std::string& path, const std::string& kind,
+                            const std::string& extension) {
   struct stat status {};
   if (stat(path.c_str(), &status) != 0) return std::strerror(errno);
   if (S_ISDIR(status.st_mode))
@@ -43,7 +43,7 @@ std::string WhyNotReadable(const std::string& path, const std::string& kind,
   return access(path.c_str(), R_OK) == 0 ? "" : std::strerror(errno);
 }
 
-std::string WhyNoReadableFolder(const std::string& path, const std::string& kind) {
+std::string FolderReadProblem(const std::string& path, const std::string& kind) {
   struct stat status {};
   if (stat(path.c_str(), &status) != 0) return std::strerror(errno);
   if (!S_ISDIR(status.st_mode)) return fmt::format("is a file; give a {}", kind);
@@ -51,7 +51,7 @@ std::string WhyNoReadableFolder(const std::string& path, const std::string& kind
 }
 
 void RequireReadable(const std::string& path, const InputKind& kind) {
-  const std::string problem = WhyNotReadable(path, kind.kind, kind.extension);
+  const std::string problem = FileReadProblem(path, kind.kind, kind.extension);
   if (!problem.empty()) throw std::runtime_error(fmt::format("{}: {}", path, problem));
 }
 

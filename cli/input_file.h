@@ -9,19 +9,19 @@ namespace openr_host {
 // text of the system, such as "No such file or directory".  For a folder it is "is a folder; give a
 // motion file", with `kind` for "motion file".  If a file in the folder ends in `extension`
 // (".MTN", in upper or lower case), the text names this file as an example.
-std::string WhyNotReadable(const std::string& path, const std::string& kind,
-                           const std::string& extension);
+std::string FileReadProblem(const std::string& path, const std::string& kind,
+                            const std::string& extension);
 
 // Returns the reason why the folder `path` cannot be read; "" if it can be read.  For a file it is
 // "is a file; give a folder of pictures", with `kind` for "folder of pictures".
-std::string WhyNoReadableFolder(const std::string& path, const std::string& kind);
+std::string FolderReadProblem(const std::string& path, const std::string& kind);
 
 // A kind of file: its name in error messages, and the extension of such files.
 struct InputKind {
   const char* kind;
   const char* extension;
 };
-// The kind of a stick, for WhyNoReadableFolder().
+// The kind of a stick, for FolderReadProblem().
 constexpr char kStickKind[] = "folder that holds OPEN-R";
 constexpr InputKind kWorldFile = {"world file (docs/worlds.md)", ".json"};
 constexpr InputKind kCostFile = {"cost file (docs/exploring.md)", ".cost"};

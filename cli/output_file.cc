@@ -40,7 +40,7 @@ int WriteBeside(const OutputTarget& target, std::string_view bytes, std::string*
 // Returns an errno if the disk has no room for `size` bytes in the file open as `descriptor`, else
 // 0.  Called before the old content of this file is touched, because a failure in the middle of
 // writing would destroy it.
-int WhyNoRoom(int descriptor, size_t size) {
+int RoomError(int descriptor, size_t size) {
   rlimit limit;
   if (getrlimit(RLIMIT_FSIZE, &limit) == 0 && size > limit.rlim_cur) return EFBIG;
   if (fallocate(descriptor, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(size)) == 0) return 0;
@@ -52,7 +52,7 @@ int WriteInPlace(const OutputTarget& target, std::string_view bytes) {
   const bool is_file = target.exists && S_ISREG(target.status.st_mode);
   const int descriptor = open(target.path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
   if (descriptor < 0) return errno;
-  const int room_error = is_file && !bytes.empty() ? WhyNoRoom(descriptor, bytes.size()) : 0;
+  const int room_error = is_file && !bytes.empty() ? RoomError(descriptor, bytes.size()) : 0;
   if (room_error != 0) {
     close(descriptor);
     return room_error;
@@ -66,25 +66,25 @@ int WriteInPlace(const OutputTarget& target, std::string_view bytes) {
 
 }  // namespace
 
-std::string WhyNotWritten(const std::string& file, int error) {
+std::string WriteErrorText(const std::string& file, int error) {
   if (error == ENOENT) return fmt::format("{}: cannot be written: there is no such folder", file);
   return fmt::format("{}: cannot be written: {}", file, std::strerror(error));
 }
 
-std::string WhyNotWritable(const std::string& file) {
+std::string FileWriteProblem(const std::string& file) {
   const OutputTarget target = OutputTargetOf(file);
   if (target.stream >= 0) {
     const int flags = fcntl(target.stream, F_GETFL);
     const bool is_read_only = flags >= 0 && (flags & O_ACCMODE) == O_RDONLY;
-    return flags >= 0 && !is_read_only ? "" : WhyNotWritten(file, EBADF);
+    return flags >= 0 && !is_read_only ? "" : WriteErrorText(file, EBADF);
   }
   if (target.exists) {
     if (S_ISDIR(target.status.st_mode)) return fmt::format("{}: is a folder; name a file", file);
-    return access(target.path.c_str(), W_OK) == 0 ? "" : WhyNotWritten(file, errno);
+    return access(target.path.c_str(), W_OK) == 0 ? "" : WriteErrorText(file, errno);
   }
   // Creates the missing file for a moment, because only this shows whether the file can be created.
   const int descriptor = open(target.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor < 0) return WhyNotWritten(file, errno);
+  if (descriptor < 0) return WriteErrorText(file, errno);
   close(descriptor);
   unlink(target.path.c_str());
   return "";
@@ -94,7 +94,7 @@ bool IsStandardOutput(const std::string& file) {
   return OutputTargetOf(file).stream == StandardOutput();
 }
 
-std::string WhyNoFolder(const std::string& folder) {
+std::string FolderWriteProblem(const std::string& folder) {
   if (folder.empty()) return "'' names no folder";
   std::error_code error;
   // After the loop below, the longest beginning of the path `folder` that exists.
@@ -162,7 +162,7 @@ namespace {
 // Returns the reason why `target` must not be replaced now, or "".  If a run were still writing its
 // recording or console to the old file, that file would lose its name, and nobody could open it any
 // more.
-std::string WhyLocked(const std::string& file, const OutputTarget& target) {
+std::string LockProblem(const std::string& file, const OutputTarget& target) {
   if (!target.exists || !S_ISREG(target.status.st_mode)) return "";
   const int descriptor = open(target.path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
   if (descriptor < 0) return "";
@@ -188,14 +188,14 @@ std::string PendingFile::Write(std::string_view bytes) {
   bytes_ = bytes;
   target_ = target.path;
   if (target.stream >= 0) return "";
-  if (target.exists && S_ISDIR(target.status.st_mode)) return WhyNotWritten(file_, EISDIR);
-  if (target.exists && access(target_.c_str(), W_OK) != 0) return WhyNotWritten(file_, errno);
-  if (const std::string problem = WhyLocked(file_, target); !problem.empty()) return problem;
+  if (target.exists && S_ISDIR(target.status.st_mode)) return WriteErrorText(file_, EISDIR);
+  if (target.exists && access(target_.c_str(), W_OK) != 0) return WriteErrorText(file_, errno);
+  if (const std::string problem = LockProblem(file_, target); !problem.empty()) return problem;
   if (!IsReplaced(target)) return "";
   const int error = WriteBeside(target, bytes, &temporary_);
   if (error == 0) return "";
   temporary_.clear();
-  return target.exists && MayBeInPlace(error) ? "" : WhyNotWritten(file_, error);
+  return target.exists && MayBeInPlace(error) ? "" : WriteErrorText(file_, error);
 }
 
 std::string PendingFile::Commit() {
@@ -204,11 +204,11 @@ std::string PendingFile::Commit() {
     return "";
   }
   const bool is_refused = !temporary_.empty();
-  if (is_refused && !MayBeInPlace(errno)) return WhyNotWritten(file_, errno);
+  if (is_refused && !MayBeInPlace(errno)) return WriteErrorText(file_, errno);
   const OutputTarget target = OutputTargetOf(file_);
   const int error =
       target.stream >= 0 ? WriteAll(target.stream, bytes_) : WriteInPlace(target, bytes_);
-  return error == 0 ? "" : WhyNotWritten(file_, error);
+  return error == 0 ? "" : WriteErrorText(file_, error);
 }
 
 std::string WriteFile(const std::string& file, std::string_view bytes) {
@@ -229,7 +229,7 @@ std::string CopyToFile(const std::string& from, const std::string& to) {
   if (!problem.empty()) return problem;
   std::error_code error;
   fs::permissions(to, fs::status(from).permissions(), error);
-  return error ? WhyNotWritten(to, error.value()) : "";
+  return error ? WriteErrorText(to, error.value()) : "";
 }
 
 int WriteAll(int descriptor, std::string_view text) {

@@ -18,7 +18,7 @@ namespace openr_host {
 
 // Returns the reason why `file` cannot be written; "" if it can.  Changes nothing: an existing file
 // keeps its content, and a missing file is not created.
-std::string WhyNotWritable(const std::string& file);
+std::string FileWriteProblem(const std::string& file);
 
 // Returns whether `file` is a name of the standard output that the program was started with, such
 // as /dev/stdout.
@@ -26,13 +26,13 @@ bool IsStandardOutput(const std::string& file);
 
 // Returns the reason why the program can neither create `folder` nor write files in it; "" if it
 // can.  Changes nothing.
-std::string WhyNoFolder(const std::string& folder);
+std::string FolderWriteProblem(const std::string& folder);
 
 // Returns the error of a file system call as "FILE: why", for people to read.
 std::string Explain(const std::filesystem::filesystem_error& error);
 
 // Returns "FILE: cannot be written: why", where `error` is an errno.
-std::string WhyNotWritten(const std::string& file, int error);
+std::string WriteErrorText(const std::string& file, int error);
 
 // Replaces the whole content of `file` by `bytes`, or changes nothing.  Returns "" or the error,
 // with the name of the file.

@@ -52,9 +52,9 @@ void KeepErrorStreamGood() {
 
 [[noreturn]] void Fail(int error) {
   NoteLostAnswer(error);
-  if (error == EPIPE) throw ReaderGone(WhyNoStandardOutput(error));
+  if (error == EPIPE) throw ReaderGone(OutputErrorText(error));
   g_is_told = true;
-  throw std::runtime_error(WhyNoStandardOutput(error));
+  throw std::runtime_error(OutputErrorText(error));
 }
 
 // Writes out the text in the buffers of std::cout and stdout.  If that fails, returns false and
@@ -82,8 +82,8 @@ int StandardOutput() { return g_standard_output; }
 
 void SetStandardOutput(int descriptor) { g_standard_output = descriptor; }
 
-std::string WhyNoStandardOutput(int error) {
-  return error != 0 ? WhyNotWritten("standard output", error)
+std::string OutputErrorText(int error) {
+  return error != 0 ? WriteErrorText("standard output", error)
                     : "standard output: cannot be written whole";
 }
 
@@ -109,7 +109,7 @@ int FinishStandardOutput(int exit_code, const char* program) {
   if (FlushStreams() && !g_has_failed) return exit_code;
   if (g_output_error == EPIPE) return kExitReaderGone;
   if (!g_is_told)
-    std::fprintf(stderr, "%s: %s\n", program, WhyNoStandardOutput(g_output_error).c_str());
+    std::fprintf(stderr, "%s: %s\n", program, OutputErrorText(g_output_error).c_str());
   return exit_code == kExitGood ? kExitWrong : exit_code;
 }
 

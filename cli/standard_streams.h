@@ -52,6 +52,6 @@ int FinishStandardOutput(int exit_code, const char* program);
 
 // Returns the error message "standard output: cannot be written: why".  `error` is an errno, or 0
 // if the reason is not known.
-std::string WhyNoStandardOutput(int error);
+std::string OutputErrorText(int error);
 
 }  // namespace openr_host

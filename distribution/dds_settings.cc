@@ -101,7 +101,7 @@ class SettingsFile {
 
 }  // namespace
 
-std::string WhyNotForDomain(const std::string& file, int domain) {
+std::string DomainProblem(const std::string& file, int domain) {
   const SettingsFile settings(file, domain);
   if (!settings.is_read()) return "";
   bool applies = settings.has_others(), protects = false;

@@ -12,6 +12,6 @@ namespace openr_host {
 // Cyclone DDS silently ignores settings for another domain, so a run could be unprotected although
 // the user gave security settings.  Returns "" for a file that cannot be read, because Cyclone DDS
 // reports this error itself.
-std::string WhyNotForDomain(const std::string& file, int domain);
+std::string DomainProblem(const std::string& file, int domain);
 
 }  // namespace openr_host

@@ -24,7 +24,7 @@ bool IsName(std::string_view text) {
 
 // Adds to the placement that `object` is in `process`.  Returns "" or the error.
 std::string Add(const std::string& object, const std::string& process, Placement* placement) {
-  const std::string no_name = WhyNoName("process", process);
+  const std::string no_name = NameProblem("process", process);
   if (!no_name.empty()) return no_name;
   const auto [known, is_new] = placement->process_of.emplace(object, process);
   if (is_new || known->second == process) return "";
@@ -57,7 +57,7 @@ Resolved Resolve(const std::string& host) {
 
 }  // namespace
 
-std::string WhyNoName(const std::string& what, const std::string& name) {
+std::string NameProblem(const std::string& what, const std::string& name) {
   if (IsName(name)) return "";
   return fmt::format("'{}' is no name for a {}: up to 64 letters, digits, '_', '-' and '.'", name,
                      what);

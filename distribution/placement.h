@@ -12,7 +12,7 @@
 namespace openr_host {
 
 // Returns the reason why `name` is no valid name; "" if it is valid.  `what` is "process" or "run".
-std::string WhyNoName(const std::string& what, const std::string& name);
+std::string NameProblem(const std::string& what, const std::string& name);
 
 struct Placement {
   // The name of the process in which an object is.  The key is the object's name.  Objects that are

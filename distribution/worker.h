@@ -44,7 +44,7 @@ struct WorkerOptions {
   // A function that is called once, with the folder of the Memory Stick, before objects are loaded;
   // may be null.  Returns the reason why this process cannot load the images on the stick, or "".
   // The worker then refuses the run, which waits for another process.
-  std::function<std::string(const std::string& stick)> why_unfit;
+  std::function<std::string(const std::string& stick)> find_stick_problem;
   // A function that is called once, with the folder of the Memory Stick, before objects are loaded;
   // may be null.  The caller then knows where to write crash records.
   std::function<void(const std::string& stick)> begins;

@@ -41,7 +41,7 @@ size_t WorkerCalls::ReadLine(char* buffer, size_t size) {
   Object* const self = t_current.object;
   const uint64_t box = system_->requests().OpenBox();
   master_->WaitsForLine(box, size);
-  self->wait.why = ConsoleInput::kWhy;
+  self->wait.why = ConsoleInput::kWaitReason;
   const OwnedMessage line = system_->dispatcher().WaitFor(box);
   self->wait.why.clear();
   self->boxes.open.erase(box);

@@ -48,7 +48,8 @@ std::string Worker::LoadObjects(const openr_wire_Load& load) {
     SetHeapElsewhere(static_cast<int>(i), load.heap_elsewhere._buffer[i]);
   }
   if (!std::exchange(has_called_begins_, true)) {
-    const std::string problem = options_.why_unfit ? options_.why_unfit(stick_) : "";
+    const std::string problem =
+        options_.find_stick_problem ? options_.find_stick_problem(stick_) : "";
     is_refused_ = !problem.empty();
     if (is_refused_) return problem;
     if (options_.begins) options_.begins(stick_);

@@ -358,7 +358,7 @@ std::string FolderBuild::OriginalName(const std::string& file) const {
 }  // namespace
 
 int BuildFolder(const BuildOptions& options) {
-  if (const std::string problem = WhyNoVariant(options.variant); !problem.empty())
+  if (const std::string problem = VariantProblem(options.variant); !problem.empty())
     throw std::runtime_error(problem);
   std::error_code error;
   if (!fs::is_directory(options.folder, error)) {

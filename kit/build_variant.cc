@@ -65,7 +65,7 @@ std::vector<std::string> VariantLinkFlags(BuildVariant variant) {
   return {};
 }
 
-std::string WhyNoVariant(BuildVariant variant) {
+std::string VariantProblem(BuildVariant variant) {
   const bool needs_gnu = variant == BuildVariant::kSanitize || variant == BuildVariant::kCoverage;
   if (!needs_gnu || !IsClang(HostCompiler(Language::kCxx))) return "";
   return fmt::format("--{} needs g++; unset ${} and ${}, which name clang", VariantName(variant),

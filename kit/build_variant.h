@@ -28,6 +28,6 @@ std::vector<std::string> VariantLinkFlags(BuildVariant variant);
 
 // Returns the reason why the compiler that the user has chosen cannot build `variant`; "" if the
 // compiler can.
-std::string WhyNoVariant(BuildVariant variant);
+std::string VariantProblem(BuildVariant variant);
 
 }  // namespace openr_host

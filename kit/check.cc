@@ -111,11 +111,11 @@ Remarks CheckFolder(const std::string& folder, const std::vector<std::string>& l
   std::error_code error;
   if (!fs::is_directory(folder, error))
     throw std::runtime_error(folder + ": is no folder; name a stick or a folder with objects");
-  if (const std::string problem = WhyUnreadable(folder); !problem.empty())
+  if (const std::string problem = PathReadProblem(folder); !problem.empty())
     throw std::runtime_error(folder + ": " + problem);
   Remarks unreadable;
   for (const fs::path& path : UnreadableBelow(folder))
-    unreadable.Error(path.string(), WhyUnreadable(path) + "; nothing else was checked");
+    unreadable.Error(path.string(), PathReadProblem(path) + "; nothing else was checked");
   // Checks nothing else if files cannot be read, because the checks would report these files as
   // missing.
   if (!unreadable.all().empty()) return unreadable;

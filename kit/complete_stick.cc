@@ -287,7 +287,7 @@ class StickCompletion {
       completed_.images.push_back({name, "", "the kit's own"});
     } else if (name == kGatewayImage) {
       completed_.images.push_back({name, "", "the runtime's own"});
-    } else if (std::string why = WhyUnlisted(name, image, is_of_make); !why.empty()) {
+    } else if (std::string why = ReasonNotListed(name, image, is_of_make); !why.empty()) {
       unlisted_.push_back(fmt::format("OBJS/{} is not in this OBJECT.CFG: {}", name, why));
       return;
     } else {
@@ -300,7 +300,8 @@ class StickCompletion {
   // that this build has not linked; "" if OBJECT.CFG may list it.  `is_of_make` is true if a rule
   // of a Makefile has copied the image to the stick in this build; false if the image lay on the
   // user's stick before.
-  std::string WhyUnlisted(const std::string& name, const ImageFile& image, bool is_of_make) const {
+  std::string ReasonNotListed(const std::string& name, const ImageFile& image,
+                              bool is_of_make) const {
     if (image.is_for_robot) return "it is an image for the robot (MIPS), not for this machine";
     if (!image.problem.empty()) return "it " + image.problem;
     const std::optional<Ocf> ocf = ParseOcf("", OcfTextOf(image.bytes)).ocf;

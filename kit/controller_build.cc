@@ -82,7 +82,7 @@ class ControllerBuild {
             CheckWlanConfig(entry.path(), ReadText(entry.path()).value_or(""));
         diagnostics.insert(diagnostics.end(), more.begin(), more.end());
       }
-      const std::string problem = IsMotion(entry.path()) ? WhyNotShortName(name) : "";
+      const std::string problem = IsMotion(entry.path()) ? ShortNameProblem(name) : "";
       if (!problem.empty())
         diagnostics.push_back({Severity::kError, entry.path(), 0, 0, problem, ""});
     }
@@ -141,7 +141,7 @@ int BuildController(const ControllerBuildOptions& options) {
     throw std::runtime_error(
         fmt::format("{}: is no folder; name the one that holds the controller", options.folder));
   }
-  if (const std::string problem = WhyUnreadable(options.folder); !problem.empty())
+  if (const std::string problem = PathReadProblem(options.folder); !problem.empty())
     throw std::runtime_error(options.folder + ": " + problem);
   return ControllerBuild(options).Run();
 }

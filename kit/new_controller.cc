@@ -51,7 +51,7 @@ main(void)
 
 }  // namespace
 
-std::string WhyNoControllerName(const std::string& name) {
+std::string ControllerNameProblem(const std::string& name) {
   bool is_word = !name.empty();
   for (const char c : name)
     is_word = is_word && (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_');

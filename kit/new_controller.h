@@ -9,7 +9,7 @@
 namespace openr_host {
 
 // Returns the reason why `name` cannot be the name of a controller and its C file; "" if it can.
-std::string WhyNoControllerName(const std::string& name);
+std::string ControllerNameProblem(const std::string& name);
 
 // Returns the files of a new controller: NAME.c, Makefile.sources and Makefile.openr.
 // WriteNewObject() can write them.

@@ -52,7 +52,7 @@ bool Compiles(const std::string& class_name, const std::string& sdk_root) {
 
 }  // namespace
 
-std::string WhyNoObjectName(const std::string& name) {
+std::string ObjectNameProblem(const std::string& name) {
   const bool begins_well = !name.empty() && std::isalpha(static_cast<unsigned char>(name[0])) != 0;
   bool is_word = begins_well;
   for (const char c : name) is_word = is_word && (std::isalnum(static_cast<unsigned char>(c)) != 0);
@@ -74,7 +74,7 @@ std::string WhyNoObjectName(const std::string& name) {
                      kObjectNameBytesMax);
 }
 
-std::string WhyNoClass(const std::string& name, const std::string& sdk_root) {
+std::string ClassNameProblem(const std::string& name, const std::string& sdk_root) {
   // Compiles a class with a harmless name as well: if that fails, too, the reason is not the name.
   if (Compiles(ClassName(name), sdk_root) || !Compiles("HelloWorld", sdk_root)) return "";
   return fmt::format(

@@ -12,12 +12,12 @@ struct NewFile {
 };
 
 // Returns the reason why `name` cannot be the name of an object; "" if it can.
-std::string WhyNoObjectName(const std::string& name);
+std::string ObjectNameProblem(const std::string& name);
 
 // Compiles a class with the name of the object `name`, with the headers of the SDK tree `sdk_root`.
 // Returns the reason why no class can have this name; "" if the class compiles, or if no class
 // compiles because there is no compiler.
-std::string WhyNoClass(const std::string& name, const std::string& sdk_root);
+std::string ClassNameProblem(const std::string& name, const std::string& sdk_root);
 
 // Name of the file that tells git which files of builds and runs are not to be committed.
 inline constexpr char kIgnoreFile[] = ".gitignore";

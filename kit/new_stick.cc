@@ -38,7 +38,7 @@ std::string ImageName(const std::string& file) {
   std::string name = fs::path(file).filename();
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  std::string problem = WhyNotShortName(name);
+  std::string problem = ShortNameProblem(name);
   if (problem.empty() && !name.ends_with(".BIN")) problem = "an image is a file such as HELLO.BIN";
   std::error_code error;
   if (!fs::is_regular_file(file, error)) problem = "there is no such file";

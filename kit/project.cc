@@ -171,7 +171,7 @@ void CheckHasProgram(const Project& project, const fs::path& folder) {
 }
 
 void CheckHasProgram(const fs::path& folder) {
-  if (const std::string problem = WhyUnreadable(folder); !problem.empty())
+  if (const std::string problem = PathReadProblem(folder); !problem.empty())
     throw std::runtime_error(fmt::format("{}: {}", folder.string(), problem));
   const ReferredPlaces places = FindReferredPlaces(folder);
   // Files around the folder may hold the program, so only the copies show whether it has one.

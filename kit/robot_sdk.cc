@@ -104,7 +104,7 @@ void RobotSdk::Link(const fs::path& ocf, const std::vector<fs::path>& objects,
   command.push_back("-L" + (root_ / "OPEN_R/lib").string());
   command.insert(command.end(), libraries.begin(), libraries.end());
   Run(command, image.parent_path(), image.filename());
-  const std::string problem = WhyNotForRobot(image);
+  const std::string problem = RobotImageProblem(image);
   if (!problem.empty()) {
     throw std::runtime_error(
         fmt::format("{}, made by {}, {}", image.filename().string(), command[0], problem));
@@ -140,7 +140,7 @@ void RobotSdk::Run(const std::vector<std::string>& arguments, const fs::path& fo
 
 std::string RobotSdk::Tool(const char* name) const { return root_ / name; }
 
-std::string WhyNotForRobot(const fs::path& image) {
+std::string RobotImageProblem(const fs::path& image) {
   const std::string bytes = ReadText(image).value_or("");
   if (bytes.empty()) return "is not there or empty";
   Elf32_Ehdr header;

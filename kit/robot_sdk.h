@@ -57,6 +57,6 @@ class RobotSdk {
 
 // Returns "" if the file is a 32-bit little-endian MIPS program, else a text that says what the
 // file is.
-std::string WhyNotForRobot(const std::filesystem::path& image);
+std::string RobotImageProblem(const std::filesystem::path& image);
 
 }  // namespace openr_host

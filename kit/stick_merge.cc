@@ -79,7 +79,7 @@ std::string MergeConfig(const std::string& base, const std::string& ours) {
   return text;
 }
 
-std::string WhyNotShortName(const std::string& name) {
+std::string ShortNameProblem(const std::string& name) {
   const size_t dot = name.find('.');
   const std::string base = name.substr(0, dot);
   const std::string extension = dot == std::string::npos ? "" : name.substr(dot + 1);
@@ -106,7 +106,7 @@ std::vector<Diagnostic> CheckNames(const fs::path& folder) {
   for (const auto& entry : fs::recursive_directory_iterator(folder)) entries.push_back(entry);
   std::sort(entries.begin(), entries.end());
   for (const fs::path& entry : entries) {
-    const std::string problem = WhyNotShortName(entry.filename());
+    const std::string problem = ShortNameProblem(entry.filename());
     if (problem.empty()) continue;
     FilePosition place;
     place.file = entry.lexically_relative(folder);

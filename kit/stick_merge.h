@@ -18,7 +18,7 @@ std::string MergeConfig(const std::string& base, const std::string& ours);
 
 // Returns the reason why a Memory Stick of the robot cannot have a file `name`; "" if it can.  A
 // name has up to eight characters, a dot, and up to three characters.
-std::string WhyNotShortName(const std::string& name);
+std::string ShortNameProblem(const std::string& name);
 
 // Returns an error for each file and folder below `folder` whose name the robot's stick cannot
 // have.

@@ -138,7 +138,7 @@ std::vector<fs::path> FilesBelow(const fs::path& folder) {
   return files;
 }
 
-std::string WhyUnreadable(const fs::path& path) {
+std::string PathReadProblem(const fs::path& path) {
   std::error_code error;
   const int wanted = fs::is_directory(path, error) ? R_OK | X_OK : R_OK;
   if (access(path.c_str(), wanted) == 0 || errno != EACCES) return "";
@@ -147,7 +147,7 @@ std::string WhyUnreadable(const fs::path& path) {
 
 std::vector<fs::path> UnreadableBelow(const fs::path& folder) {
   std::vector<fs::path> all;
-  if (!WhyUnreadable(folder).empty()) return {folder};
+  if (!PathReadProblem(folder).empty()) return {folder};
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     const bool is_folder = entry.is_directory(error) && !entry.is_symlink(error);
@@ -155,7 +155,7 @@ std::vector<fs::path> UnreadableBelow(const fs::path& folder) {
     if (is_folder) {
       const std::vector<fs::path> more = UnreadableBelow(entry.path());
       all.insert(all.end(), more.begin(), more.end());
-    } else if (!WhyUnreadable(entry.path()).empty()) {
+    } else if (!PathReadProblem(entry.path()).empty()) {
       all.push_back(entry.path());
     }
   }

@@ -55,7 +55,7 @@ std::vector<std::filesystem::path> FilesBelow(const std::filesystem::path& folde
 
 // Returns the reason why the existing file or folder `path` cannot be read, such as "cannot be
 // read: Permission denied"; "" if it can be read.
-std::string WhyUnreadable(const std::filesystem::path& path);
+std::string PathReadProblem(const std::filesystem::path& path);
 
 // Returns the files and folders that exist but cannot be read, among `folder` and all files and
 // folders below it.

@@ -210,7 +210,7 @@ class NinthClient:
             self.answers += self.client.take(wait=False)
             self.steps += 1
 
-    def why_wrong(self):
+    def find_problem(self):
         """Returns how the answers differ from docs/remote-control.md, or "" if they do not."""
         head = (2, rc.INFO, 4711) if self.asks else (1, 0, 0)
         if len(self.answers) != 1 or not self.client.is_closed:
@@ -276,7 +276,7 @@ def check(run, seconds, seed):
             f"it lasted {virtual_s:.3f} s")
     for ninth in ninths:
         name = "that asks" if ninth.asks else "that is silent"
-        verdict(f"a ninth client {name} is turned away", not ninth.why_wrong(), ninth.why_wrong())
+        verdict(f"a ninth client {name} is turned away", not ninth.find_problem(), ninth.find_problem())
     verdict(f"the memory grows by at most {GROWTH_KB} KiB", growth_kb <= GROWTH_KB,
             f"it grew by {growth_kb} KiB")
     events = sum(client.events for client in clients)

@@ -277,7 +277,7 @@ std::string Hands::ReadPut(std::string_view rest, Inputs::Action* action) {
   size_t name_words = words.size() - 2;
   auto thing = named(name_words);
   if (thing == things.end() && words.size() > 3) thing = named(--name_words);
-  if (thing == things.end()) return WhyNothingMoves(rest);
+  if (thing == things.end()) return NoMovableThingText(rest);
   if (!robot_.body->IsPhysical()) return "things stay where they are with --body ideal";
   Vector3d place(0, 0, thing->centre_m.z());
   for (size_t i = 0; i < words.size() - name_words; ++i) {
@@ -294,7 +294,7 @@ std::string Hands::ReadPut(std::string_view rest, Inputs::Action* action) {
 
 // Returns the error message of the input "put" with the text `rest`, if no movable thing has the
 // name in `rest`.
-std::string Hands::WhyNothingMoves(std::string_view rest) const {
+std::string Hands::NoMovableThingText(std::string_view rest) const {
   std::vector<std::string> known;
   for (const WorldThing& thing : robot_.body->MovableThings()) known.push_back(thing.name);
   if (known.empty()) return "the world has no things that can move";

@@ -70,7 +70,7 @@ class Hands {
   std::string ReadPush(std::string_view rest, Inputs::Action* action);
   std::string ReadLift(std::string_view rest, Inputs::Action* action);
   std::string ReadPut(std::string_view rest, Inputs::Action* action);
-  std::string WhyNothingMoves(std::string_view rest) const;
+  std::string NoMovableThingText(std::string_view rest) const;
   std::string ReadBattery(std::string_view rest, Inputs::Action* action);
   std::string ReadCharger(std::string_view rest, Inputs::Action* action);
 

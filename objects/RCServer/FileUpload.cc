@@ -12,7 +12,7 @@ static const char NO_UPLOAD[] = "no upload goes on; it ended with an error, or w
 
 // Returns the reason why a file of the stick could not be written, as `errno` gives it.
 static const char*
-WhyNotWritten()
+WriteErrorReason()
 {
     if (errno == ENOSPC) return "the stick is full; delete files from it";
     if (errno == EROFS) return "the stick is write-protected";
@@ -73,7 +73,7 @@ FileUpload::Begin(const StickStore& store, const RcUploadBegin& request, std::st
     path_ = store.Path(request.kind, TemporaryName("TMP"));
     file_ = fopen(path_.c_str(), "wb");
     if (file_ == 0) {
-        return Fail(rcerrorNOT_WRITTEN, path_ + ": cannot be made; " + WhyNotWritten(), why);
+        return Fail(rcerrorNOT_WRITTEN, path_ + ": cannot be made; " + WriteErrorReason(), why);
     }
     size_ = request.size;
     crc_ = request.crc;
@@ -103,7 +103,7 @@ FileUpload::Append(Uint32 offset, const Uint8* bytes, int count, std::string* wh
     if (fwrite(bytes, 1, (size_t)count, file_) != (size_t)count || fflush(file_) != 0) {
         return Fail(rcerrorNOT_WRITTEN,
                     TextFormat("%s: byte %u cannot be written; %s", target_.name,
-                               (unsigned)received_, WhyNotWritten()),
+                               (unsigned)received_, WriteErrorReason()),
                     why);
     }
     received_ += (Uint32)count;
@@ -124,7 +124,7 @@ FileUpload::End(StickStore* store, const RobotConstants* robot, MtnFile* motion,
     const bool isWritten = fclose(file_) == 0;
     file_ = 0;
     status = isWritten ? CheckContent(robot, motion, why) : rcerrorNOT_WRITTEN;
-    if (!isWritten) *why = std::string(target_.name) + ": cannot be written; " + WhyNotWritten();
+    if (!isWritten) *why = std::string(target_.name) + ": cannot be written; " + WriteErrorReason();
     if (status == rcOK) status = PutInPlace(store, why);
     if (status != rcOK) remove(path_.c_str());
     return status;
@@ -193,12 +193,12 @@ FileUpload::PutInPlace(StickStore* store, std::string* why)
         if (!store->Copy(target, copy) ||
             !StickStore::Replace(copy, store->Path(rcfileIMAGE, "CONTROLL.OLD"))) {
             *why = std::string(target_.name) +
-                   ": the old image cannot be kept as CONTROLL.OLD; " + WhyNotWritten();
+                   ": the old image cannot be kept as CONTROLL.OLD; " + WriteErrorReason();
             remove(copy.c_str());
             return rcerrorNOT_WRITTEN;
         }
     }
     if (StickStore::Replace(path_, target)) return rcOK;
-    *why = target + ": cannot be replaced; " + WhyNotWritten();
+    *why = target + ": cannot be replaced; " + WriteErrorReason();
     return rcerrorNOT_WRITTEN;
 }

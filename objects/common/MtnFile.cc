@@ -300,7 +300,7 @@ MtnFile::ReadKeyFrame(Cursor* cursor)
 // Returns the reason why the robot has no joint or plunger with the locator of joint `j`: the
 // locator is unknown, or it is the locator of another device.
 std::string
-MtnFile::WhyNoJoint(const RobotConstants* robot, int j) const
+MtnFile::JointProblem(const RobotConstants* robot, int j) const
 {
     const char* const locator = locators_[j].c_str();
     const char* kind = 0;
@@ -323,7 +323,7 @@ MtnFile::FindRobotParts(const RobotConstants* robot)
         robotPlunger_.push_back(FindPlunger(robot, locators_[j].c_str()));
         if (robotJoint_[j] >= 0 || robotPlunger_[j] >= 0) continue;
         error_ = TextFormat("section 2, offset %lu: joint %d: ", (unsigned long)locatorAt_[j], j) +
-                 WhyNoJoint(robot, j);
+                 JointProblem(robot, j);
         robotJoint_.clear();
         robotPlunger_.clear();
         return false;

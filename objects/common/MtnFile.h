@@ -119,7 +119,7 @@ private:
     bool BeginSection(Cursor* cursor, Uint32 number, Uint32 smallest);
     bool EndSection(Cursor* cursor, Uint32 next);
     bool FindRobotParts(const RobotConstants* robot);
-    std::string WhyNoJoint(const RobotConstants* robot, int j) const;
+    std::string JointProblem(const RobotConstants* robot, int j) const;
 
     std::string error_;
     std::vector<std::string> warnings_;

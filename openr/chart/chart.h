@@ -53,7 +53,7 @@ constexpr char kDrawChartName[] = "openr_draw_chart";
 
 // Returns the reason why a chart cannot be written to `file`, such as a name that does not end in
 // .svg or .png; "" if the name is good.
-std::string WhyNoChartName(const std::string& file);
+std::string ChartNameProblem(const std::string& file);
 
 // Draws the chart and writes it to `file`.  Returns "", or the reason why the chart cannot be drawn
 // or written.  The first call loads libopenr_chart.so and Cairo.

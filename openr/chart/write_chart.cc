@@ -14,7 +14,7 @@ bool EndsIn(const std::string& file, const std::string& end) {
 
 }  // namespace
 
-std::string WhyNoChartName(const std::string& file) {
+std::string ChartNameProblem(const std::string& file) {
   if (EndsIn(file, ".svg") || EndsIn(file, ".png")) return "";
   return fmt::format("{}: the name of a chart ends in .svg or .png", file);
 }

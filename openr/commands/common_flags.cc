@@ -18,7 +18,7 @@ CLI::Validator IsDataFile(const char* flag, const InputKind& kind) {
   return CLI::Validator(
       [flag, kind](const std::string& name) -> std::string {
         const std::string file = DataFile(name);
-        RefuseInput(flag, file, WhyNotReadable(file, kind.kind, kind.extension));
+        RefuseInput(flag, file, FileReadProblem(file, kind.kind, kind.extension));
         return "";
       },
       "");
@@ -28,7 +28,7 @@ CLI::Validator IsDataFile(const char* flag, const InputKind& kind) {
 CLI::Validator IsStickFolder() {
   return CLI::Validator(
       [](const std::string& folder) -> std::string {
-        RefuseInput("--stick", folder, WhyNoReadableFolder(folder, kStickKind));
+        RefuseInput("--stick", folder, FolderReadProblem(folder, kStickKind));
         return "";
       },
       "");
@@ -118,7 +118,7 @@ void AddBatteryFlag(CLI::App* command, SimulationOptions* options) {
 void AddImagesFlag(CLI::App* command, SimulationOptions* options) {
   const auto problem = [](const std::string& images) -> std::string {
     if (IsImageFolder(images))
-      RefuseInput("--images", images, WhyNoReadableFolder(images, "folder of pictures"));
+      RefuseInput("--images", images, FolderReadProblem(images, "folder of pictures"));
     return "";
   };
   command
@@ -169,7 +169,7 @@ CLI::Validator IsCount() {
   return CLI::Validator(problem, "UINT");
 }
 
-CLI::Validator IsWritable() { return CLI::Validator(&WhyNotWritable, "FILE"); }
+CLI::Validator IsWritable() { return CLI::Validator(&FileWriteProblem, "FILE"); }
 
 void RefuseInput(const std::string& flag, const std::string& file, const std::string& problem) {
   if (problem.empty()) return;
@@ -182,7 +182,7 @@ void RefuseInput(const std::string& flag, const std::string& file, const std::st
 CLI::Validator IsReadable(const std::string& flag, const std::string& kind,
                           const std::string& extension) {
   const auto check = [flag, kind, extension](const std::string& file) -> std::string {
-    RefuseInput(flag, file, WhyNotReadable(file, kind, extension));
+    RefuseInput(flag, file, FileReadProblem(file, kind, extension));
     return "";
   };
   return CLI::Validator(check, "FILE");
@@ -192,6 +192,6 @@ CLI::Validator IsReadable(const std::string& flag, const InputKind& kind) {
   return IsReadable(flag, kind.kind, kind.extension);
 }
 
-CLI::Validator IsFolder() { return CLI::Validator(&WhyNoFolder, "FOLDER"); }
+CLI::Validator IsFolder() { return CLI::Validator(&FolderWriteProblem, "FOLDER"); }
 
 }  // namespace openr_host

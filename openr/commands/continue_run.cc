@@ -116,7 +116,7 @@ class ContinuedRun {
     }
     replayer_->RunWithProgress(options_.at_us, STDERR_FILENO);
     if (!replayer_->difference().empty() || !replayer_->loss().empty())
-      throw std::runtime_error(fmt::format("{}: {}", file, replayer_->WhyOver()));
+      throw std::runtime_error(fmt::format("{}: {}", file, replayer_->EndReason()));
     if (simulation().system().powered_off()) {
       throw std::runtime_error(
           fmt::format("{}: the robots are off at t={}", file, FormatDuration(options_.at_us)));
@@ -170,7 +170,7 @@ int ContinueRun(const ContinueOptions& options) {
       &events);
   RewindParts parts;
   parts.simulation = &run.simulation();
-  parts.why_not = "it goes on from a recording; openr replay goes back in that";
+  parts.no_rewind_reason = "it goes on from a recording; openr replay goes back in that";
   rewind.Begin(std::move(parts));
   std::unique_ptr<PanelProcess> panel;
   const std::string socket = std::filesystem::path(LiveSocketPath(name)).filename();

@@ -156,7 +156,7 @@ void AddControllerCommand(CLI::App* app, int* exit_code) {
   CLI::App* const make = command->add_subcommand("new", "Makes a controller that builds and runs");
   make->add_option("NAME", flags->name, "Of the controller: wave")
       ->required()
-      ->check(CLI::Validator(&WhyNoControllerName, "NAME"));
+      ->check(CLI::Validator(&ControllerNameProblem, "NAME"));
   make->add_option("DIR", flags->folder, "Folder to write to (default: NAME)")->check(IsFolder());
   make->callback([flags, exit_code] { *exit_code = New(*flags); });
 }

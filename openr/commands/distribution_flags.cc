@@ -43,14 +43,14 @@ void AddBusFlags(CLI::App* command, BusOptions* bus) {
   // flags have been read.
   command->parse_complete_callback([bus] {
     if (bus->config_file.empty()) return;
-    const std::string problem = WhyNotForDomain(bus->config_file, bus->domain);
+    const std::string problem = DomainProblem(bus->config_file, bus->domain);
     if (problem.empty()) return;
     RefuseInput("--dds-config", bus->config_file, problem);
   });
 }
 
 CLI::Validator IsNameOf(const std::string& what) {
-  return {[what](const std::string& name) { return WhyNoName(what, name); }, ""};
+  return {[what](const std::string& name) { return NameProblem(what, name); }, ""};
 }
 
 void AddPlacementFlags(CLI::App* command, PlacementFlags* flags) {

@@ -24,7 +24,7 @@ std::string CheckProperty(const std::string& name) {
   const bool is_line = name.find(' ') != std::string::npos;
   if (is_line || name.find_first_of("./") == std::string::npos) return "";
   RefuseInput("--property", name,
-              WhyNotReadable(name, "file of properties (docs/exploring.md)", ".txt"));
+              FileReadProblem(name, "file of properties (docs/exploring.md)", ".txt"));
   return "";
 }
 

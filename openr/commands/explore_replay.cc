@@ -72,7 +72,7 @@ bool RecordFailure(const ExploreFlags& flags, const ExploredStick& stick, uint64
   FailingRun run(prepare, deviations, seed, stick.for_us, answer);
   run.RunUntil(run.length_us());
   System& system = run.simulation().system();
-  system.robot_table().NoteRunEnd({EndKind::kTime, run.WhyOver()});
+  system.robot_table().NoteRunEnd({EndKind::kTime, run.EndReason()});
   const std::string problem = recorder.Finish(&system);
   if (!problem.empty()) fmt::print(stderr, "openr explore: {}\n", problem);
   return problem.empty();

@@ -42,7 +42,7 @@ void SharedConsole::Print(std::string_view text) const {
 }
 
 std::string SharedConsole::Problem() const {
-  return descriptor_ < 0 || *error_ == 0 ? "" : WhyNotWritten(file_, *error_);
+  return descriptor_ < 0 || *error_ == 0 ? "" : WriteErrorText(file_, *error_);
 }
 
 int WithConsole(int exit_code, const SharedConsole& console) {

@@ -43,7 +43,7 @@ struct JoinFlags {
   std::string crash_log;  // file for the crash records of a worker that a run has started
 };
 
-std::string WhyNoStick(const std::string& folder) {
+std::string JoinedStickProblem(const std::string& folder) {
   if (std::filesystem::is_directory(folder)) return "";
   return fmt::format("{}: there is no such folder; give a copy of the run's stick", folder);
 }
@@ -179,7 +179,7 @@ class JoinedWorker {
  private:
   // Returns whether a run has started this worker, and not a user.
   bool is_child() const { return flags_.parent != 0; }
-  std::string WhyUnfit(const std::string& stick);
+  std::string StickProblem(const std::string& stick);
   void Begin(const std::string& stick);
 
   JoinFlags flags_;
@@ -197,7 +197,7 @@ JoinedWorker::JoinedWorker(JoinFlags flags) : flags_(std::move(flags)) {
   } else {
     HandleEndSignals(static_cast<int>(SA_RESETHAND));
     worker.is_ended = [] { return g_ended_by != 0; };
-    worker.why_unfit = [this](const std::string& stick) { return WhyUnfit(stick); };
+    worker.find_stick_problem = [this](const std::string& stick) { return StickProblem(stick); };
     worker.own_stick = [this] { return OwnStick(&own_stick_); };
   }
   worker.master_wait_ms = flags_.wait_us / 1000;
@@ -224,7 +224,7 @@ int JoinedWorker::Run(bool is_known, std::string* sanitized_stick) {
 }
 
 // Returns the reason why this process cannot run the objects of `stick`; "" if it can.
-std::string JoinedWorker::WhyUnfit(const std::string& stick) {
+std::string JoinedWorker::StickProblem(const std::string& stick) {
   if (MissingSanitizer(stick).empty()) return "";
   found_stick_ = stick;
   return fmt::format(
@@ -340,7 +340,7 @@ void AddJoinCommand(CLI::App* app, int* exit_code) {
   command
       ->add_option("--stick", flags->worker.stick,
                    "A copy of the run's stick (default: the folder that the run names)")
-      ->check(CLI::Validator(WhyNoStick, ""));
+      ->check(CLI::Validator(JoinedStickProblem, ""));
   AddDurationFlag(command, "--wait", &flags->wait_us, "How long to wait for the run");
   AddDurationFlag(command, "--handler-limit", &flags->handler_limit_us,
                   "End the process when a handler uses more processor time; 0s: never");

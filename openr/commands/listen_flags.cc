@@ -9,7 +9,7 @@ void AddListenFlags(CLI::App* command, ListenOptions* options) {
                        "Let other computers use panel and remote control at this address of this "
                        "computer; 0.0.0.0: at all of them (docs/threats.md)")
           ->type_name("ADDRESS")
-          ->check(CLI::Validator(&WhyNoListenAddress, ""));
+          ->check(CLI::Validator(&ListenAddressProblem, ""));
   CLI::Option* const token = command
                                  ->add_option("--token-file", options->token_file,
                                               "File with the token that they need; made if it is "

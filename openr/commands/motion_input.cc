@@ -28,7 +28,7 @@ MtnFile ReadMotion(const std::string& file) {
 
 CLI::Option* AddChartOption(CLI::App* command, std::string* file) {
   return command->add_option("-o,--output", *file, "The chart to write: NAME.svg or NAME.png")
-      ->check(CLI::Validator(&chart::WhyNoChartName, ""))
+      ->check(CLI::Validator(&chart::ChartNameProblem, ""))
       ->check(IsWritable());
 }
 

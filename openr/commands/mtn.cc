@@ -41,7 +41,7 @@ struct MtnFlags {
 // Reads the motion file `name` into `motion`.  Returns false, and sets `problem`, if the file
 // cannot be read or is no motion file.
 bool Load(const std::string& name, MtnFile* motion, std::string* problem) {
-  *problem = WhyNotReadable(name, "motion file", ".MTN");
+  *problem = FileReadProblem(name, "motion file", ".MTN");
   if (!problem->empty()) return false;
   const std::optional<std::string> bytes = ReadFile(name);
   if (!bytes) {

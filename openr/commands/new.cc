@@ -66,9 +66,9 @@ std::string LinesNotIn(const std::string& text, const std::string& wanted) {
 }
 
 // Returns the reason why no new object can have the name `name`; "" if it can.
-std::string WhyNoNewObject(const std::string& name) {
-  const std::string problem = WhyNoObjectName(name);
-  return problem.empty() ? WhyNoClass(name, SdkRoot()) : problem;
+std::string NewObjectProblem(const std::string& name) {
+  const std::string problem = ObjectNameProblem(name);
+  return problem.empty() ? ClassNameProblem(name, SdkRoot()) : problem;
 }
 
 // Removes .gitignore from `files` if `folder` already has this file, so that the user's file stays
@@ -111,7 +111,7 @@ void AddNewCommand(CLI::App* app, int* exit_code) {
   auto flags = std::make_shared<NewFlags>();
   command->add_option("NAME", flags->name, "Of the object's class: HelloWorld")
       ->required()
-      ->check(CLI::Validator(&WhyNoNewObject, "NAME"));
+      ->check(CLI::Validator(&NewObjectProblem, "NAME"));
   command->add_option("DIR", flags->folder, "Folder to write to (default: NAME)")
       ->check(IsFolder());
   command->callback([flags, exit_code] { *exit_code = New(*flags); });

@@ -22,7 +22,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string ReadInput(const std::string& file, const char* kind, const char* extension) {
-  const std::string problem = WhyNotReadable(file, kind, extension);
+  const std::string problem = FileReadProblem(file, kind, extension);
   if (!problem.empty()) throw std::runtime_error(fmt::format("{}: {}", file, problem));
   return ReadFileOrThrow(file);
 }

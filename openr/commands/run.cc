@@ -165,7 +165,7 @@ class CommandedRun {
   SimulationOptions Options();
   void NoteThatItDoesNotBoot(bool is_refused);
   std::string LiveName() const;
-  std::string WhyNotRewound() const;
+  std::string ReasonNotRewindable() const;
   void BeginRewind(LiveServer* live, Runner* runner, Watchdog* watchdog);
   // Returns the file descriptor of the terminal line that shows the progress of the run.  Returns
   // -1, which means no line, if the end of the run is not known, or if a program reads the output.
@@ -291,7 +291,7 @@ std::string CommandedRun::LiveName() const {
 }
 
 // Returns the reason why clients cannot rewind this run; "" if they can.
-std::string CommandedRun::WhyNotRewound() const {
+std::string CommandedRun::ReasonNotRewindable() const {
   if (distribution_.has_processes()) return "its objects are in several processes";
   if (flags_.ros2.is_on) return "it is connected to ROS 2 (--ros2)";
   return "";
@@ -301,7 +301,7 @@ std::string CommandedRun::WhyNotRewound() const {
 void CommandedRun::BeginRewind(LiveServer* live, Runner* runner, Watchdog* watchdog) {
   RewindParts parts;
   parts.simulation = &simulation_;
-  parts.why_not = WhyNotRewound();
+  parts.no_rewind_reason = ReasonNotRewindable();
   parts.answer = [this](const nlohmann::json& request) {
     return AnswerLive(live_context_, request);
   };

@@ -70,7 +70,7 @@ void DescribeRun(CLI::App* command, RunFlags* flags) {
   AddRos2Flags(command, &flags->ros2);
 }
 
-std::string WhyNoPortNumber(const std::string& text) {
+std::string PortNumberProblem(const std::string& text) {
   int port = 0;
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, port);
@@ -100,7 +100,7 @@ void DescribeOutput(CLI::App* command, RunFlags* flags) {
                    "File for what objects print (default: standard error)")
       ->check(IsWritable());
   const auto is_typed = [](const std::string& file) -> std::string {
-    if (file != "-") RefuseInput("--stdin", file, WhyNotReadable(file, "file of lines", ".txt"));
+    if (file != "-") RefuseInput("--stdin", file, FileReadProblem(file, "file of lines", ".txt"));
     return "";
   };
   command
@@ -130,7 +130,7 @@ void DescribeNetwork(CLI::App* command, RunFlags* flags) {
   command
       ->add_option("--rc-port", flags->simulation.rc_port,
                    "Port of the remote control; 0: any free one")
-      ->check(CLI::Validator(&WhyNoPortNumber, "UINT"));
+      ->check(CLI::Validator(&PortNumberProblem, "UINT"));
   command
       ->add_option_function<std::vector<std::string>>(
           "--ip",
@@ -243,7 +243,7 @@ void AddDataLogFlags(CLI::App* command, DataLogOptions* options, std::string* ti
           ->add_option("--log-data", options->file,
                        "Write joints, sensors and poses to this file, .csv or .mcap; .mcap has "
                        "pictures, findings and inputs as well (docs/data.md)")
-          ->check(CLI::Validator(&WhyNoDataLogName, ""))
+          ->check(CLI::Validator(&DataLogNameProblem, ""))
           ->check(IsWritable());
   AddDurationFlag(command, "--log-images", &options->image_distance_us,
                   "Virtual time between two pictures in an .mcap file; 0s: no pictures")
@@ -252,7 +252,7 @@ void AddDataLogFlags(CLI::App* command, DataLogOptions* options, std::string* ti
       ->add_option("--timeline", *timeline,
                    "Write when handlers ran, and how long: FILE.json for ui.perfetto.dev, or "
                    "FOLDER.ctf for babeltrace2")
-      ->check(CLI::Validator(&WhyNoTimelineName, ""));
+      ->check(CLI::Validator(&TimelineNameProblem, ""));
 }
 
 bool WantsPanel(const RunFlags& flags) {
@@ -266,7 +266,7 @@ RunPlan PlanOf(const RunFlags& flags) {
   CheckThatFilesDiffer(flags);
   CheckStandardOutput(flags);
   const int rc_port = flags.simulation.rc_port;
-  if (const std::string problem = WhyNoPort(rc_port); !problem.empty())
+  if (const std::string problem = PortProblem(rc_port); !problem.empty())
     throw CLI::ValidationError("--rc-port", problem);
   try {
     if (flags.listen.is_on()) CheckListen(flags.listen);

@@ -27,9 +27,9 @@ struct TraceFlags {
 void CheckFilter(const TraceFlags& flags) {
   if (flags.filter.object.empty() && flags.filter.service.empty()) return;
   TraceReader reader(flags.file);
-  // Reads the whole recording, because WhyNothing() must know all objects and services in it.
+  // Reads the whole recording, because NoMatchText() must know all objects and services in it.
   while (reader.Peek() != nullptr) reader.Take();
-  const std::string nothing = reader.WhyNothing(flags.filter.object, flags.filter.service);
+  const std::string nothing = reader.NoMatchText(flags.filter.object, flags.filter.service);
   if (!nothing.empty()) throw std::runtime_error(fmt::format("{}: {}", flags.file, nothing));
 }
 

@@ -7,7 +7,7 @@
 
 namespace openr_host {
 
-std::string WhyNoDataLogName(const std::string& file) {
+std::string DataLogNameProblem(const std::string& file) {
   if (file.ends_with(".csv") || file.ends_with(".mcap")) return "";
   return fmt::format("{}: the name of a log of data ends in .csv or .mcap", file);
 }

@@ -20,7 +20,7 @@ struct DataLogOptions {
 };
 
 // Returns the reason why `file` cannot be the name of a log of data; "" if it can.
-std::string WhyNoDataLogName(const std::string& file);
+std::string DataLogNameProblem(const std::string& file);
 
 class DataLog {
  public:

@@ -24,7 +24,7 @@ std::string LogReplay(Replayer* replayer, const DataLogOptions& options,
   };
   const EndingAction ending_action([&finish](Ending*) { finish(); });
   RunProgressLine progress(descriptor, system.now_us(), std::min(until_us, replayer->length_us()));
-  while (replayer->WhyOver().empty() && system.now_us() < until_us) {
+  while (replayer->EndReason().empty() && system.now_us() < until_us) {
     const int64_t before_us = system.now_us();
     const int64_t frame_end_us = (before_us / kFrameUs + 1) * kFrameUs;
     replayer->RunUntil(std::min(frame_end_us, until_us));

@@ -112,7 +112,7 @@ class ChartMaker {
           return std::all_of(panel.curves.begin(), panel.curves.end(),
                              [](const Curve& curve) { return curve.x.empty(); });
         });
-    if (is_empty) throw std::runtime_error(WhyEmpty());
+    if (is_empty) throw std::runtime_error(EmptyChartText());
     return chart_;
   }
 
@@ -124,7 +124,7 @@ class ChartMaker {
   };
 
   // Returns the reason why there is no value to draw in the chart.
-  std::string WhyEmpty() const {
+  std::string EmptyChartText() const {
     const bool has_values =
         std::any_of(table_.series.begin(), table_.series.end(),
                     [](const Series& series) { return !series.values.empty(); });
@@ -151,10 +151,10 @@ class ChartMaker {
       has_found = true;
       Add(PanelOf(series.name), &series, before);
     }
-    if (!has_found) throw std::runtime_error(WhyNothing(wanted));
+    if (!has_found) throw std::runtime_error(NoValuesText(wanted));
   }
 
-  std::string WhyNothing(const std::string& wanted) const {
+  std::string NoValuesText(const std::string& wanted) const {
     std::vector<std::string> known;
     for (const Series& series : table_.series) {
       known.push_back(series.name);

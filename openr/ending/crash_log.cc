@@ -73,7 +73,7 @@ unsigned KindOf(const siginfo_t& info) {
 
 const char* MeaningOfAddress(const siginfo_t& info, const void* context) {
   const GuardPages* const guard = t_current.system->guard_pages();
-  const char* const why = guard == nullptr ? "" : guard->WhyFault(info.si_addr);
+  const char* const why = guard == nullptr ? "" : guard->FaultText(info.si_addr);
   if (*why != 0) return why;
 #if defined(__x86_64__)
   const auto& registers = static_cast<const ucontext_t*>(context)->uc_mcontext.gregs;

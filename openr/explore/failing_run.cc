@@ -36,7 +36,7 @@ void FailingRun::RunOne(int64_t time_us) {
   prepared_.system->RunOne(std::min(time_us, length_us_));
 }
 
-std::string FailingRun::WhyOver() const {
+std::string FailingRun::EndReason() const {
   const System& system = *prepared_.system;
   return system.now_us() < length_us_ && !system.powered_off() ? "" : why_;
 }

@@ -23,7 +23,7 @@ class FailingRun : public KnownRun {
   Simulation& simulation() override { return *prepared_.simulation; }
   void RunOne(int64_t time_us) override;
   int64_t length_us() const override { return length_us_; }
-  std::string WhyOver() const override;
+  std::string EndReason() const override;
 
  private:
   PreparedRun prepared_;

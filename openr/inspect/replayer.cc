@@ -453,7 +453,7 @@ void Replayer::RunOne(int64_t time_us) {
   // because this entry may be later than `time_us`.
   while (ApplyInput()) {
   }
-  if (!WhyOver().empty()) return;
+  if (!EndReason().empty()) return;
   const int64_t next_us = NextTimeUs();
   if (next_us <= time_us || next_us == INT64_MAX) {
     Step();
@@ -462,7 +462,7 @@ void Replayer::RunOne(int64_t time_us) {
   }
 }
 
-std::string Replayer::WhyOver() const {
+std::string Replayer::EndReason() const {
   if (!difference_.empty()) return "the run differs from the recording here: " + difference_;
   if (!loss_.empty()) return loss_;
   return at_end_ ? "the recording is over" : "";

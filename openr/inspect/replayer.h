@@ -62,7 +62,7 @@ class Replayer : public KnownRun {
   // ---- Functions of the base class KnownRun
   void RunOne(int64_t time_us) override;
   int64_t length_us() const override { return length_us_; }
-  std::string WhyOver() const override;
+  std::string EndReason() const override;
 
   // Returns the entry of the recording for the last message that was compared.
   const TraceEntry& last() const { return last_; }

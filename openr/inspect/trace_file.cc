@@ -375,7 +375,7 @@ int TraceReader::RobotOf(int32_t id) const {
   return found == objects_.end() ? 0 : found->second.first;
 }
 
-std::string TraceReader::WhyNothing(const std::string& object, const std::string& service) const {
+std::string TraceReader::NoMatchText(const std::string& object, const std::string& service) const {
   std::vector<std::string> known;
   bool has_service = service.empty();
   for (const auto& [id, named] : objects_) known.push_back(named.second);

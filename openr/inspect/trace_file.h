@@ -262,7 +262,7 @@ class TraceReader {
   // Returns an error that explains why no message matches a filter, such as "there is no object
   // 'JointMvoer'; did you mean ...".  Returns "" if the recording has the object and the service.
   // An empty name is no filter.  Called at the end of the file, when all names have been read.
-  std::string WhyNothing(const std::string& object, const std::string& service) const;
+  std::string NoMatchText(const std::string& object, const std::string& service) const;
 
  private:
   void ReadHeader();

@@ -166,7 +166,7 @@ Json LiveEvents::Clock() {
                 {"rewind", context_.rewind->Status()}};
   if (context_.known != nullptr) {
     clock["length_s"] = InSeconds(context_.known->length_us());
-    clock["over"] = context_.known->WhyOver();
+    clock["over"] = context_.known->EndReason();
   }
   return clock;
 }

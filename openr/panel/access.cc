@@ -63,7 +63,7 @@ std::string Access::SocketSource(const std::string& host) const {
   return IsOurs(host) ? "ws://" + host : "";
 }
 
-std::string Access::WhyNoFile(const WebRequest& request) const {
+std::string Access::FileRefusal(const WebRequest& request) const {
   if (IsOurs(request.host)) return "";
   return address_ == kAnyAddress
              ? fmt::format(
@@ -73,8 +73,8 @@ std::string Access::WhyNoFile(const WebRequest& request) const {
              : fmt::format("this is the panel of openr; open it as http://{}{}/", address_, port_);
 }
 
-std::string Access::WhyNoSocket(const WebRequest& request) const {
-  if (const std::string why = WhyNoFile(request); !why.empty()) return why;
+std::string Access::SocketRefusal(const WebRequest& request) const {
+  if (const std::string why = FileRefusal(request); !why.empty()) return why;
   const std::string_view origin = request.origin;
   // Refuses a page that does not come from this server.  The header Origin names the server of the
   // page, and the header Host names this server.

@@ -34,11 +34,11 @@ class Access {
 
   // Returns the reason why a request for a file is refused; "" if it is allowed.  Checks the header
   // Host, because a foreign host name can be made to lead to this computer (DNS rebinding).
-  std::string WhyNoFile(const WebRequest& request) const;
+  std::string FileRefusal(const WebRequest& request) const;
   // Returns the reason why a request for a WebSocket is refused; "" if it is allowed.  The request
   // needs the token.  Checks the header Origin, in which a browser names the site that makes the
   // request; other programs send no such header.
-  std::string WhyNoSocket(const WebRequest& request) const;
+  std::string SocketRefusal(const WebRequest& request) const;
 
  private:
   bool IsOurs(std::string_view host) const;

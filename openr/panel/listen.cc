@@ -24,7 +24,7 @@ constexpr int kPortsMax = 100;
 
 }  // namespace
 
-std::string WhyNoListenAddress(const std::string& address) {
+std::string ListenAddressProblem(const std::string& address) {
   in_addr number{};
   if (inet_pton(AF_INET, address.c_str(), &number) == 1) return "";
   return fmt::format(

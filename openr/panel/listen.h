@@ -25,7 +25,7 @@ struct ListenOptions {
 };
 
 // Returns the reason why nothing can listen at `address`; "" if it is an IPv4 address.
-std::string WhyNoListenAddress(const std::string& address);
+std::string ListenAddressProblem(const std::string& address);
 
 // Throws std::runtime_error if `options` cannot be fulfilled: the file has no token, this computer
 // has no such address, or the server is not built.  A run calls this before it begins, because its

@@ -371,7 +371,7 @@ WebAnswer Panel::WithHeaders(WebAnswer answer, const std::string& host) const {
 
 WebAnswer Panel::Answer(const WebRequest& request) {
   WebAnswer answer;
-  if (const std::string why = access_.WhyNoFile(request); !why.empty()) {
+  if (const std::string why = access_.FileRefusal(request); !why.empty()) {
     answer.status = 403;
     answer.text = why + "\n";
   } else if (!request.is_get) {
@@ -395,7 +395,7 @@ WebAnswer Panel::Answer(const WebRequest& request) {
 std::unique_ptr<WebAnswer> Panel::Refuse(const WebRequest& request) {
   WebAnswer answer;
   answer.status = 403;
-  answer.text = access_.WhyNoSocket(request);
+  answer.text = access_.SocketRefusal(request);
   if (answer.text.empty() && request.path != "/ws") {
     answer.status = 404;
     answer.text = "WebSockets are at /ws";

@@ -79,7 +79,7 @@ std::unique_ptr<Network> Rewind::Follow(int robot, std::unique_ptr<Network> inne
 void Rewind::Begin(RewindParts parts) {
   parts_ = std::move(parts);
   auto* const stick = dynamic_cast<FolderStick*>(system().robot(0).stick.get());
-  if (parts_.why_not.empty() && stick != nullptr) {
+  if (parts_.no_rewind_reason.empty() && stick != nullptr) {
     stick->OnFirstChange([this, stick](const MemoryStick::Location& location) {
       original_files_.Save(std::filesystem::path(location.path).lexically_relative(stick->root()),
                            location.path);
@@ -97,7 +97,7 @@ void Rewind::Begin(RewindParts parts) {
 }
 
 bool Rewind::AfterFrame(bool is_watched) {
-  if (!parts_.why_not.empty() || shows_past()) return false;
+  if (!parts_.no_rewind_reason.empty() || shows_past()) return false;
   if (!is_watched || !trouble_.empty()) {
     for (Checkpoint& checkpoint : checkpoints_) Drop(&checkpoint);
     checkpoints_.clear();
@@ -187,13 +187,13 @@ void Rewind::UpdateMemory() {
   for (const Checkpoint& checkpoint : checkpoints_) memory_bytes_ += MemoryOf(checkpoint.process);
 }
 
-const std::string& Rewind::WhyNot() const {
-  if (!parts_.why_not.empty()) return parts_.why_not;
+const std::string& Rewind::RewindProblem() const {
+  if (!parts_.no_rewind_reason.empty()) return parts_.no_rewind_reason;
   return trouble_.empty() ? refusal_ : trouble_;
 }
 
 nlohmann::ordered_json Rewind::Status() {
-  const std::string& why = WhyNot();
+  const std::string& why = RewindProblem();
   nlohmann::ordered_json status = {{"possible", why.empty()},
                                    {"why", why},
                                    {"from_s", nullptr},
@@ -233,7 +233,7 @@ std::string Rewind::ShowMessage(uint64_t count) {
 // Shows the moment `target` of the run.  `checkpoint` is the last checkpoint before this moment.
 // Returns "" or an error.
 std::string Rewind::Show(Checkpoint* checkpoint, const PlainJson& target) {
-  if (!WhyNot().empty()) return "this run cannot be rewound: " + WhyNot();
+  if (!RewindProblem().empty()) return "this run cannot be rewound: " + RewindProblem();
   if (checkpoint == nullptr)
     return checkpoints_.empty() ? "there is no checkpoint yet; checkpoints are taken while a "
                                   "client watches the run"

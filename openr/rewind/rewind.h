@@ -41,7 +41,7 @@ class System;
 // The run that can be rewound, and functions of other parts of the program, which Rewind calls.
 struct RewindParts {
   Simulation* simulation = nullptr;
-  std::string why_not;  // the reason why this run cannot be rewound; "": it can be rewound
+  std::string no_rewind_reason;  // the reason why this run cannot be rewound; "": it can be rewound
   // The replay, if this run replays a recording or is another known run: to repeat its inputs, a
   // view (which shows a past moment) or a branch (a new run) calls the replay.  Null: a view
   // repeats the logged inputs of this run.
@@ -133,7 +133,7 @@ class Rewind {
 
   System& system() const;
   // Returns the reason why the run cannot be rewound now; "" if it can be rewound.
-  const std::string& WhyNot() const;
+  const std::string& RewindProblem() const;
   bool MakeCheckpoint();
   void Drop(Checkpoint* checkpoint);
   void DropOld();

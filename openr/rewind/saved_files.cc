@@ -248,7 +248,7 @@ std::string ProcessFiles::MoveCopy(const std::string& path, const std::string& t
       if (fs::equivalent(other.path, target, error))
         throw std::runtime_error(fmt::format("{}: is a file that the run itself writes", target));
     }
-    if (std::string why = WhyNotWritable(target); !why.empty()) throw std::runtime_error(why);
+    if (std::string why = FileWriteProblem(target); !why.empty()) throw std::runtime_error(why);
     struct stat status;
     if (fstat(file.descriptor, &status) != 0) Throw(errno, copy);
     const off_t offset = lseek(file.descriptor, 0, SEEK_CUR);

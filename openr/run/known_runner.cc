@@ -78,7 +78,7 @@ class KnownRunner {
   }
 
   void NoteEnd() {
-    const std::string why = parts_.run->WhyOver();
+    const std::string why = parts_.run->EndReason();
     if (why.empty()) return;
     if (!parts_.clock->paused()) parts_.clock->Pause();  // pauses the run, because it is over
     if (is_over_) return;

@@ -53,7 +53,7 @@ void Runner::WatchActivity() {
       });
 }
 
-std::optional<RunEnd> Runner::WhyOver() const {
+std::optional<RunEnd> Runner::EndOfRun() const {
   System& system = simulation_->system();
   const int64_t now_us = system.now_us();
   if (system.powered_off()) return {};
@@ -249,8 +249,8 @@ bool Runner::Run() {
   begin_ns_ = WallClockNs();
   ConsoleFeed typed(plan_.stdin_file);
   if (!plan_.has_begun) system.Boot();
-  std::optional<RunEnd> end = WhyOver();
-  for (; !end && !system.powered_off(); end = WhyOver()) {
+  std::optional<RunEnd> end = EndOfRun();
+  for (; !end && !system.powered_off(); end = EndOfRun()) {
     typed.Feed(&system);
     if (plan_.events != nullptr) plan_.events->Feed(&system);
     if (plan_.live != nullptr) plan_.live->Serve();

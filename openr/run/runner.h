@@ -89,7 +89,7 @@ class Runner {
   void Finish();
   // Returns the reason why the run is over; nullopt if the run goes on.  Also returns nullopt when
   // all robots are off, because the System has then noted the reason already.
-  std::optional<RunEnd> WhyOver() const;
+  std::optional<RunEnd> EndOfRun() const;
   // Returns the virtual time up to which the run goes in one step from now: the next frame boundary
   // or, if that is earlier, the end of --for.
   int64_t NextStop() const;

@@ -21,7 +21,7 @@ namespace openr_host {
 namespace {
 
 // Returns the findings about a robot that does not boot, one line for each finding.
-std::string WhyNoBoot(Simulation* simulation) {
+std::string BootProblem(Simulation* simulation) {
   std::string text = "the robot does not boot";
   for (const Finding& finding : simulation->system().findings().all()) {
     if (finding.severity == Severity::kError) text += "\n" + finding.text;
@@ -42,7 +42,8 @@ ServedRun::ServedRun(const ServedRunOptions& options)
       live_{simulation_.get(), &clock_, &console_, &history_, nullptr, &rewind_},
       recording_(options.record_file) {
   const bool is_refused = options.simulation.strict && system().findings().HasError();
-  if (!simulation_->loaded() || is_refused) throw std::runtime_error(WhyNoBoot(simulation_.get()));
+  if (!simulation_->loaded() || is_refused)
+    throw std::runtime_error(BootProblem(simulation_.get()));
   prepared_.system = &system();
   prepared_.simulation = simulation_.get();
   prepared_.robots = simulation_->robots();
@@ -80,7 +81,7 @@ SimulationOptions ServedRun::SimulationWith(const ServedRunOptions& given) {
   return options;
 }
 
-std::string ServedRun::WhyNoFork() const {
+std::string ServedRun::ForkProblem() const {
   if (options_.simulation.host_network)
     return "it has sockets of this computer (network='host'), which a copy cannot share";
   return is_finished_ ? "it is finished" : "";

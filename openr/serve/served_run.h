@@ -54,7 +54,7 @@ class ServedRun {
   const std::string& crash_log() const { return crash_log_; }
   RobotClients& clients() { return clients_; }
   // Returns the reason why the run cannot be copied by a fork; "" if it can be copied.
-  std::string WhyNoFork() const;
+  std::string ForkProblem() const;
   bool has_booted() const { return has_booted_; }
 
   void Boot();

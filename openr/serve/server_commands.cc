@@ -84,7 +84,7 @@ ServedRunOptions OptionsOf(const nlohmann::json& request) {
   simulation.host_network = network == "host";
   simulation.rc_port = request.at("rc_port").get<int>();
   if (simulation.host_network) {
-    const std::string problem = WhyNoPort(simulation.rc_port);
+    const std::string problem = PortProblem(simulation.rc_port);
     if (!problem.empty()) throw std::runtime_error(problem);
   }
   simulation.log_level = log == "error" ? 1 : log == "warning" ? 2 : 3;

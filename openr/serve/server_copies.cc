@@ -71,7 +71,7 @@ class ReadyPipe {
 
 RunServer::Answer RunServer::DoConnect(const Request& request) {
   CheckGoesOn();
-  if (!run_->WhyNoFork().empty())
+  if (!run_->ForkProblem().empty())
     throw std::runtime_error("connect is for network='inside'; this run has sockets of the host");
   const int port = IntegerOf(request.json, "port");
   if (port < 1 || port > 65535) throw std::runtime_error(fmt::format("{} is no port", port));
@@ -120,7 +120,7 @@ RunServer::Answer RunServer::DoFork(const Request& request) {
                                  : "fork needs a Unix socket as standard input, not a pipe");
   const auto record = request.json.at("record").get<std::string>();
   try {
-    if (const std::string why = run().WhyNoFork(); !why.empty())
+    if (const std::string why = run().ForkProblem(); !why.empty())
       throw std::runtime_error("this run cannot be copied: " + why);
     if (!record.empty() && !run_->is_recorded())
       throw std::runtime_error("the run has no recording that could go on in " + record);

@@ -23,7 +23,7 @@ void KnownRun::RunWithProgress(int64_t time_us, int descriptor) {
   const int64_t begin_us = simulation().system().now_us();
   const int64_t end_us = std::min(time_us, length_us());
   RunProgressLine progress(descriptor, begin_us, end_us);
-  for (int64_t slice_us = begin_us + kSliceUs; slice_us < end_us && WhyOver().empty();
+  for (int64_t slice_us = begin_us + kSliceUs; slice_us < end_us && EndReason().empty();
        slice_us += kSliceUs) {
     RunUntil(slice_us);
     progress.Show(slice_us);

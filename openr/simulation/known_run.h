@@ -26,7 +26,7 @@ class KnownRun {
   virtual int64_t length_us() const = 0;
 
   // Returns the reason why the run is over, as a text for users.  Returns "" while the run goes on.
-  virtual std::string WhyOver() const = 0;
+  virtual std::string EndReason() const = 0;
 
   // Runs to the virtual time `time_us` or to the end of the run.  Delivers all messages that are
   // due at `time_us`, too.

@@ -30,7 +30,7 @@ std::unique_ptr<Network> MakeHostNetwork(int rc_port, std::vector<AddressPair> a
   return std::make_unique<HostNetwork>(std::move(options));
 }
 
-std::string WhyNoPort(int rc_port) {
+std::string PortProblem(int rc_port) {
   if (rc_port <= 0) return "";
   const Fd probe = OpenSocket(NetProtocol::kTcp);
   const NetAddress local{HostNetworkOptions().bind_ip, static_cast<uint16_t>(rc_port)};

@@ -22,7 +22,7 @@ std::unique_ptr<Network> MakeHostNetwork(int rc_port, std::vector<AddressPair> a
 
 // Returns the reason why the remote control cannot listen on the port `rc_port` of this computer;
 // "" if it can listen.
-std::string WhyNoPort(int rc_port);
+std::string PortProblem(int rc_port);
 
 // Returns a network without sockets, so that other programs cannot reach the robot.
 std::unique_ptr<Network> MakeIsolatedNetwork();

@@ -114,7 +114,7 @@ std::string StickNear(const std::filesystem::path& wanted) {
 
 std::string StickFolder(const std::string& wanted) {
   if (wanted.empty()) return DefaultStick();
-  if (const std::string why = WhyNoReadableFolder(wanted, kStickKind); !why.empty())
+  if (const std::string why = FolderReadProblem(wanted, kStickKind); !why.empty())
     throw std::runtime_error(fmt::format("{}: {}", wanted, why));
   if (HoldsOpenR(wanted)) return wanted;
   const MemoryStick::Location root = FolderStick(wanted).Locate("/MS/OPEN-R");

@@ -84,7 +84,7 @@ uint64_t CtfTimeOf(double time_us) { return static_cast<uint64_t>(std::llround(t
 CtfWriter::CtfWriter(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw std::runtime_error(WhyNotWritten(folder, error.value()));
+  if (error) throw std::runtime_error(WriteErrorText(folder, error.value()));
   const std::string problem = WriteFile(folder + "/metadata", kCtfMetadata);
   if (!problem.empty()) throw std::runtime_error(problem);
   events_ = std::make_unique<GrowingFile>(folder + "/handlers");

@@ -17,7 +17,7 @@ constexpr size_t kJsonFlushBytes = 64 << 10;
 
 }  // namespace
 
-std::string WhyNoTimelineName(const std::string& file) {
+std::string TimelineNameProblem(const std::string& file) {
   if (file.ends_with(".json") || file.ends_with(".ctf")) return "";
   return fmt::format("{}: the name of a timeline ends in .json (for Perfetto) or .ctf (a folder)",
                      file);

@@ -20,7 +20,7 @@ struct Message;
 
 // Returns the reason why `file` cannot be the name of a timeline; "" if it can.  A name is
 // FILE.json, for Perfetto, or FOLDER.ctf.
-std::string WhyNoTimelineName(const std::string& file);
+std::string TimelineNameProblem(const std::string& file);
 
 // Writes a timeline with a slice for each handler that runs.  The length of a slice is the
 // processor time that the cost file gives the handler.  Without a cost file, it is the time that

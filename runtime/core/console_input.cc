@@ -61,7 +61,7 @@ size_t ConsoleInput::Read(char* buffer, size_t size, const std::function<bool()>
   while (terminal.text.empty()) {
     const uint64_t box = system_->requests().OpenBox();
     terminal.readers.emplace_back(self->id, box);
-    system_->requests().Wait(box, nullptr, 0, nullptr, -1, kWhy);
+    system_->requests().Wait(box, nullptr, 0, nullptr, -1, kWaitReason);
     if (is_gone && is_gone()) {
       GiveUp(&terminal, self->id, box);
       return 0;

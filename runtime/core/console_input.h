@@ -42,7 +42,7 @@ class ConsoleInput {
   void set_echo(bool echo) { echo_ = echo; }
 
   // Describes to users what an object that reads the console waits for (WaitState::why).
-  static constexpr std::string_view kWhy = "a line from the console";
+  static constexpr std::string_view kWaitReason = "a line from the console";
 
   void HashState(Hasher* hasher) const;
 

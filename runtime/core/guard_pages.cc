@@ -95,7 +95,7 @@ void GuardPages::Retire(const char* copy) {
   }
 }
 
-const char* GuardPages::WhyFault(const void* address) const {
+const char* GuardPages::FaultText(const void* address) const {
   const auto* const at = static_cast<const char*>(address);
   const bool is_ours = std::any_of(next_in_.begin(), next_in_.end(), [at](const auto& area) {
     return at >= area.first && at < area.first + AddressPlace::kCopyBytes;

@@ -47,7 +47,7 @@ class GuardPages {
 
   // Returns a text about the mistake that made the access to `address` a fault, or "" if `address`
   // is in no memory area for read-only copies of received data.  May be called in a signal handler.
-  const char* WhyFault(const void* address) const;
+  const char* FaultText(const void* address) const;
 
  private:
   char* MapPages(char* area, size_t bytes);

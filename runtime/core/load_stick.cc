@@ -39,7 +39,7 @@ class StickLoader {
   std::optional<std::string> ReadConfig(const char* name) {
     return stick_ == nullptr ? std::nullopt : stick_->ReadFile(kConfFolder + std::string(name));
   }
-  std::string WhyNoConfig(const char* name);
+  std::string ConfigProblem(const char* name);
   bool LoadObject(const ObjectRecord& record);
   bool LoadKept(const std::string& path, const std::string& where);
   StandIns::const_iterator FindStandIn(const std::string& path);
@@ -60,8 +60,8 @@ class StickLoader {
 
 // Returns a text for users that says why the configuration file `name` was not read: "FILE: " and
 // either kMissing, if there is no such file, or the error of the read.
-std::string StickLoader::WhyNoConfig(const char* name) {
-  const int error = stick_ == nullptr ? ENOENT : stick_->WhyUnread(kConfFolder + std::string(name));
+std::string StickLoader::ConfigProblem(const char* name) {
+  const int error = stick_ == nullptr ? ENOENT : stick_->ReadError(kConfFolder + std::string(name));
   const std::string why =
       error == ENOENT ? kMissing : fmt::format("cannot be read: {}", std::strerror(error));
   return fmt::format("{}{}: {}", kConfFolder, name, why);
@@ -116,7 +116,7 @@ bool StickLoader::LoadKept(const std::string& path, const std::string& where) {
 bool StickLoader::LoadObjects() {
   const auto text = ReadConfig("OBJECT.CFG");
   if (!text) {
-    std::string why = WhyNoConfig("OBJECT.CFG");
+    std::string why = ConfigProblem("OBJECT.CFG");
     if (why.ends_with(kMissing)) why += "; a stick is a folder that holds OPEN-R/";
     Report(Severity::kError, why);
     return false;
@@ -139,7 +139,7 @@ void StickLoader::LoadConnections() {
   if (!text) {
     // Adds only a note if CONNECT.CFG is missing, because a robot also starts without it, and old
     // programs whose objects are not connected have no such file.
-    const std::string why = WhyNoConfig("CONNECT.CFG");
+    const std::string why = ConfigProblem("CONNECT.CFG");
     const Severity severity = why.ends_with(kMissing) ? Severity::kNote
                               : is_strict             ? Severity::kError
                                                       : Severity::kWarning;

@@ -18,8 +18,8 @@ namespace {
 constexpr char kFull[] = "the queue of the receiver is full";
 
 // Returns "" if the subject and the observer are connected, otherwise an error message.
-std::string WhyNotConnected(const System& system, const ServiceEnd& subject,
-                            const ServiceEnd& observer) {
+std::string NotConnectedText(const System& system, const ServiceEnd& subject,
+                             const ServiceEnd& observer) {
   const OServiceEntry observer_id(OidOf(observer.object), observer.selector);
   for (const auto& each : system.object(subject.object)->subjects) {
     if (each->id.selector != subject.selector) continue;
@@ -63,7 +63,7 @@ std::vector<std::string> SubjectsOf(const System& system, int robot, std::string
 
 std::string PostNotification(System* system, const ServiceEnd& subject, const ServiceEnd& observer,
                              std::string_view datum) {
-  if (std::string why = WhyNotConnected(*system, subject, observer); !why.empty()) return why;
+  if (std::string why = NotConnectedText(*system, subject, observer); !why.empty()) return why;
   // Makes the subject's object current, so that the notification counts as sent by this object.
   const CurrentScope scope(system, system->object(subject.object));
   RCRegion* const region = new RCRegion(datum.size());
@@ -89,7 +89,7 @@ std::string PostNotification(System* system, const ServiceEnd& subject, const Se
 
 std::string PostReady(System* system, const ServiceEnd& observer, const ServiceEnd& subject,
                       bool is_ready) {
-  if (std::string why = WhyNotConnected(*system, subject, observer); !why.empty()) return why;
+  if (std::string why = NotConnectedText(*system, subject, observer); !why.empty()) return why;
   // Makes the observer's object current, so that the ready counts as sent by this object.
   const CurrentScope scope(system, system->object(observer.object));
   OwnedMessage message = system->NewMessage(subject.object, subject.selector);

@@ -46,7 +46,7 @@ void FindIn(const Object& object, int64_t now_us, std::vector<Stall>* stalls) {
         {object.id, object.wait.since_us,
          fmt::format("{} waits for {} since t={:.3f} s", object.name, object.wait.why,
                      Seconds(object.wait.since_us)),
-         object.wait.why == ConsoleInput::kWhy
+         object.wait.why == ConsoleInput::kWaitReason
              ? "nobody has typed one: openr run --stdin FILE"
              : "two objects that Call() each other wait for ever; with --cost, a handler "
                "may take that long"});

@@ -110,9 +110,9 @@ extern "C" int fcntl(int descriptor, int command, ...) {
 extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attributes,
                               void* (*start)(void*), void* argument) noexcept {
   static const auto next = OPENR_NEXT(pthread_create);
-  constexpr char kWhy[] =
+  constexpr char kReason[] =
       "the robot has no threads: an object does one thing at a time; do a piece of the work for "
       "each message";
-  return Refuses("pthread_create", kWhy) ? EAGAIN : next(thread, attributes, start, argument);
+  return Refuses("pthread_create", kReason) ? EAGAIN : next(thread, attributes, start, argument);
 }
 #endif

@@ -103,7 +103,7 @@ std::optional<std::string> MemoryStick::ReadFile(std::string_view name) {
   return openr_host::ReadFile(location.path);
 }
 
-int MemoryStick::WhyUnread(std::string_view name) {
+int MemoryStick::ReadError(std::string_view name) {
   const Location location = Locate(name);
   if (location.error != 0) return location.error;
   if (!location.exists) return ENOENT;
@@ -121,7 +121,7 @@ void MemoryStick::HashFile(std::string_view name, std::string_view otherwise, Ha
   if (location.error == 0 && std::filesystem::is_regular_file(location.path, error))
     file.emplace(location.path);
   if (!file || !file->is_open()) {
-    const int why = file ? errno : WhyUnread(name);  // FileReader sets errno if it opens no file
+    const int why = file ? errno : ReadError(name);  // FileReader sets errno if it opens no file
     // Throws an exception after an error of the host, such as too many open files.  If the file
     // were hashed as missing instead, two runs with the same stick would have different hashes.
     if (why != ENOENT && why != EACCES && why != EISDIR && why != EINVAL)

@@ -33,11 +33,11 @@ class MemoryStick {
   virtual Location Locate(std::string_view name) = 0;
 
   // Returns the bytes of the file `name`.  Used by the runtime itself, for configuration files and
-  // design data.  Returns nullopt if the file cannot be read; WhyUnread() then returns the reason.
+  // design data.  Returns nullopt if the file cannot be read; ReadError() then returns the reason.
   std::optional<std::string> ReadFile(std::string_view name);
   // Returns the errno of a failed ReadFile() of `name`: ENOENT if the file does not exist, EACCES
   // if the file may not be read.
-  int WhyUnread(std::string_view name);
+  int ReadError(std::string_view name);
 
   // Returns the hash of the names (below /MS) and contents of the files, or 0 if there are no
   // files.  A replay compares this hash with the hash of the recording.  So the hash leaves out

@@ -24,27 +24,27 @@ std::vector<std::string> NamesIn(const ScratchFolder& folder) {
 TEST(OutputFileTest, LookingAtAFileChangesNothing) {
   const ScratchFolder folder;
   folder.Write("old.json", "{}");
-  EXPECT_EQ(WhyNotWritable(folder.File("old.json")), "");
+  EXPECT_EQ(FileWriteProblem(folder.File("old.json")), "");
   EXPECT_EQ(folder.Read("old.json"), "{}");
-  EXPECT_EQ(WhyNotWritable(folder.File("new.json")), "");
+  EXPECT_EQ(FileWriteProblem(folder.File("new.json")), "");
   EXPECT_FALSE(std::filesystem::exists(folder.File("new.json")));
 }
 
 TEST(OutputFileTest, AFolderIsNoFile) {
   const ScratchFolder folder;
-  EXPECT_EQ(WhyNotWritable(folder.path()), folder.path() + ": is a folder; name a file");
+  EXPECT_EQ(FileWriteProblem(folder.path()), folder.path() + ": is a folder; name a file");
 }
 
 TEST(OutputFileTest, AFolderThatIsMissingIsNotMade) {
   const ScratchFolder folder;
   const std::string file = folder.File("none/a.json");
-  EXPECT_EQ(WhyNotWritable(file), file + ": cannot be written: there is no such folder");
+  EXPECT_EQ(FileWriteProblem(file), file + ": cannot be written: there is no such folder");
 }
 
 TEST(OutputFileTest, ALinkToAFileOfTheFutureIsGoodAndStays) {
   const ScratchFolder folder;
   std::filesystem::create_symlink(folder.File("future"), folder.File("link"));
-  EXPECT_EQ(WhyNotWritable(folder.File("link")), "");
+  EXPECT_EQ(FileWriteProblem(folder.File("link")), "");
   EXPECT_TRUE(std::filesystem::is_symlink(folder.File("link")));
   EXPECT_EQ(WriteFile(folder.File("link"), "now"), "");
   EXPECT_EQ(folder.Read("future"), "now");
@@ -52,8 +52,8 @@ TEST(OutputFileTest, ALinkToAFileOfTheFutureIsGoodAndStays) {
 
 TEST(OutputFileTest, AFolderMayBeThereOrCanBeMade) {
   const ScratchFolder folder;
-  EXPECT_EQ(WhyNoFolder(folder.path()), "");
-  EXPECT_EQ(WhyNoFolder(folder.File("a/b/c")), "");
+  EXPECT_EQ(FolderWriteProblem(folder.path()), "");
+  EXPECT_EQ(FolderWriteProblem(folder.File("a/b/c")), "");
   EXPECT_FALSE(std::filesystem::exists(folder.File("a")));
 }
 
@@ -61,11 +61,12 @@ TEST(OutputFileTest, WhatIsNoFolderIsSaidInWords) {
   const ScratchFolder folder;
   folder.Write("file", "");
   const std::string file = folder.File("file");
-  EXPECT_EQ(WhyNoFolder(""), "'' names no folder");
-  EXPECT_EQ(WhyNoFolder(file), file + ": is a file; name a folder");
-  EXPECT_EQ(WhyNoFolder(file + "/a"), file + "/a: " + file +
-                                          " is a file, so nothing can be in it; name another "
-                                          "folder");
+  EXPECT_EQ(FolderWriteProblem(""), "'' names no folder");
+  EXPECT_EQ(FolderWriteProblem(file), file + ": is a file; name a folder");
+  EXPECT_EQ(FolderWriteProblem(file + "/a"),
+            file + "/a: " + file +
+                " is a file, so nothing can be in it; name another "
+                "folder");
 }
 
 TEST(OutputFileTest, CommandsThatMakeFoldersSayItBeforeTheyBegin) {
@@ -304,18 +305,19 @@ TEST(OutputFileTest, AFullDiskIsReportedWithTheFile) {
 // Not even root makes a folder in /proc, although access() lets it.
 TEST(OutputFolderTest, AFolderThatCannotBeMadeIsFoundOutBeforehand) {
   for (const char* folder : {"/proc/x", "/proc/x/y", "/proc"}) {
-    EXPECT_EQ(WhyNoFolder(folder), std::string(folder) + ": " +
-                                       (geteuid() == 0 ? "nothing can be made in /proc: No such "
-                                                         "file or directory; name another folder"
-                                                       : "you may not write in /proc; name "
-                                                         "another folder"));
+    EXPECT_EQ(FolderWriteProblem(folder),
+              std::string(folder) + ": " +
+                  (geteuid() == 0 ? "nothing can be made in /proc: No such "
+                                    "file or directory; name another folder"
+                                  : "you may not write in /proc; name "
+                                    "another folder"));
   }
 }
 
 TEST(OutputFolderTest, AFolderThatCanBeMadeIsNotLeftBehind) {
   const ScratchFolder folder;
-  EXPECT_EQ(WhyNoFolder(folder.File("a/b")), "");
-  EXPECT_EQ(WhyNoFolder(folder.path()), "");
+  EXPECT_EQ(FolderWriteProblem(folder.File("a/b")), "");
+  EXPECT_EQ(FolderWriteProblem(folder.path()), "");
   EXPECT_FALSE(std::filesystem::exists(folder.File("a")));
 }
 

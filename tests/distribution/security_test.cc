@@ -114,9 +114,9 @@ TEST(SettingsTest, AMissingSettingsFileIsRefused) {
 
 class SettingsForADomainTest : public testing::Test {
  protected:
-  std::string Why(const std::string& text, int domain) const {
+  std::string ProblemFor(const std::string& text, int domain) const {
     folder.Write("s.xml", text);
-    return WhyNotForDomain(folder.File("s.xml"), domain);
+    return DomainProblem(folder.File("s.xml"), domain);
   }
   const ScratchFolder folder;
 };
@@ -125,34 +125,36 @@ TEST_F(SettingsForADomainTest, SettingsForAnotherDomainAreReported) {
   const std::string seven =
       "<?xml version=\"1.0\"?><!-- <Domain id=\"0\"/> --><CycloneDDS>"
       "<Domain Id='7'><Tracing/></Domain></CycloneDDS>";
-  EXPECT_EQ(Why(seven, 7), "");
-  EXPECT_EQ(Why(seven, 0),
+  EXPECT_EQ(ProblemFor(seven, 7), "");
+  EXPECT_EQ(ProblemFor(seven, 0),
             "its settings are for domain 7, this is domain 0: they would be left out; write "
             "<Domain id=\"any\">, or give --dds-domain");
-  EXPECT_EQ(Why("<CycloneDDS><Domain id=\"7\"/><Domain id=\"00\"/></CycloneDDS>", 0), "");
+  EXPECT_EQ(ProblemFor("<CycloneDDS><Domain id=\"7\"/><Domain id=\"00\"/></CycloneDDS>", 0), "");
   for (const char* attribute : {"", " id=\"ANY\"", " id=\"${NOT_SET:-0}\""})
-    EXPECT_EQ(Why(std::string("<CycloneDDS><Domain") + attribute + "/></CycloneDDS>", 0), "");
-  EXPECT_NE(Why("<CycloneDDS><Domain><Id>7</Id></Domain></CycloneDDS>", 0), "");
+    EXPECT_EQ(ProblemFor(std::string("<CycloneDDS><Domain") + attribute + "/></CycloneDDS>", 0),
+              "");
+  EXPECT_NE(ProblemFor("<CycloneDDS><Domain><Id>7</Id></Domain></CycloneDDS>", 0), "");
   for (const char* nothing : {"<CycloneDDS/>", ""})
-    EXPECT_EQ(Why(nothing, 0), "there are no settings in it");
+    EXPECT_EQ(ProblemFor(nothing, 0), "there are no settings in it");
 }
 
 TEST_F(SettingsForADomainTest, SecurityForAnotherDomainIsReported) {
   const std::string two =
       "<CycloneDDS><Domain><Tracing/></Domain>"
       "<Domain id=\"7\"><Security/></Domain></CycloneDDS>";
-  EXPECT_EQ(Why(two, 7), "");
-  EXPECT_EQ(Why("<CycloneDDS><Domain><DDSSecurity/></Domain>"  // an older name of <Security>
-                "<Domain id=\"7\"><Security/></Domain></CycloneDDS>",
-                0),
+  EXPECT_EQ(ProblemFor(two, 7), "");
+  EXPECT_EQ(ProblemFor("<CycloneDDS><Domain><DDSSecurity/></Domain>"  // an older name of <Security>
+                       "<Domain id=\"7\"><Security/></Domain></CycloneDDS>",
+                       0),
             "");
-  EXPECT_THAT(Why(two, 0), HasSubstr("its <Security> is for domain 7, this is domain 0, which "
-                                     "would not be protected"));
+  EXPECT_THAT(ProblemFor(two, 0),
+              HasSubstr("its <Security> is for domain 7, this is domain 0, which "
+                        "would not be protected"));
 }
 
 TEST_F(SettingsForADomainTest, AnUnreadableFileIsLeftToCyclone) {
-  EXPECT_EQ(Why("<CycloneDDS><Domain id=\"7\">", 0), "");
-  EXPECT_EQ(WhyNotForDomain(folder.File("nothing.xml"), 0), "");
+  EXPECT_EQ(ProblemFor("<CycloneDDS><Domain id=\"7\">", 0), "");
+  EXPECT_EQ(DomainProblem(folder.File("nothing.xml"), 0), "");
 }
 
 TEST_F(SettingsForADomainTest, AllCommandsRefuseSettingsForAnotherDomain) {

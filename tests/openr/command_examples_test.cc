@@ -25,7 +25,7 @@ CallWords WordsOf(const std::string& line) {
 }
 
 // Returns why the program does not understand an example; "" if it does.
-std::string WhyWrong(const std::string& line) {
+std::string CommandProblem(const std::string& line) {
   const CallWords words = WordsOf(line);
   if (words.empty()) return "is no call of openr";
   const std::optional<CLI::ParseError> error = ParseErrorOf(words, Arguments::kAll);
@@ -86,17 +86,17 @@ TEST_F(CommandExamplesTest, EveryCommandHasExamplesThatAreUnderstood) {
     const std::vector<std::string> lines = ExamplesOf(path);
     EXPECT_FALSE(lines.empty()) << "openr " << path << " has no example (command_examples.cc)";
     for (const std::string& line : lines) {
-      EXPECT_EQ(WhyWrong(line), "") << line;
+      EXPECT_EQ(CommandProblem(line), "") << line;
       EXPECT_TRUE(Calls(line, path)) << line << " is no example of " << path;
     }
   }
 }
 
 TEST_F(CommandExamplesTest, AWrongExampleWouldBeFound) {
-  EXPECT_NE(WhyWrong("openr run --fro 20s"), "");
-  EXPECT_NE(WhyWrong("openr mtn plya WALK.MTN"), "");
-  EXPECT_NE(WhyWrong("openr run --robot ers9"), "");
-  EXPECT_EQ(WhyWrong("openr run --for 20s   # comment --nonsense"), "");
+  EXPECT_NE(CommandProblem("openr run --fro 20s"), "");
+  EXPECT_NE(CommandProblem("openr mtn plya WALK.MTN"), "");
+  EXPECT_NE(CommandProblem("openr run --robot ers9"), "");
+  EXPECT_EQ(CommandProblem("openr run --for 20s   # comment --nonsense"), "");
 }
 
 TEST_F(CommandExamplesTest, TheHelpOfTheProgramAndOfCommandsShowsThem) {

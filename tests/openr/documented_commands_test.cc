@@ -132,7 +132,7 @@ std::optional<CLI::ParseError> ErrorOfCompleted(DocumentedCall* call) {
 }
 
 // Returns why the program does not understand a call; "" if it does.
-std::string WhyNotUnderstood(DocumentedCall call) {
+std::string CallProblem(DocumentedCall call) {
   const std::optional<CLI::ParseError> error = ErrorOfCompleted(&call);
   if (!error) return "";
   const bool is_of_value =
@@ -168,7 +168,7 @@ std::vector<std::string> ErrorsOn(const std::string& page,
     const ScratchFolder folder;
     std::filesystem::current_path(folder.path());
     ProvideFiles(call.words);
-    const std::string error = WhyNotUnderstood(call);
+    const std::string error = CallProblem(call);
     if (error.empty()) continue;
     std::string text = std::to_string(call.line) + ": openr";
     for (const std::string& word : call.words) text += " " + word;

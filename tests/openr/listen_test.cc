@@ -34,7 +34,7 @@ using Bytes = std::vector<uint8_t>;
 
 constexpr char kToken[] = "0123456789abcdef";
 
-std::string WhyNoToken(const std::string& file) {
+std::string TokenText(const std::string& file) {
   try {
     return "token " + openr::remote::ReadTokenFile(file);
   } catch (const std::exception& error) {
@@ -55,13 +55,13 @@ TEST(TokenFileTest, AFileThatIsNotThereIsMadeForThisUserOnly) {
 
 TEST(TokenFileTest, FilesWithoutASecretAreRefused) {
   const ScratchFolder scratch;
-  EXPECT_THAT(WhyNoToken(scratch.File("none")), HasSubstr("No such file"));
-  EXPECT_THAT(WhyNoToken(scratch.path()), HasSubstr("is no file"));
+  EXPECT_THAT(TokenText(scratch.File("none")), HasSubstr("No such file"));
+  EXPECT_THAT(TokenText(scratch.path()), HasSubstr("is no file"));
   const std::string file = scratch.File("token");
   const auto why = [&](const std::string& text) {
     scratch.Write("token", text);
     chmod(file.c_str(), 0600);
-    return WhyNoToken(file);
+    return TokenText(file);
   };
   EXPECT_EQ(why("0123456789abcdef\n"), "token 0123456789abcdef");
   EXPECT_EQ(why("0123456789-_ABCD\r\nmore"), "token 0123456789-_ABCD");
@@ -70,13 +70,13 @@ TEST(TokenFileTest, FilesWithoutASecretAreRefused) {
   EXPECT_EQ(why(std::string(128, 'a')), "token " + std::string(128, 'a'));
   EXPECT_THAT(why(std::string(129, 'a')), HasSubstr("has no token"));
   chmod(file.c_str(), 0640);
-  EXPECT_THAT(WhyNoToken(file), HasSubstr("other users may read this token: chmod 600 "));
+  EXPECT_THAT(TokenText(file), HasSubstr("other users may read this token: chmod 600 "));
 }
 
 TEST(ListenTest, OnlyAddressesOfThisComputerCanBeUsed) {
-  EXPECT_EQ(WhyNoListenAddress("192.168.0.5"), "");
+  EXPECT_EQ(ListenAddressProblem("192.168.0.5"), "");
   for (const char* const text : {"localhost", "192.168.0", "::1", "1.2.3.4:5", ""})
-    EXPECT_THAT(WhyNoListenAddress(text), HasSubstr("no IPv4 address")) << text;
+    EXPECT_THAT(ListenAddressProblem(text), HasSubstr("no IPv4 address")) << text;
   uint16_t port = 0;
   // 192.0.2.0/24 is for documentation, so no computer has this address.
   try {
@@ -91,7 +91,7 @@ TEST(AccessTest, ThePanelIsKnownByItsAddressOnly) {
   const auto is_known = [](const std::string& address, const std::string& host) {
     WebRequest request;
     request.host = host;
-    return Access(kToken, address, 8210).WhyNoFile(request).empty();
+    return Access(kToken, address, 8210).FileRefusal(request).empty();
   };
   EXPECT_TRUE(is_known("127.0.0.1", "127.0.0.1:8210"));
   EXPECT_TRUE(is_known("127.0.0.1", "localhost:8210"));

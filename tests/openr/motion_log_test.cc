@@ -34,7 +34,7 @@ LogRecord RecordOf(int key_frame, bool measured, bool simulated) {
 
 LogFile LogOf(std::vector<LogRecord> records) { return {FindRobot("ERS-210"), std::move(records)}; }
 
-std::string WhyNotParsed(const std::string& bytes) {
+std::string ParseProblem(const std::string& bytes) {
   try {
     ParseLog(bytes);
   } catch (const std::runtime_error& error) {
@@ -74,18 +74,18 @@ TEST(MotionLogFileTest, ALogOfTheErs7HasItsOwnJoints) {
 
 TEST(MotionLogFileTest, MistakesAreNamedWithTheirOffset) {
   const std::string good = FormatLog(LogOf({RecordOf(0, true, true)}));
-  EXPECT_EQ(WhyNotParsed("AIBO_1.0" + good.substr(8)),
+  EXPECT_EQ(ParseProblem("AIBO_1.0" + good.substr(8)),
             "offset 0: a log file begins with 'AIBO_1.1', this one does not");
-  EXPECT_EQ(WhyNotParsed("AIB"), "offset 0: a log file begins with 'AIBO_1.1', this one does not");
+  EXPECT_EQ(ParseProblem("AIB"), "offset 0: a log file begins with 'AIBO_1.1', this one does not");
   std::string bytes = good;
   bytes[9] = '\xff';
-  EXPECT_EQ(WhyNotParsed(bytes), "offset 8: record 0: key frame is -256, must be 0 to 32767");
+  EXPECT_EQ(ParseProblem(bytes), "offset 8: record 0: key frame is -256, must be 0 to 32767");
   bytes = good;
   bytes[40] = 18;
-  EXPECT_EQ(WhyNotParsed(bytes), "offset 40: record 0: says 18 measured values, must be 0 or 19");
+  EXPECT_EQ(ParseProblem(bytes), "offset 40: record 0: says 18 measured values, must be 0 or 19");
   bytes = good;
   bytes[41 + 30 + 2] = 2;
-  EXPECT_EQ(WhyNotParsed(bytes),
+  EXPECT_EQ(ParseProblem(bytes),
             "offset 73: record 0: measured paw left hind is 2, must be 0 or 1");
 }
 
@@ -94,9 +94,9 @@ TEST(MotionLogFileTest, AFileThatEndsInsideARecordIsRefusedWhereverItEnds) {
   const size_t record_size = (good.size() - 8) / 2;
   for (size_t size = 9; size < good.size(); ++size) {
     if (size == 8 + record_size) continue;  // one whole record
-    EXPECT_NE(WhyNotParsed(good.substr(0, size)), "") << size;
+    EXPECT_NE(ParseProblem(good.substr(0, size)), "") << size;
   }
-  EXPECT_EQ(WhyNotParsed(good.substr(0, 60)),
+  EXPECT_EQ(ParseProblem(good.substr(0, 60)),
             "offset 41: record 0: the file ends, 19 of 30 bytes of its measured positions are "
             "there");
 }
@@ -134,7 +134,7 @@ LogFile LogWithKeyFrames(const std::vector<int>& key_frames) {
   return log;
 }
 
-std::string WhyNoTimes(const LogFile& log) {
+std::string TimesProblem(const LogFile& log) {
   try {
     TimesOf(log);
   } catch (const std::runtime_error& error) {
@@ -153,8 +153,8 @@ TEST(MotionLogTimesTest, TheNextLoopBeginsWhereTheOneBeforeEnds) {
 }
 
 TEST(MotionLogTimesTest, WithoutTheMotionInterpolatedFramesAreRefused) {
-  EXPECT_EQ(WhyNoTimes(LogWithKeyFrames({0, 2, 2, 4})).find("record 2: key frame 2 again"), 0u);
-  EXPECT_EQ(WhyNoTimes(LogWithKeyFrames({0, 2, 4, 0, 2})),
+  EXPECT_EQ(TimesProblem(LogWithKeyFrames({0, 2, 2, 4})).find("record 2: key frame 2 again"), 0u);
+  EXPECT_EQ(TimesProblem(LogWithKeyFrames({0, 2, 4, 0, 2})),
             "record 3: another motion begins; a log to be read has one motion");
 }
 

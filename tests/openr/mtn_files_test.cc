@@ -58,7 +58,7 @@ TEST(MtnFromCsvTest, NamesAreThoseOfTheFlags) {
   EXPECT_TRUE(info["warnings"].empty());
 }
 
-std::string WhyNoMotion(const std::string& rows) {
+std::string MotionProblem(const std::string& rows) {
   const std::string header =
       "key_frame,time_ms,roll_deg,pitch_deg,yaw_deg,PRM:/a-Joint2:j1,PRM:/e-Joint3:j2\n";
   try {
@@ -88,8 +88,8 @@ TEST(MtnFromCsvTest, MistakesAreNamedWithLineAndColumn) {
        "line 2, column PRM:/a-Joint2:j1: 'nan' beyond +-360 degrees no angle makes sense"},
       {"0,0,0,0,0,1,2\n", "line 2, column PRM:/e-Joint3:j2: '2' an ear is 0 or 1"},
   };
-  for (const auto& c : cases) EXPECT_EQ(WhyNoMotion(c.rows), c.complaint);
-  EXPECT_EQ(WhyNoMotion("0,0,0,0,0,1,0\n1,16,0,0,0,2,1\n"), "");
+  for (const auto& c : cases) EXPECT_EQ(MotionProblem(c.rows), c.complaint);
+  EXPECT_EQ(MotionProblem("0,0,0,0,0,1,0\n1,16,0,0,0,2,1\n"), "");
   EXPECT_THROW(ParseMotionCsv("a,b\n"), std::runtime_error);
 }
 
@@ -147,7 +147,7 @@ std::string OdaOf(const std::vector<MemberText>& members) {
   return bytes;
 }
 
-std::string WhyNoOda(const std::string& bytes) {
+std::string OdaProblem(const std::string& bytes) {
   try {
     ReadOda(bytes);
   } catch (const std::runtime_error& error) {
@@ -213,28 +213,28 @@ TEST(OdaTest, ALinkOutOfTheFolderIsNotFollowed) {
 
 TEST(OdaTest, MistakesAreNamedWithTheirOffset) {
   const std::string good = OdaOf({{"OMTN", "a", "0123456789"}, {"OMTN", "b", "0123456789"}});
-  EXPECT_EQ(WhyNoOda(good), "");
-  EXPECT_EQ(WhyNoOda("OMTN"), "offset 0: a container begins with 'ODAR', this one does not");
-  EXPECT_EQ(WhyNoOda(good.substr(0, 40)), "offset 0: the file has 40 bytes, its head needs 64");
-  EXPECT_EQ(WhyNoOda("\x1f\x8b\x08" + good),
+  EXPECT_EQ(OdaProblem(good), "");
+  EXPECT_EQ(OdaProblem("OMTN"), "offset 0: a container begins with 'ODAR', this one does not");
+  EXPECT_EQ(OdaProblem(good.substr(0, 40)), "offset 0: the file has 40 bytes, its head needs 64");
+  EXPECT_EQ(OdaProblem("\x1f\x8b\x08" + good),
             "offset 0: the file is compressed; unpack it with gunzip first");
-  EXPECT_EQ(WhyNoOda(good.substr(0, 300)),
+  EXPECT_EQ(OdaProblem(good.substr(0, 300)),
             "offset 8: 2 members need a directory of 288 bytes, the file has 236 left");
-  EXPECT_EQ(WhyNoOda(good.substr(0, good.size() - 1)),
+  EXPECT_EQ(OdaProblem(good.substr(0, good.size() - 1)),
             "offset 340: a member of 10 bytes begins at 362, the file has 371");
   std::string bytes = good;
   bytes[8] = bytes[9] = '\xff';
-  EXPECT_EQ(WhyNoOda(bytes), "offset 8: 65535 members, at most 4096 are read");
+  EXPECT_EQ(OdaProblem(bytes), "offset 8: 65535 members, at most 4096 are read");
   bytes = good;
   bytes[12] = 80;
-  EXPECT_EQ(WhyNoOda(bytes), "offset 12: a directory entry has 80 bytes, must be 144");
+  EXPECT_EQ(OdaProblem(bytes), "offset 12: a directory entry has 80 bytes, must be 144");
 }
 
 TEST(OdaTest, MembersThatOverlapAreRefused) {
   std::string bytes = OdaOf({{"OMTN", "a", std::string(400, 'x')}, {"OMTN", "b", ""}});
   const size_t entry = 64 + 144 + 132;
   bytes.replace(entry, 8, bytes.substr(64 + 132, 8));  // b has the bytes of a
-  EXPECT_EQ(WhyNoOda(bytes).find("offset 208: the members overlap"), 0u) << WhyNoOda(bytes);
+  EXPECT_EQ(OdaProblem(bytes).find("offset 208: the members overlap"), 0u) << OdaProblem(bytes);
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ LogFile SmallLog(const std::vector<int>& key_frames, int16_t commanded_cdeg) {
   return log;
 }
 
-std::string WhyNotMerged(const LogFile& real, const LogFile& other) {
+std::string MergeProblem(const LogFile& real, const LogFile& other) {
   try {
     MergeLogs(real, other);
   } catch (const std::runtime_error& error) {
@@ -153,10 +153,10 @@ TEST(MergeLogsTest, ARobotThatEndsEarlierLeavesRecordsWithoutItsValues) {
 }
 
 TEST(MergeLogsTest, DifferentMotionsAreRefused) {
-  EXPECT_EQ(WhyNotMerged(SmallLog({0, 2, 4}, 0), SmallLog({0, 2, 6}, 0)),
+  EXPECT_EQ(MergeProblem(SmallLog({0, 2, 4}, 0), SmallLog({0, 2, 6}, 0)),
             "record 2 is of key frame 4 of the first robot and 6 of the other: they have not "
             "played the same motion");
-  EXPECT_EQ(WhyNotMerged(SmallLog({0, 2}, 0), SmallLog({0, 2}, 300)),
+  EXPECT_EQ(MergeProblem(SmallLog({0, 2}, 0), SmallLog({0, 2}, 300)),
             "key frame 2: neck_tilt was commanded to 0.00 degrees by the first robot and to 3.00 "
             "by the other: the files on their sticks differ");
 }

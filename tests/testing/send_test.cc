@@ -11,7 +11,7 @@ class SendTest : public DoublerTest {
     BuildAndBoot();
     bench().RunFor(1ms);
   }
-  std::string Why(const char* line) { return bench().system().inputs().Check(0, line); }
+  std::string Refusal(const char* line) { return bench().system().inputs().Check(0, line); }
 };
 
 TEST_F(SendTest, ASentValueArrivesAtTheNextFrameBoundary) {
@@ -32,15 +32,15 @@ TEST_F(SendTest, AnInputAtAFrameBoundaryTakesEffectAtOnce) {
 }
 
 TEST_F(SendTest, WhatCannotBeSentIsRefused) {
-  EXPECT_THAT(Why("send"), ::testing::HasSubstr("names no observer"));
-  EXPECT_THAT(Why("send Doubler.In"), ::testing::HasSubstr("has no value to send"));
-  EXPECT_THAT(Why("send Doubler.Im 4"), ::testing::HasSubstr("no object has the observer"));
-  EXPECT_THAT(Why("send Doubler.In from Nobody.In 4"),
+  EXPECT_THAT(Refusal("send"), ::testing::HasSubstr("names no observer"));
+  EXPECT_THAT(Refusal("send Doubler.In"), ::testing::HasSubstr("has no value to send"));
+  EXPECT_THAT(Refusal("send Doubler.Im 4"), ::testing::HasSubstr("no object has the observer"));
+  EXPECT_THAT(Refusal("send Doubler.In from Nobody.In 4"),
               ::testing::HasSubstr("no object has the subject 'Nobody.In'"));
-  EXPECT_THAT(Why("send Doubler.In word:4"), ::testing::HasSubstr("'word' is no type"));
-  EXPECT_THAT(Why("send Doubler.In 3000000000000"), ::testing::HasSubstr("does not fit"));
-  EXPECT_THAT(Why("send Doubler.In hex:0"), ::testing::HasSubstr("two digits for each byte"));
-  EXPECT_THAT(Why("send Doubler.In hex:0g"), ::testing::HasSubstr("hexadecimal"));
+  EXPECT_THAT(Refusal("send Doubler.In word:4"), ::testing::HasSubstr("'word' is no type"));
+  EXPECT_THAT(Refusal("send Doubler.In 3000000000000"), ::testing::HasSubstr("does not fit"));
+  EXPECT_THAT(Refusal("send Doubler.In hex:0"), ::testing::HasSubstr("two digits for each byte"));
+  EXPECT_THAT(Refusal("send Doubler.In hex:0g"), ::testing::HasSubstr("hexadecimal"));
 }
 
 TEST_F(SendTest, ValuesBecomeBytes) {

@@ -23,7 +23,7 @@ class TargetTest : public ::testing::Test {
     const auto index = static_cast<size_t>(bench.model().FindJoint(joint));
     return static_cast<double>(bench.dog().devices().joints[index].target_urad);
   }
-  std::string WhyNot(const char* input) { return bench.system().inputs().Check(0, input); }
+  std::string Refusal(const char* input) { return bench.system().inputs().Check(0, input); }
 
   Bench bench{StandingDog()};
 };
@@ -72,16 +72,16 @@ TEST_F(TargetTest, TheEndOfATurnDoesNotRelease) {
 
 TEST_F(TargetTest, AWrongLineIsRefusedAndSaysWhy) {
   using ::testing::HasSubstr;
-  EXPECT_THAT(WhyNot("target"), HasSubstr("needs joints, each with an angle"));
-  EXPECT_THAT(WhyNot("target neck_pan"), HasSubstr("needs joints, each with an angle"));
-  EXPECT_THAT(WhyNot("target neck_pam 3"), HasSubstr("did you mean 'neck_pan'"));
-  EXPECT_THAT(WhyNot("target neck_pan far"), HasSubstr("'far' is no number"));
-  EXPECT_THAT(WhyNot("target neck_pan nan"), HasSubstr("'nan' is no number"));
-  EXPECT_THAT(WhyNot("target neck_pan 200"), HasSubstr("beyond the stops of neck_pan"));
-  EXPECT_THAT(WhyNot("target neck_pan 1 in"), HasSubstr("target"));
-  EXPECT_THAT(WhyNot("target neck_pan 1 in soon"), HasSubstr("soon"));
+  EXPECT_THAT(Refusal("target"), HasSubstr("needs joints, each with an angle"));
+  EXPECT_THAT(Refusal("target neck_pan"), HasSubstr("needs joints, each with an angle"));
+  EXPECT_THAT(Refusal("target neck_pam 3"), HasSubstr("did you mean 'neck_pan'"));
+  EXPECT_THAT(Refusal("target neck_pan far"), HasSubstr("'far' is no number"));
+  EXPECT_THAT(Refusal("target neck_pan nan"), HasSubstr("'nan' is no number"));
+  EXPECT_THAT(Refusal("target neck_pan 200"), HasSubstr("beyond the stops of neck_pan"));
+  EXPECT_THAT(Refusal("target neck_pan 1 in"), HasSubstr("target"));
+  EXPECT_THAT(Refusal("target neck_pan 1 in soon"), HasSubstr("soon"));
   const uint64_t before = bench.system().state_hash();
-  EXPECT_EQ(WhyNot("target neck_pan 1 neck_tilt 2 in 1s"), "");
+  EXPECT_EQ(Refusal("target neck_pan 1 neck_tilt 2 in 1s"), "");
   EXPECT_EQ(bench.system().state_hash(), before);
 }
 

@@ -19,8 +19,8 @@ bool fuzz::panel(std::string_view bytes) {
   request.path = input.Text(input.U8());
   request.host = input.Text(input.U8());
   request.origin = input.Text(input.U8());
-  const bool has_file = access.WhyNoFile(request).empty();
-  access.WhyNoSocket(request);
+  const bool has_file = access.FileRefusal(request).empty();
+  access.SocketRefusal(request);
   const std::string found = FindStaticFile("/usr/include", request.path);
   FuzzCheck(found.empty() || found.starts_with("/usr/include/"), "a file outside of the folder");
   ContentTypeOf(request.path);

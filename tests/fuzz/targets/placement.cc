@@ -11,7 +11,7 @@ bool fuzz::placement(std::string_view bytes) {
   Placement placement = ParsePlacement("placement", bytes, &diagnostics);
   Render(diagnostics);
   for (const auto& [object, process] : placement.process_of) {
-    FuzzCheck(WhyNoName("process", process).empty(), "the name of a process");
+    FuzzCheck(NameProblem("process", process).empty(), "the name of a process");
   }
   AddPlace(std::string(bytes.substr(0, bytes.find('\n'))), &placement);
   return placement.host_of.size() == 2 && placement.process_of.size() > 2;

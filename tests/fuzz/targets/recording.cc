@@ -15,7 +15,7 @@ bool fuzz::recording(std::string_view bytes) {
   try {
     TraceReader reader(file.path());
     while (reader.Peek() != nullptr) reader.Take();
-    reader.WhyNothing("JointMover", "Move");
+    reader.NoMatchText("JointMover", "Move");
   } catch (const std::runtime_error&) {
   }
   bool has_network = false;

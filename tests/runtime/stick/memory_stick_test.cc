@@ -85,9 +85,9 @@ TEST(MemoryStickTest, WhatIsNotThereIsToldFromWhatIsNoFile) {
   const TempFolder folder;
   fs::create_directories(folder.path() + "/OPEN-R/MW");
   FolderStick stick(folder.path());
-  EXPECT_EQ(stick.WhyUnread("/MS/OPEN-R/A.TXT"), ENOENT);
-  EXPECT_EQ(stick.WhyUnread("/MS/NOWHERE/A.TXT"), ENOENT);
-  EXPECT_EQ(stick.WhyUnread("/MS/OPEN-R/MW"), EISDIR);
+  EXPECT_EQ(stick.ReadError("/MS/OPEN-R/A.TXT"), ENOENT);
+  EXPECT_EQ(stick.ReadError("/MS/NOWHERE/A.TXT"), ENOENT);
+  EXPECT_EQ(stick.ReadError("/MS/OPEN-R/MW"), EISDIR);
 }
 
 // Runs the check as another user, because root may read every file.
@@ -104,9 +104,9 @@ TEST(MemoryStickTest, WhatMayNotBeReadIsNotCalledMissing) {
   if (child == 0) {
     if (geteuid() == 0 && setuid(kNobody) != 0) _exit(2);
     FolderStick stick(folder.path());
-    const bool good = stick.WhyUnread("/MS/OPEN-R/CLOSED/A.TXT") == EACCES &&
+    const bool good = stick.ReadError("/MS/OPEN-R/CLOSED/A.TXT") == EACCES &&
                       stick.Locate("/MS/OPEN-R/CLOSED/A.TXT").error == EACCES &&
-                      stick.WhyUnread("/MS/OPEN-R/B.TXT") == EACCES;
+                      stick.ReadError("/MS/OPEN-R/B.TXT") == EACCES;
     _exit(good ? 0 : 1);
   }
   int status = 0;
