@@ -163,33 +163,32 @@ std::string LineText(const std::string& text, int line) {
 
 }  // namespace
 
-bool IsAboutAssembly(const Complaint& complaint) {
-  const std::string& message = complaint.message;
+bool IsAboutAssembly(const CompilerError& error) {
+  const std::string& message = error.message;
   return message.starts_with(kAssemblerSays) || message.find("'asm'") != std::string::npos ||
          message.find("invalid register name for") != std::string::npos ||
          message.find("not specified for") != std::string::npos;
 }
 
-std::vector<Edit> AssemblyRepairOf(const Complaint& complaint, const std::string& text) {
-  if (!IsAboutAssembly(complaint)) return {};
+std::vector<Edit> AssemblyRepairOf(const CompilerError& error, const std::string& text) {
+  if (!IsAboutAssembly(error)) return {};
   const std::vector<AsmUse> uses = FindAsmUses(WithoutComments(text));
   std::vector<Edit> edits;
-  if (complaint.line == 0) {
+  if (error.line == 0) {
     for (const AsmUse& use : uses)
       if (!use.is_in_function && !use.names_register) edits.push_back(EditOf(use, text));
     return edits;
   }
-  const bool wants_register = complaint.message.find("invalid register name") != std::string::npos;
+  const bool wants_register = error.message.find("invalid register name") != std::string::npos;
   // Searches from the last asm statement to the first: the assembler may name a line after the end
   // of a statement (LastLineOf()), and a later statement that begins on or before this line fits
   // better.
   for (auto use = uses.rbegin(); use != uses.rend(); ++use) {
     if (use->names_register != wants_register) continue;
-    if (LineOf(text, use->begin) > complaint.line || LastLineOf(*use, text) < complaint.line)
-      continue;
+    if (LineOf(text, use->begin) > error.line || LastLineOf(*use, text) < error.line) continue;
     return {EditOf(*use, text)};
   }
-  return AssemblyMacroRepairOf(LineText(text, complaint.line), text);
+  return AssemblyMacroRepairOf(LineText(text, error.line), text);
 }
 
 std::vector<Edit> AssemblyMacroRepairOf(const std::string& line, const std::string& header) {

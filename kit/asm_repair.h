@@ -14,16 +14,16 @@
 
 namespace openr_host {
 
-// Returns whether the error message `complaint` is about assembly.  Such a message comes from the
+// Returns whether the error message `error` is about assembly.  Such a message comes from the
 // compiler ("... in 'asm'") or from the assembler.
-bool IsAboutAssembly(const Complaint& complaint);
+bool IsAboutAssembly(const CompilerError& error);
 
 // Beginning of Complaint::message for errors that come from the assembler and not the compiler.
 inline constexpr char kAssemblerSays[] = "assembler: ";
 
-// Returns the edits that remove from `text`, a source, the assembly that `complaint` is about.  If
-// the complaint names no line, the edits remove all assembly outside of functions.
-std::vector<Edit> AssemblyRepairOf(const Complaint& complaint, const std::string& text);
+// Returns the edits that remove from `text`, a source, the assembly that `error` is about.  If
+// the error names no line, the edits remove all assembly outside of functions.
+std::vector<Edit> AssemblyRepairOf(const CompilerError& error, const std::string& text);
 
 // Returns the edits that remove the assembly from macros in `header`, the text of a header.  `line`
 // is the source line with the error.  Macros that this line does not use are not changed.

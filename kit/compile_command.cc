@@ -190,11 +190,11 @@ std::vector<std::string> CarriedFlags(const std::vector<std::string>& arguments,
 }
 
 std::vector<std::string> UnknownFlags(const std::string& output) {
-  static const std::regex kComplaint(
+  static const std::regex kUnknownFlag(
       "(?:unrecognized command[- ]line option|unknown argument:|unknown warning option) "
       "[`'\"]?(-[^'\"\\s,;]+)");
   std::vector<std::string> flags;
-  for (std::sregex_iterator it(output.begin(), output.end(), kComplaint), end; it != end; ++it) {
+  for (std::sregex_iterator it(output.begin(), output.end(), kUnknownFlag), end; it != end; ++it) {
     flags.push_back((*it)[1]);
   }
   return flags;

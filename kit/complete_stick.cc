@@ -356,7 +356,7 @@ void MakeDataFolder(const StickFolder& stick, const fs::path& target) {
   const fs::path middleware =
       target / stick.ObjectsFolder().parent_path().lexically_relative(stick.root);
   std::error_code error;
-  fs::create_directories(SpeltBelow(middleware, "DATA/P"), error);
+  fs::create_directories(WithCaseOnDisk(middleware, "DATA/P"), error);
 }
 
 }  // namespace

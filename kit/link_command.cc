@@ -57,9 +57,10 @@ LinkCommand TranslateMkbin(const std::vector<std::string>& arguments,
 }
 
 std::vector<std::string> UndefinedNames(const std::string& output) {
-  static const std::regex kComplaint("undefined reference to [`']([^'\n]+)'");
+  static const std::regex kUndefinedName("undefined reference to [`']([^'\n]+)'");
   std::vector<std::string> names;
-  for (std::sregex_iterator it(output.begin(), output.end(), kComplaint), end; it != end; ++it) {
+  for (std::sregex_iterator it(output.begin(), output.end(), kUndefinedName), end; it != end;
+       ++it) {
     const std::string name = (*it)[1];
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }

@@ -171,11 +171,11 @@ std::vector<std::string> VariableArguments(const MakePlan& plan) {
 
 // Returns make's error in `line`: "No rule to make target 'x'" for "make[1]: *** No rule to make
 // target 'x'.  Stop.".  Returns "" for other lines.
-std::string ComplaintOfMake(const std::string& line) {
-  static const std::regex kComplaint(
+std::string ErrorOfMake(const std::string& line) {
+  static const std::regex kErrorOfMake(
       "(?:\\S*make(?:\\[\\d+\\])?: |([^\\s:]+:\\d+): )\\*\\*\\* (.*?)\\.?(?:  Stop\\.)?");
   std::smatch match;
-  if (!std::regex_match(line, match, kComplaint)) return "";
+  if (!std::regex_match(line, match, kErrorOfMake)) return "";
   return (match[1].matched ? match[1].str() + ": " : "") + match[2].str();
 }
 
@@ -187,14 +187,14 @@ std::string CauseOf(const std::string& output) {
   std::string before;  // last line that a command printed before the current line
   std::string tool, rule;
   for (std::string line; std::getline(lines, line);) {
-    const std::string complaint = ComplaintOfMake(line);
-    if (complaint.empty()) {
+    const std::string error = ErrorOfMake(line);
+    if (error.empty()) {
       if (!line.empty() && !line.starts_with("make")) before = line;
       continue;
     }
-    if (complaint.starts_with("Waiting for") || complaint.starts_with("Deleting file")) continue;
+    if (error.starts_with("Waiting for") || error.starts_with("Deleting file")) continue;
     std::smatch match;
-    if (!std::regex_match(complaint, match, kFailedRule)) return complaint;
+    if (!std::regex_match(error, match, kFailedRule)) return error;
     // Prefers a missing program (Error 127) as the cause, because this explains more than a program
     // that failed.  Of several failed rules the first is the cause, because the later rules may
     // depend on the first.
@@ -219,7 +219,7 @@ MakePlan PlanMake(const Project& project, const std::string& sdk_root) {
       for (const std::string& value : variable.values) {
         if (value.empty() || value[0] == '/' || value.find('$') != std::string::npos) continue;
         plan.needed_folders.push_back(
-            SpeltBelow((file.parent_path() / value).lexically_normal(), "OPEN-R/MW/OBJS"));
+            WithCaseOnDisk((file.parent_path() / value).lexically_normal(), "OPEN-R/MW/OBJS"));
       }
     }
   }
@@ -239,8 +239,8 @@ MakePlan PlanMake(const Project& project, const std::string& sdk_root) {
   for (const StickFolder& each : project.sticks)
     middleware.push_back(each.ObjectsFolder().parent_path());
   for (const fs::path& folder : middleware) {
-    plan.needed_folders.push_back(SpeltBelow(folder, "OBJS"));
-    plan.needed_folders.push_back(SpeltBelow(folder, "DATA/P"));
+    plan.needed_folders.push_back(WithCaseOnDisk(folder, "OBJS"));
+    plan.needed_folders.push_back(WithCaseOnDisk(folder, "DATA/P"));
   }
   return plan;
 }

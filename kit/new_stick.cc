@@ -54,7 +54,7 @@ std::string PutImages(const std::vector<std::string>& images, const fs::path& ob
     const std::string name = ImageName(image);
     if (!names.insert(name).second)
       throw std::runtime_error(fmt::format("{}: another image has the name {}", image, name));
-    CopyFile(image, SpeltBelow(objects, name), fs::copy_options::overwrite_existing);
+    CopyFile(image, WithCaseOnDisk(objects, name), fs::copy_options::overwrite_existing);
     list += fmt::format("/MS/OPEN-R/MW/OBJS/{}\n", name);
   }
   return list;
@@ -80,11 +80,11 @@ void CopyBase(const std::string& base, const fs::path& root) {
 // Returns the names of the images in OPEN-R/MW/OBJS of the stick `root` that no section of its
 // OBJECT.CFG names, so that no robot loads them.
 std::vector<std::string> UnlistedImages(const fs::path& root) {
-  const std::string text = ReadText(SpeltBelow(root, "OPEN-R/MW/CONF/OBJECT.CFG")).value_or("");
+  const std::string text = ReadText(WithCaseOnDisk(root, "OPEN-R/MW/CONF/OBJECT.CFG")).value_or("");
   const std::vector<ObjectRecord> records =
       ParseObjectConfig("OBJECT.CFG", text, kEveryDesign).objects;
   std::vector<std::string> unlisted;
-  for (const auto& entry : fs::directory_iterator(SpeltBelow(root, "OPEN-R/MW/OBJS"))) {
+  for (const auto& entry : fs::directory_iterator(WithCaseOnDisk(root, "OPEN-R/MW/OBJS"))) {
     const std::string name = entry.path().filename();
     const auto names_it = [&name](const ObjectRecord& record) {
       return EqualsIgnoringCase(record.path, "/MS/OPEN-R/MW/OBJS/" + name);
@@ -104,12 +104,12 @@ std::vector<std::string> MakeNewStick(const NewStickOptions& options) {
   const fs::path root = draft.stick();
   if (!options.base.empty()) CopyBase(options.base, root);
   for (const char* folder : {"OPEN-R/MW/CONF", "OPEN-R/MW/OBJS", "OPEN-R/MW/DATA/P"})
-    fs::create_directories(SpeltBelow(root, folder));
-  const std::string list = PutImages(options.images, SpeltBelow(root, "OPEN-R/MW/OBJS"));
-  MergeInto(SpeltBelow(root, "OPEN-R/MW/CONF/OBJECT.CFG"), list);
+    fs::create_directories(WithCaseOnDisk(root, folder));
+  const std::string list = PutImages(options.images, WithCaseOnDisk(root, "OPEN-R/MW/OBJS"));
+  MergeInto(WithCaseOnDisk(root, "OPEN-R/MW/CONF/OBJECT.CFG"), list);
   const std::string connections =
       options.connections.empty() ? kNoConnections : ReadFileOrThrow(options.connections);
-  MergeInto(SpeltBelow(root, "OPEN-R/MW/CONF/CONNECT.CFG"), connections);
+  MergeInto(WithCaseOnDisk(root, "OPEN-R/MW/CONF/CONNECT.CFG"), connections);
   if (!options.wlan.empty()) PutWlanFile(root, options.wlan);
   std::vector<std::string> unlisted = UnlistedImages(root);
   draft.Finish();
@@ -119,7 +119,7 @@ std::vector<std::string> MakeNewStick(const NewStickOptions& options) {
 std::string PutWlanFile(const std::string& stick, const std::string& text) {
   if (FindEntry(stick, "OPEN-R").empty())
     throw std::runtime_error(fmt::format("{}: is no stick, there is no OPEN-R/ in it", stick));
-  const fs::path file = SpeltBelow(stick, "OPEN-R/SYSTEM/CONF/WLANCONF.TXT");
+  const fs::path file = WithCaseOnDisk(stick, "OPEN-R/SYSTEM/CONF/WLANCONF.TXT");
   Write(file, text);
   return file;
 }

@@ -17,22 +17,22 @@ using Edits = std::vector<Edit>;
 
 // An error message of the compiler, with the text of the file that the message is about.
 struct ErrorPlace {
-  const Complaint& complaint;
+  const CompilerError& error;
   const std::string& text;
   const std::string code;  // text without comments and strings
   const size_t at;         // position in the text that the message names
 
-  bool MessageHas(const char* words) const { return complaint.message.find(words) != kNone; }
+  bool MessageHas(const char* words) const { return error.message.find(words) != kNone; }
 
   // Returns the text in the n-th pair of single quotes of the message, counted from 1.
   std::string Quoted(int n = 1) const {
     size_t end = kNone, begin = kNone;
     for (int i = 0; i < n; ++i) {
-      begin = complaint.message.find('\'', end + 1);
-      end = begin == kNone ? kNone : complaint.message.find('\'', begin + 1);
+      begin = error.message.find('\'', end + 1);
+      end = begin == kNone ? kNone : error.message.find('\'', begin + 1);
       if (end == kNone) return "";
     }
-    return complaint.message.substr(begin + 1, end - begin - 1);
+    return error.message.substr(begin + 1, end - begin - 1);
   }
 };
 
@@ -305,9 +305,9 @@ Edits InheritedName(const ErrorPlace& place) {
 // Corrects the name of a header whose slashes or upper and lower case letters are wrong here,
 // because the name was written for another file system: #include "Sub\HEADER.H"
 Edits HeaderName(const ErrorPlace& place, const std::vector<std::string>& headers) {
-  const size_t end = place.complaint.message.find(": No such file or directory");
+  const size_t end = place.error.message.find(": No such file or directory");
   if (end == kNone) return {};
-  const std::string name = place.complaint.message.substr(0, end);
+  const std::string name = place.error.message.substr(0, end);
   std::string wanted = LowerCase(name);
   std::replace(wanted.begin(), wanted.end(), '\\', '/');
   const size_t begin = place.text.find(name, place.at);
@@ -324,11 +324,11 @@ Edits HeaderName(const ErrorPlace& place, const std::vector<std::string>& header
 
 }  // namespace
 
-std::vector<Edit> RepairOf(const Complaint& complaint, const std::string& text,
+std::vector<Edit> RepairOf(const CompilerError& error, const std::string& text,
                            const std::vector<std::string>& headers) {
-  if (IsAboutAssembly(complaint)) return AssemblyRepairOf(complaint, text);
-  const ErrorPlace place{complaint, text, WithoutComments(text),
-                         OffsetOf(text, complaint.line, complaint.column)};
+  if (IsAboutAssembly(error)) return AssemblyRepairOf(error, text);
+  const ErrorPlace place{error, text, WithoutComments(text),
+                         OffsetOf(text, error.line, error.column)};
   if (place.at == kNone) return {};
   static Edits (*const kRules[])(const ErrorPlace&) = {
       &Typename,        &RepeatedParameter, &OwnTypedef,     &LabelAtEnd,           &FunctionName,

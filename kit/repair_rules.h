@@ -12,7 +12,7 @@
 namespace openr_host {
 
 // An error message of the compiler or of the assembler.
-struct Complaint {
+struct CompilerError {
   std::string message;  // text of the message, in English and with ASCII quotes
   std::string file;
   int line = 0;
@@ -21,16 +21,16 @@ struct Complaint {
 
 // A change of one part of a source: `text` replaces the characters from `begin` to `end`.
 struct Edit {
-  size_t begin = 0;  // begin of the replaced text: offset in the file of the complaint
+  size_t begin = 0;  // begin of the replaced text: offset in the file of the error
   size_t end = 0;    // end of the replaced text; equal to `begin` for an insertion
   std::string text;
   std::string what;  // description of the repair for the user; "" in further edits of a repair
 };
 
-// Returns the edits of `text`, the whole file, that repair the error of `complaint`; none if no
-// rule fits.  If the complaint is about a missing header, `headers` are the paths of all headers
+// Returns the edits of `text`, the whole file, that repair the error of `error`; none if no
+// rule fits.  If the error is about a missing header, `headers` are the paths of all headers
 // that could be meant.
-std::vector<Edit> RepairOf(const Complaint& complaint, const std::string& text,
+std::vector<Edit> RepairOf(const CompilerError& error, const std::string& text,
                            const std::vector<std::string>& headers);
 
 }  // namespace openr_host

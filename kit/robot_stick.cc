@@ -277,7 +277,7 @@ void MakeHostStick(const std::string& stick, const std::string& output) {
   for (const fs::path& file : debug_files) fs::remove(file);
   // Creates the folder in which programs write files, because OPEN-R does not create missing
   // folders.
-  fs::create_directories(SpeltBelow(draft.stick(), "OPEN-R/MW/DATA/P"));
+  fs::create_directories(WithCaseOnDisk(draft.stick(), "OPEN-R/MW/DATA/P"));
   draft.Finish();
   fmt::print("{} run --stick {}\n", ShellWord(ProgramCall()), ShellWord(output));
 }

@@ -26,8 +26,8 @@ namespace fs = std::filesystem;
 
 // Returns the errors in the output of g++.  The output has JSON arrays, each on one line, and other
 // lines between them.
-std::vector<Complaint> ReadComplaints(const std::string& diagnostics) {
-  std::vector<Complaint> complaints;
+std::vector<CompilerError> ReadCompilerErrors(const std::string& diagnostics) {
+  std::vector<CompilerError> errors;
   std::istringstream lines(diagnostics);
   for (std::string line; std::getline(lines, line);) {
     const auto parsed = TryParseJson<nlohmann::json>(line);
@@ -39,35 +39,35 @@ std::vector<Complaint> ReadComplaints(const std::string& diagnostics) {
         continue;
       }
       const auto& caret = entry["locations"][0]["caret"];
-      complaints.push_back({entry.value("message", ""),
-                            fs::absolute(caret.value("file", "")).lexically_normal(),
-                            caret.value("line", 0), caret.value("byte-column", 0)});
+      errors.push_back({entry.value("message", ""),
+                        fs::absolute(caret.value("file", "")).lexically_normal(),
+                        caret.value("line", 0), caret.value("byte-column", 0)});
     }
   }
-  return complaints;
+  return errors;
 }
 
 // Returns the errors of the assembler: "a.cc:3: Error: no such instruction: ...".  For assembly
 // outside of functions, the assembler names its own input (.s) and not a source.  Such an error
 // counts for each of `sources`, the files that were given to the compiler.
-std::vector<Complaint> ReadAssemblerComplaints(const std::string& diagnostics,
+std::vector<CompilerError> ReadAssemblerErrors(const std::string& diagnostics,
                                                const std::vector<std::string>& sources) {
   static const std::regex kError("^([^:\n]+):(\\d+): (?:Error|Fatal error): (.*)$");
-  std::vector<Complaint> complaints;
+  std::vector<CompilerError> errors;
   std::istringstream lines(diagnostics);
   for (std::string line; std::getline(lines, line);) {
     std::smatch match;
     if (!std::regex_match(line, match, kError)) continue;
     const std::string message = kAssemblerSays + match[3].str();
     if (!match[1].str().ends_with(".s")) {
-      complaints.push_back(
+      errors.push_back(
           {message, fs::absolute(match[1].str()).lexically_normal(), std::stoi(match[2]), 1});
       continue;
     }
     for (const std::string& source : sources)
-      complaints.push_back({message, fs::absolute(source).lexically_normal(), 0, 0});
+      errors.push_back({message, fs::absolute(source).lexically_normal(), 0, 0});
   }
-  return complaints;
+  return errors;
 }
 
 // Applies `edits` to `text` and returns the result.  The edits must not overlap.  The last edit in
@@ -117,9 +117,9 @@ RepairSession::~RepairSession() {
 // Adds to `edits_of` the edits of headers that remove assembly from macros.  Called if the compiler
 // complains about assembly in a line of `text` that has none, because the assembly then comes from
 // a macro of a header.
-void RepairSession::AddMacroEdits(const Complaint& complaint, const std::string& text,
+void RepairSession::AddMacroEdits(const CompilerError& error, const std::string& text,
                                   std::map<std::string, std::vector<Edit>>* edits_of) {
-  const size_t begin = OffsetOf(text, complaint.line, 1);
+  const size_t begin = OffsetOf(text, error.line, 1);
   if (begin == kNone) return;
   const std::string line = text.substr(begin, text.find('\n', begin) - begin);
   for (const SourceCopy& entry : copies_) {
@@ -140,33 +140,33 @@ void RepairSession::AddMacroEdits(const Complaint& complaint, const std::string&
 bool RepairSession::Apply(const std::string& diagnostics, const std::vector<std::string>& sources) {
   std::vector<std::string> headers;
   std::map<std::string, std::vector<Edit>> edits_of;
-  std::vector<Complaint> complaints = ReadComplaints(diagnostics);
-  const std::vector<Complaint> more = ReadAssemblerComplaints(diagnostics, sources);
-  complaints.insert(complaints.end(), more.begin(), more.end());
+  std::vector<CompilerError> errors = ReadCompilerErrors(diagnostics);
+  const std::vector<CompilerError> more = ReadAssemblerErrors(diagnostics, sources);
+  errors.insert(errors.end(), more.begin(), more.end());
   // Ignores the compiler's messages about undeclared names in this round of repairs if a 'typename'
   // is missing, because the missing 'typename' may be the cause of these messages.  A later round
   // repairs the names that are still undeclared.
   const bool is_unclear = diagnostics.find("need 'typename'") != std::string::npos;
-  for (const Complaint& complaint : complaints) {
-    if (is_unclear && complaint.message.find("not declared") != std::string::npos) continue;
+  for (const CompilerError& error : errors) {
+    if (is_unclear && error.message.find("not declared") != std::string::npos) continue;
     // Leaves other files alone, such as headers of the SDK tree, which serve other builds, too.
-    if (OriginalOf(complaint.file, copies_).empty()) continue;
-    const std::string text = ReadText(complaint.file).value_or("");
-    if (headers.empty() && complaint.message.find("No such file") != std::string::npos) {
+    if (OriginalOf(error.file, copies_).empty()) continue;
+    const std::string text = ReadText(error.file).value_or("");
+    if (headers.empty() && error.message.find("No such file") != std::string::npos) {
       for (const SourceCopy& entry : copies_) {
         for (const fs::path& file : FilesBelow(entry.copy)) headers.push_back(file);
       }
       for (const fs::path& file : FilesBelow(SdkRoot() + "/OPEN_R/include/OPENR"))
         headers.push_back(file);
     }
-    const std::vector<Edit> edits = RepairOf(complaint, text, headers);
-    if (edits.empty() && complaint.line > 0 && IsAboutAssembly(complaint))
-      AddMacroEdits(complaint, text, &edits_of);
-    std::vector<Edit>& all = edits_of[complaint.file];
+    const std::vector<Edit> edits = RepairOf(error, text, headers);
+    if (edits.empty() && error.line > 0 && IsAboutAssembly(error))
+      AddMacroEdits(error, text, &edits_of);
+    std::vector<Edit>& all = edits_of[error.file];
     if (edits.empty() || Overlaps(edits, all)) continue;
     all.insert(all.end(), edits.begin(), edits.end());
     repairs_.push_back(
-        {fmt::format("{}:{}", OriginalOf(complaint.file, copies_), complaint.line), edits[0].what});
+        {fmt::format("{}:{}", OriginalOf(error.file, copies_), error.line), edits[0].what});
   }
   bool changed = false;
   for (const auto& [file, edits] : edits_of) {

@@ -38,7 +38,7 @@ class RepairSession {
   void Undo();
 
  private:
-  void AddMacroEdits(const Complaint& complaint, const std::string& text,
+  void AddMacroEdits(const CompilerError& error, const std::string& text,
                      std::map<std::string, std::vector<Edit>>* edits_of);
 
   const std::vector<SourceCopy> copies_;

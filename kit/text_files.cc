@@ -94,7 +94,7 @@ fs::path FindBelow(fs::path folder, const std::string& path) {
   return folder;
 }
 
-fs::path SpeltBelow(fs::path folder, const std::string& path) {
+fs::path WithCaseOnDisk(fs::path folder, const std::string& path) {
   for (const fs::path& part : fs::path(path)) {
     const fs::path there = FindEntry(folder, part);
     folder = there.empty() ? folder / part : there;

@@ -29,7 +29,7 @@ std::filesystem::path FindBelow(std::filesystem::path folder, const std::string&
 
 // Returns `path` below `folder`.  Parts that exist on the disk get the upper and lower case letters
 // that they have on the disk.
-std::filesystem::path SpeltBelow(std::filesystem::path folder, const std::string& path);
+std::filesystem::path WithCaseOnDisk(std::filesystem::path folder, const std::string& path);
 
 // Returns whether a file of this name is a C or C++ source.
 bool IsSourceName(const std::filesystem::path& file);
