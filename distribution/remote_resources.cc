@@ -71,7 +71,7 @@ void RemoteResources::Wake(ObjectId object, uint64_t box) {
 }
 
 void RemoteResources::ReleaseAll() {
-  ReturnExported();
+  ReleaseExported();
   marshaller_->PeerIsLost();
   for (const auto& [id, object] : objects_) {
     // Ends the wait of a RemoteObject, the master's stand-in for an object of the worker, if its
@@ -90,7 +90,7 @@ void RemoteResources::ReleaseAll() {
 // Gives the regions that were sent to the lost worker back to the subjects that sent them.  The
 // worker's observers cannot do this any more.  So the master sends deasserts ("not ready"), which
 // give the regions back, in the name of these observers.
-void RemoteResources::ReturnExported() {
+void RemoteResources::ReleaseExported() {
   using Entry = std::pair<ObjectId, uint32_t>;
   // The regions to give back, grouped by observer and subject.  A deassert ("not ready") goes from
   // one observer to one subject, so the regions of one group go back with one deassert.

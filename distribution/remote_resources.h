@@ -84,7 +84,7 @@ class RemoteResources {
   void ReleaseAll();
 
  private:
-  void ReturnExported();
+  void ReleaseExported();
 
   RemoteConnection* const connection_;
   System* system_ = nullptr;

@@ -37,7 +37,7 @@ Value As(const OCommandData& data, int i) {
   static_assert(sizeof(Value) == sizeof(OCommandValue));
   Value value;
   std::memcpy(&value, &data.value[i], sizeof value);
-  if (data.value[i].value[0] == kNeverFilled) std::memset(&value, 0, sizeof(slongword));
+  if (data.value[i].value[0] == kUnsetCommand) std::memset(&value, 0, sizeof(slongword));
   return value;
 }
 
@@ -68,10 +68,10 @@ int CountFrames(const OCommandInfo& info, const OCommandData& data, std::string*
         "the element behind it and is not played",
         info.numFrames, ocommandMAX_FRAMES);
   }
-  // Looks for a command frame that still has the number kNeverFilled, which NewCommandVectorData()
+  // Looks for a command frame that still has the number kUnsetCommand, which NewCommandVectorData()
   // writes into every command frame: the program has never filled such a frame.
   for (int i = 0; i < frames; ++i) {
-    if (data.value[i].value[0] != kNeverFilled) continue;
+    if (data.value[i].value[0] != kUnsetCommand) continue;
     *problem = fmt::format(
         "says {} frames, of which frame {} was never filled; it plays as 0 (on "
         "the robot as whatever the memory held: joints shiver or go to "

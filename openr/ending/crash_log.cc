@@ -125,7 +125,7 @@ bool GoesOnInSignal(const siginfo_t& info, void* context) {
   const CrashStack stack(*t_current.object, context);
   t_current.object->number_faults[std::countr_zero(kind)] = stack.OwnAddress();
   static_cast<ucontext_t*>(context)->uc_mcontext.fpregs->mxcsr |= kind << kFpMaskShift;
-  if (t_current.watch != nullptr) t_current.watch->GiveUpCatching(kind);
+  if (t_current.watch != nullptr) t_current.watch->DisableTrap(kind);
   return true;
 #else
   static_cast<void>(info);

@@ -175,7 +175,7 @@ std::string DescribeFindings(Simulation* simulation, bool has_colours) {
     }
     const std::string word = fmt::format("{}:", SeverityName(finding.severity));
     text += fmt::format("{} {}{}{}\n", Coloured(ColourOf(finding.severity), word, has_colours),
-                        about, finding.text, HowOften(finding));
+                        about, finding.text, RepetitionText(finding));
   }
   if (findings.not_kept() > 0) text += "and " + Counted(findings.not_kept(), "more finding") + "\n";
   return text;

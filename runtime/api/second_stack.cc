@@ -38,8 +38,8 @@ struct OpenrSecondStack {
   bool has_left = false;  // true while the function `body` waits to be continued
 
   static char* Address() {
-    const auto& place = t_current.object->place;
-    return place == nullptr ? nullptr : place->stack(1);
+    const auto& addresses = t_current.object->addresses;
+    return addresses == nullptr ? nullptr : addresses->stack(1);
   }
 
   static void Main(void* self) { static_cast<OpenrSecondStack*>(self)->Run(); }

@@ -121,7 +121,7 @@ OStatus NewCommandVectorData(size_t numCommands, MemoryRegionID* memID,
     OCommandData* const data = (*baseAddr)->GetData(static_cast<int>(i));
     // Marks the commands as not set, so that the simulated robot can see which of them the program
     // has set (fresh_command.h).
-    for (OCommandValue& value : data->value) value.value[0] = kNeverFilled;
+    for (OCommandValue& value : data->value) value.value[0] = kUnsetCommand;
   }
   return oSUCCESS;
 }

@@ -31,19 +31,19 @@ constexpr uintptr_t kStacks = 4 * kTiB + kTiB / 2;
 constexpr uintptr_t kRegions = 5 * kTiB;
 constexpr uintptr_t kCopies = 8 * kTiB;
 constexpr size_t kRegionAreas = 2;
-constexpr size_t kImageStride = AddressPlace::kImageBytes + AddressPlace::kThunkBytes;
+constexpr size_t kImageStride = ObjectAddresses::kImageBytes + ObjectAddresses::kThunkBytes;
 
-static_assert(kHeaps + AddressPlace::kPlaces * AddressPlace::kHeapBytes <= kImages);
-static_assert(kImages + AddressPlace::kPlaces * kImageStride <= kStacks);
-static_assert(kStacks + AddressPlace::kPlaces * 2 * AddressPlace::kStackBytes <= kRegions);
+static_assert(kHeaps + ObjectAddresses::kPlaces * ObjectAddresses::kHeapBytes <= kImages);
+static_assert(kImages + ObjectAddresses::kPlaces * kImageStride <= kStacks);
+static_assert(kStacks + ObjectAddresses::kPlaces * 2 * ObjectAddresses::kStackBytes <= kRegions);
 static_assert(kRegions + kRegionAreas * kRegionAreaBytes <= kCopies);
-static_assert(kCopies + AddressPlace::kPlaces * AddressPlace::kCopyBytes <= kAreaBytes);
+static_assert(kCopies + ObjectAddresses::kPlaces * ObjectAddresses::kCopyBytes <= kAreaBytes);
 
 // The address plan of this process: its first address, and which places of objects and which areas
 // for regions are taken.  It has no lock, because only the thread that makes Systems uses it.
 struct Plan {
   uintptr_t area = 0;  // first address of the address plan; 0 if addresses are not planned
-  std::array<bool, AddressPlace::kPlaces> taken = {};
+  std::array<bool, ObjectAddresses::kPlaces> taken = {};
   std::array<bool, kRegionAreas> regions_taken = {};
 };
 
@@ -101,7 +101,7 @@ char* AreaOf(int index, uintptr_t offset, size_t bytes) {
 
 }  // namespace
 
-AddressPlace::AddressPlace(ObjectId id) {
+ObjectAddresses::ObjectAddresses(ObjectId id) {
   Plan& plan = ThePlan();
   if (plan.area == 0) return;
   // Object `id` has two places of its own, with the numbers 2 * id and 2 * id + 1.  An object needs
@@ -119,21 +119,21 @@ AddressPlace::AddressPlace(ObjectId id) {
   if (index_ >= 0) plan.taken[static_cast<size_t>(index_)] = true;
 }
 
-AddressPlace::~AddressPlace() {
+ObjectAddresses::~ObjectAddresses() {
   if (index_ >= 0) ThePlan().taken[static_cast<size_t>(index_)] = false;
 }
 
-char* AddressPlace::heap() const { return AreaOf(index_, kHeaps, kHeapBytes); }
-char* AddressPlace::image() const { return AreaOf(index_, kImages, kImageStride); }
-char* AddressPlace::thunks() const { return index_ < 0 ? nullptr : image() + kImageBytes; }
-char* AddressPlace::copies() const { return AreaOf(index_, kCopies, kCopyBytes); }
-char* AddressPlace::stack(int number) const {
+char* ObjectAddresses::heap() const { return AreaOf(index_, kHeaps, kHeapBytes); }
+char* ObjectAddresses::image() const { return AreaOf(index_, kImages, kImageStride); }
+char* ObjectAddresses::thunks() const { return index_ < 0 ? nullptr : image() + kImageBytes; }
+char* ObjectAddresses::copies() const { return AreaOf(index_, kCopies, kCopyBytes); }
+char* ObjectAddresses::stack(int number) const {
   ASSERT(number == 0 || number == 1);
   char* const both = AreaOf(index_, kStacks, 2 * kStackBytes);
   return both == nullptr ? nullptr : both + static_cast<size_t>(number) * kStackBytes;
 }
 
-int AddressPlace::OfHeap(const void* address) {
+int ObjectAddresses::OfHeap(const void* address) {
   // An address below g_area, the first address of the plan and of the heaps, becomes a very large
   // offset, so one comparison finds addresses below the heaps and addresses above them.
   const uintptr_t offset = reinterpret_cast<uintptr_t>(address) - g_area;

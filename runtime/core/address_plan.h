@@ -32,7 +32,7 @@ namespace openr_host {
 
 // The place of one object in the address plan: a part of each range (heaps, images ...) that only
 // this object uses.  Only objects that were loaded from files have a place.
-class AddressPlace {
+class ObjectAddresses {
  public:
   static constexpr int kPlaces = 1 << 15;
   static constexpr size_t kHeapBytes = size_t{128} << 20;
@@ -45,10 +45,10 @@ class AddressPlace {
   // the first place, unless another object still uses it: the object that it replaces, or an object
   // of another System in this process.  Then the object takes the second place.  If both places are
   // in use, the object takes the free place with the highest number.
-  explicit AddressPlace(ObjectId id);
-  ~AddressPlace();  // REQUIRES: nothing is mapped at this place any more
-  AddressPlace(const AddressPlace&) = delete;
-  AddressPlace& operator=(const AddressPlace&) = delete;
+  explicit ObjectAddresses(ObjectId id);
+  ~ObjectAddresses();  // REQUIRES: nothing is mapped at this place any more
+  ObjectAddresses(const ObjectAddresses&) = delete;
+  ObjectAddresses& operator=(const ObjectAddresses&) = delete;
 
   // Returns the first address of the heap of this place, or null if addresses are not planned.
   char* heap() const;

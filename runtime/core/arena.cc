@@ -20,7 +20,7 @@ constexpr size_t kLargest = 32 << 10;
 constexpr size_t kMapBytes = 1 << 20;  // memory is mapped in steps of this size
 
 // The arena (heap) of each object.  The index is the number of the object's place (address_plan.h).
-constinit Arena* g_arenas[AddressPlace::kPlaces] = {};
+constinit Arena* g_arenas[ObjectAddresses::kPlaces] = {};
 
 // Returns the size of the blocks of a size class: 16, 32, 48 ... 256 bytes for classes 0 to 15.
 // The later classes go up to 32 KiB, with four classes between each power of two and the next.
@@ -40,17 +40,17 @@ int ClassOfSize(size_t size) {
 
 }  // namespace
 
-Arena::Arena(const AddressPlace& place, MemoryBudget* budget)
+Arena::Arena(const ObjectAddresses& place, MemoryBudget* budget)
     : base_(place.heap()), spans_(kSpans), budget_(budget == nullptr ? &own_budget_ : budget) {
   ASSERT(base_ != nullptr && OwnerOf(base_) == nullptr, "a place has one heap");
-  g_arenas[AddressPlace::OfHeap(base_)] = this;
+  g_arenas[ObjectAddresses::OfHeap(base_)] = this;
 }
 
 Arena::~Arena() {
   ASSERT(budget_->used_bytes >= in_use_, "the robot's objects use {} bytes, this one {}",
          budget_->used_bytes, in_use_);
   budget_->used_bytes -= in_use_;
-  g_arenas[AddressPlace::OfHeap(base_)] = nullptr;
+  g_arenas[ObjectAddresses::OfHeap(base_)] = nullptr;
   if (mapped_spans_ > 0) munmap(base_, mapped_spans_ * kSpanBytes);
 }
 
@@ -149,7 +149,7 @@ void* Arena::AllocateLarge(size_t size) {
 }
 
 Arena* Arena::OwnerOf(const void* block) {
-  const int place = AddressPlace::OfHeap(block);
+  const int place = ObjectAddresses::OfHeap(block);
   return place < 0 ? nullptr : g_arenas[place];
 }
 

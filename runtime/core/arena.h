@@ -35,7 +35,7 @@ class Arena {
   // Makes an empty heap in the heap area of `place` (address_plan.h), which no other arena may use.
   // If `budget`, the memory that all objects of the robot share, is null, the size of the area is
   // the only limit; otherwise `budget` must outlive the arena.  REQUIRES: place.heap() is not null.
-  explicit Arena(const AddressPlace& place, MemoryBudget* budget = nullptr);
+  explicit Arena(const ObjectAddresses& place, MemoryBudget* budget = nullptr);
   ~Arena();  // frees all blocks
   Arena(const Arena&) = delete;
   Arena& operator=(const Arena&) = delete;
@@ -82,7 +82,7 @@ class Arena {
  private:
   static constexpr int kClasses = 44;
   static constexpr size_t kSpanBytes = size_t{64} << 10;
-  static constexpr size_t kSpans = AddressPlace::kHeapBytes / kSpanBytes;
+  static constexpr size_t kSpans = ObjectAddresses::kHeapBytes / kSpanBytes;
 
   // A span of 64 KiB.  It holds small blocks of one size class, or is the first or a later span of
   // a large block.

@@ -18,13 +18,13 @@ bool ArithmeticWatch::Catches() { return g_catches && !IsStackWatched(); }
 void ArithmeticWatch::Begin(unsigned kinds) {
   has_begun_ = true;
   kinds_ = kinds;
-  CatchFp(kinds_);
+  SetFpTraps(kinds_);
 }
 
 void ArithmeticWatch::Enter() {
   if (++calls_ > 1 || kinds_ == 0) return;
   saved_fp_ = FpState();
-  CatchFp(0);
+  SetFpTraps(0);
 }
 
 void ArithmeticWatch::Leave() {
@@ -32,6 +32,6 @@ void ArithmeticWatch::Leave() {
   if (--calls_ == 0 && kinds_ != 0) SetFpState(saved_fp_);
 }
 
-void ArithmeticWatch::End() { CatchFp(0); }
+void ArithmeticWatch::End() { SetFpTraps(0); }
 
 }  // namespace openr_host

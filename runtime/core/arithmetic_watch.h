@@ -28,7 +28,7 @@ class ArithmeticWatch {
   // the handler, because each kind of operation is reported only once.  Called by the handler of
   // SIGFPE after it has recorded the instruction.  This handler also changes the interrupted code's
   // MXCSR, the register that enables SIGFPE, so that the instruction does not raise SIGFPE again.
-  void GiveUpCatching(unsigned kind) { kinds_ &= ~kind; }
+  void DisableTrap(unsigned kind) { kinds_ &= ~kind; }
 
   // Pauses the watch for floating-point faults.  Called at the beginning of a function of the SDK
   // or of the C library that the image's code has called.  Calls of Enter() and Leave() may be

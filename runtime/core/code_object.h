@@ -43,7 +43,7 @@ class CodeObject : public OObject {
  protected:
   // A function object that ignores the message.  Used for entries whose messages the object need
   // not handle.
-  struct Nothing {
+  struct IgnoreMessage {
     template <typename T>
     void operator()(const T&) const {}
   };
@@ -52,17 +52,17 @@ class CodeObject : public OObject {
   // as "Blinker.Blink.OCommandVectorData.S".  `ready(const OReadyEvent&)` is called for each ready
   // that the subject gets.  This CodeObject owns the returned subject.  REQUIRES: called in the
   // constructor.
-  template <typename Ready = Nothing>
+  template <typename Ready = IgnoreMessage>
   OSubject* AddSubject(const std::string& service, Ready ready = {});
   // Adds an observer (the receiving end of connections) and registers it as `service`.
   // `notify(const ONotifyEvent&)` is called for each notification.  This CodeObject owns the
   // returned observer.  REQUIRES: called in the constructor.
-  template <typename Notify = Nothing>
+  template <typename Notify = IgnoreMessage>
   OObserver* AddObserver(const std::string& service, Notify notify = {});
 
   // Adds an entry that calls extra(void* message) with the bytes of each message that it receives.
   // Returns the entry's selector, the number that senders must give.
-  template <typename Extra = Nothing>
+  template <typename Extra = IgnoreMessage>
   Selector AddExtra(const std::string& name, Extra extra) {
     return AddEntry(name, std::make_unique<ExtraEntry<Extra>>(std::move(extra)));
   }

@@ -38,7 +38,7 @@ _Unwind_Reason_Code CollectFrame(_Unwind_Context* context, void* data) {
   // Subtracts 1 from the return address of a function on the stack, which is the address of the
   // instruction after a call, so that the address lies in the call.
   const auto* const address = reinterpret_cast<const char*>(_Unwind_GetIP(context) - 1);
-  if (address >= search->image && address < search->image + AddressPlace::kImageBytes)
+  if (address >= search->image && address < search->image + ObjectAddresses::kImageBytes)
     search->found.push_back(address);
   return search->found.size() < kCallsMax ? _URC_NO_REASON : _URC_END_OF_STACK;
 }
@@ -53,8 +53,9 @@ bool IsInHeader(std::string_view place) {
 
 std::vector<const void*> CallsInImage() {
   const Object* const object = t_current.object;
-  if (object == nullptr || object->place == nullptr || object->place->image() == nullptr) return {};
-  CallSearch search{object->place->image(), {}};
+  if (object == nullptr || object->addresses == nullptr || object->addresses->image() == nullptr)
+    return {};
+  CallSearch search{object->addresses->image(), {}};
   _Unwind_Backtrace(&CollectFrame, &search);
   return search.found;
 }

@@ -13,7 +13,7 @@ const char* SeverityName(Severity severity) {
   return severity == Severity::kError ? "error" : "warning";
 }
 
-std::string HowOften(const Finding& finding) {
+std::string RepetitionText(const Finding& finding) {
   if (finding.count < 2) return "";
   std::string text = fmt::format(" ({} times", finding.count);
   if (!finding.also_at.empty())

@@ -34,7 +34,7 @@ struct Finding {
 
 // Returns " (40 times, also at CONNECT.CFG:5, CONNECT.CFG:6 and 37 more)" for the end of a
 // finding's text, or "" if `finding` was added only once.
-std::string HowOften(const Finding& finding);
+std::string RepetitionText(const Finding& finding);
 
 // A list of findings in the order in which they were first added.  Findings about one object with
 // the same text, or with the same cause, are kept as one finding and counted.

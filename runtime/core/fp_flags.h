@@ -43,13 +43,13 @@ inline unsigned FpState() { return _mm_getcsr(); }
 inline void SetFpState(unsigned state) { _mm_setcsr(state); }
 // Makes exactly the floating-point operations that set one of the flags `kinds` raise SIGFPE, and
 // clears these flags.
-inline void CatchFp(unsigned kinds) {
+inline void SetFpTraps(unsigned kinds) {
   _mm_setcsr((_mm_getcsr() | kFpAll << kFpMaskShift) & ~(kinds << kFpMaskShift | kinds));
 }
 #else
 inline unsigned FpState() { return 0; }
 inline void SetFpState(unsigned) {}
-inline void CatchFp(unsigned) {}
+inline void SetFpTraps(unsigned) {}
 #endif
 
 #if defined(__SSE2__)

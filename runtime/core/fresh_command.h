@@ -1,4 +1,4 @@
-// kNeverFilled: the first word of each command in a new command vector.  The word stays until the
+// kUnsetCommand: the first word of each command in a new command vector.  The word stays until the
 // program sets the command.
 //
 // On the robot a new vector holds the bytes that the memory held before.  So joints whose commands
@@ -11,6 +11,6 @@
 
 namespace openr_host {
 
-inline constexpr slongword kNeverFilled = 0x6b6b6b6b;
+inline constexpr slongword kUnsetCommand = 0x6b6b6b6b;
 
 }  // namespace openr_host

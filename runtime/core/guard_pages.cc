@@ -39,8 +39,8 @@ char* GuardPages::MapPages(char* area, size_t bytes) {
   // Tries to map the pages at the addresses of `area`, the memory for read-only copies, one after
   // the other, and goes on at the beginning of the area when its end is reached.  Skips pages of
   // copies that are still in use.
-  for (size_t tried = 0; tried < AddressPlace::kCopyBytes; tried += bytes) {
-    if (next + bytes > AddressPlace::kCopyBytes) next = 0;
+  for (size_t tried = 0; tried < ObjectAddresses::kCopyBytes; tried += bytes) {
+    if (next + bytes > ObjectAddresses::kCopyBytes) next = 0;
     char* const pages = area + next;
     next += bytes;
     if (MapAt(pages, bytes)) return pages;
@@ -60,12 +60,12 @@ char* GuardPages::AllocatePages(char* area, size_t bytes) {
   return pages;
 }
 
-char* GuardPages::NewCopy(const AddressPlace* place, const char* data, size_t size) {
+char* GuardPages::NewCopy(const ObjectAddresses* place, const char* data, size_t size) {
   // Gives the read-only copy the same address modulo 16 as `data`, so that the observer sees data
   // with the same alignment as the subject.
   const size_t shift = reinterpret_cast<uintptr_t>(data) % 16;
   const size_t bytes = Pages(shift + size + 1);
-  if (bytes > AddressPlace::kCopyBytes) return nullptr;
+  if (bytes > ObjectAddresses::kCopyBytes) return nullptr;
   char* const area = (place == nullptr ? shared_place_ : *place).copies();
   char* const page = AllocatePages(area, bytes);
   if (page == nullptr) return nullptr;
@@ -98,7 +98,7 @@ void GuardPages::Retire(const char* copy) {
 const char* GuardPages::FaultText(const void* address) const {
   const auto* const at = static_cast<const char*>(address);
   const bool is_ours = std::any_of(next_in_.begin(), next_in_.end(), [at](const auto& area) {
-    return at >= area.first && at < area.first + AddressPlace::kCopyBytes;
+    return at >= area.first && at < area.first + ObjectAddresses::kCopyBytes;
   });
   if (!is_ours) return "";
   // Compares `address`, to which an access was a fault, with the pages of each read-only copy of

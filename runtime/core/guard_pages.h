@@ -37,7 +37,7 @@ class GuardPages {
   // Returns a read-only copy of the `size` bytes at `data`, or null if there is no memory.  The
   // copy lies in the memory area of `place` (address_plan.h), the place of the object that receives
   // the data.  `place` is null for an object without a place; such objects share one area.
-  char* NewCopy(const AddressPlace* place, const char* data, size_t size);
+  char* NewCopy(const ObjectAddresses* place, const char* data, size_t size);
 
   // Ends the use of `copy`, a read-only copy that the observer has given back.  With
   // GivenBack::kReused, the next copy may lie at the same addresses.  With GivenBack::kGone,
@@ -63,7 +63,7 @@ class GuardPages {
   char* AllocatePages(char* area, size_t bytes);
 
   const GivenBack given_back_;
-  const AddressPlace shared_place_{kNoObject};  // the area of objects that have no place
+  const ObjectAddresses shared_place_{kNoObject};  // the area of objects that have no place
   // The keys of copies_, next_in_ and unused_ are addresses of read-only copies or of their memory
   // areas, or hold such addresses, which may differ from run to run.  Therefore nothing may depend
   // on the order of these maps.

@@ -72,7 +72,7 @@ ImageObject::~ImageObject() {
   files.CloseAll();
   const CurrentScope scope(system, this);
   if (handle_ != nullptr) dlclose(handle_);
-  if (has_thunks_) munmap(place->thunks(), AddressPlace::kThunkBytes);
+  if (has_thunks_) munmap(addresses->thunks(), ObjectAddresses::kThunkBytes);
 }
 
 std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
@@ -113,16 +113,17 @@ std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
 std::string ImageObject::MoveToOwnAddresses(const std::string& original) {
   std::string bytes = original;
   HoldConstructors(&bytes);
-  auto taken = std::make_unique<AddressPlace>(id);
+  auto taken = std::make_unique<ObjectAddresses>(id);
   if (taken->heap() == nullptr) return bytes;
-  place = std::move(taken);
+  addresses = std::move(taken);
   // Under Valgrind the image is not moved, because Valgrind expects that debug information matches
   // the addresses in the file.
   if (!IsUnderValgrind())
-    RebaseImage(&bytes, reinterpret_cast<uintptr_t>(place->image()), AddressPlace::kImageBytes);
-  arena = std::make_unique<Arena>(*place, &system->robot(robot).memory);
+    RebaseImage(&bytes, reinterpret_cast<uintptr_t>(addresses->image()),
+                ObjectAddresses::kImageBytes);
+  arena = std::make_unique<Arena>(*addresses, &system->robot(robot).memory);
   if (system->options().find_leaks) arena->KeepCalls();
-  stack_ = std::make_unique<HandlerStack>(place->stack(0));
+  stack_ = std::make_unique<HandlerStack>(addresses->stack(0));
   return bytes;
 }
 
@@ -153,11 +154,11 @@ std::string ImageObject::CheckVersions() {
 // failure.
 std::string ImageObject::RedirectOwnImports() {
   const char* const info = static_cast<const char*>(dlsym(handle_, "ObjectEntryTable"));
-  if (place == nullptr || IsStackWatched() || info < place->image() ||
-      info >= place->image() + AddressPlace::kImageBytes)
+  if (addresses == nullptr || IsStackWatched() || info < addresses->image() ||
+      info >= addresses->image() + ObjectAddresses::kImageBytes)
     return "";
   has_thunks_ = true;
-  return RedirectImports(place->image(), place->thunks(), AddressPlace::kThunkBytes);
+  return RedirectImports(addresses->image(), addresses->thunks(), ObjectAddresses::kThunkBytes);
 }
 
 std::string ImageObject::RunConstructors() {

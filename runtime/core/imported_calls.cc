@@ -95,7 +95,7 @@ extern "C" const char openr_call_import_end[];
 namespace openr_host {
 namespace {
 
-static_assert(AddressPlace::kStackBytes == 0x100000);
+static_assert(ObjectAddresses::kStackBytes == 0x100000);
 static_assert(StackMemory::kBottomOffset == 0xbf000);
 static_assert(StackMemory::kImportsTopOffset == 0xbe000);
 
@@ -346,7 +346,7 @@ bool IsStackChange(uintptr_t address) {
 
 const void* ReturnAddressInImage(const void* own) {
   const auto here = reinterpret_cast<uintptr_t>(__builtin_frame_address(0));
-  const uintptr_t offset = here % AddressPlace::kStackBytes;
+  const uintptr_t offset = here % ObjectAddresses::kStackBytes;
   // `own` is the return address of the function of the SDK that has called this function.  Returns
   // `own` if this code does not run on a stack for imported functions, because then the image has
   // called the function of the SDK directly and not through a thunk.

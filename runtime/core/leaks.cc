@@ -224,9 +224,9 @@ void LeakSearch::ReadAround(const char* begin, const char* end) {
 bool IsOfImage(const System& system, const char* address) {
   const auto& objects = system.objects();
   return std::any_of(objects.begin(), objects.end(), [address](const auto& object) {
-    if (object == nullptr || object->place == nullptr) return false;
-    const char* const image = object->place->image();
-    return image != nullptr && address >= image && address < image + AddressPlace::kImageBytes;
+    if (object == nullptr || object->addresses == nullptr) return false;
+    const char* const image = object->addresses->image();
+    return image != nullptr && address >= image && address < image + ObjectAddresses::kImageBytes;
   });
 }
 

@@ -14,7 +14,7 @@
 
 namespace openr_host {
 
-void ReportLostBytes(OpenFiles::File* file, int error) {
+void ReportWriteError(OpenFiles::File* file, int error) {
   if (file->has_lost) return;
   const ApiScope scope;
   const int kept = errno;
@@ -41,9 +41,9 @@ void ReportLostBytes(OpenFiles::File* file, int error) {
 void FlushStream(std::FILE* stream, OpenFiles::File* file) {
   const int error = errno;
   if (std::fflush(stream) != 0) {
-    ReportLostBytes(file, errno);
+    ReportWriteError(file, errno);
   } else if (std::ferror(stream) != 0) {
-    ReportLostBytes(file, 0);
+    ReportWriteError(file, 0);
   }
   errno = error;
 }
@@ -53,7 +53,7 @@ void ReportErrorMark(std::FILE* file) {
   OpenFiles& files = t_current.object->files;
   const auto found = files.streams.find(file);
   if (found != files.streams.end() && found->second.writes && std::ferror(file) != 0)
-    ReportLostBytes(&found->second, 0);
+    ReportWriteError(&found->second, 0);
 }
 
 void FlushStreams(Object* object) {

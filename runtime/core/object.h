@@ -211,8 +211,8 @@ class Object {
 
   // The part of the address plan that belongs to the object.  Null for objects that are no images,
   // and where addresses are not planned (address_plan.h).
-  std::unique_ptr<AddressPlace> place;
-  // The heap of the object, at addresses of `place`.  Null if `place` is null.
+  std::unique_ptr<ObjectAddresses> addresses;
+  // The heap of the object, at its `addresses`.  Null if these are null.
   std::unique_ptr<Arena> arena;
   std::vector<std::unique_ptr<SubjectState>> subjects;
   std::vector<std::unique_ptr<ObserverState>> observers;

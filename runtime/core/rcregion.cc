@@ -196,7 +196,7 @@ void RegionAccess::UseReadOnlyCopy(RCRegion* region) {
   const Object* const self = t_current.object;
   if (self->is_system || system->region_shares().MayWrite(self->id, region->id_)) return;
   char* const copy =
-      system->guard_pages()->NewCopy(self->place.get(), region->source_->Base(), region->size_);
+      system->guard_pages()->NewCopy(self->addresses.get(), region->source_->Base(), region->size_);
   if (copy != nullptr) region->base_ = copy;
 }
 

@@ -25,7 +25,7 @@ constexpr char kGuard = 0x5a;
 
 RegionTable::~RegionTable() {
   for (const Slot& slot : slots_) memory_.Free(slot.base);
-  for (char* const block : outlived_) memory_.Free(block);
+  for (char* const block : pinned_deleted_) memory_.Free(block);
 }
 
 // Gives `slot`, a place for one region, new memory of `size` bytes and a few guard bytes (kGuard),
@@ -68,7 +68,8 @@ uint32_t RegionTable::New(size_t size, ObjectId owner) {
 
 // Makes the slot that `id` names empty, for a new region with this id, which the master process has
 // chosen.  The old memory of the slot is freed.  If an observer still reads this memory (it is
-// pinned), the memory is moved to outlived_ instead.  Returns null if the slot has a live region.
+// pinned), the memory is moved to pinned_deleted_ instead.  Returns null if the slot has a live
+// region.
 RegionTable::Slot* RegionTable::SlotFor(uint32_t id) {
   // The lower 16 bits of an id are the number of its slot, counted from 1; 0 names no slot.
   if ((id & 0xffff) == 0) return nullptr;
@@ -77,7 +78,7 @@ RegionTable::Slot* RegionTable::SlotFor(uint32_t id) {
   Slot& slot = slots_[index];
   if (slot.live) return nullptr;
   if (slot.pins > 0) {
-    outlived_.push_back(slot.base);
+    pinned_deleted_.push_back(slot.base);
   } else {
     memory_.Free(slot.base);
   }

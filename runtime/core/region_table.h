@@ -185,7 +185,7 @@ class RegionTable {
   // such a copy, the copy was still pinned (being read), so its memory could not be freed.  This
   // happens only if a subject is replaced while an observer in this process still reads its data.
   // The memory is freed when the table is destroyed.
-  std::vector<char*> outlived_;
+  std::vector<char*> pinned_deleted_;
   std::vector<uint32_t> free_;  // indices of the slots that New() may use again
   int live_count_ = 0;          // number of live slots
 };

@@ -53,8 +53,8 @@ bool IsZero(const char* bytes) {
 }  // namespace
 
 StackMemory::StackMemory(char* address) : mapping_(address) {
-  if (address != nullptr && MapAt(address, AddressPlace::kStackBytes)) {
-    mapped_bytes_ = AddressPlace::kStackBytes;
+  if (address != nullptr && MapAt(address, ObjectAddresses::kStackBytes)) {
+    mapped_bytes_ = ObjectAddresses::kStackBytes;
     bottom_ = mapping_ + kBottomOffset;
     mprotect(bottom_ - kGuardBytes, kGuardBytes, PROT_NONE);
   } else {

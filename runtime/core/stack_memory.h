@@ -31,7 +31,7 @@ class StackMemory {
   // that the address plan gives to an image for its stacks.  The assembly code of imported_calls.cc
   // contains kBottomOffset and kImportsTopOffset as numbers; static_asserts in that file compare
   // them.
-  static constexpr size_t kTopOffset = AddressPlace::kStackBytes - 4096;
+  static constexpr size_t kTopOffset = ObjectAddresses::kStackBytes - 4096;
   // Offset of the bottom of the stack for the image's own code, from the first address of the
   // memory for the stacks of the image.
   static constexpr size_t kBottomOffset = kTopOffset - kBytes;

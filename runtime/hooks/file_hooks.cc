@@ -175,7 +175,7 @@ OpenFiles::File ForgetStream(FILE* file) {
   if (found == t_current.object->files.streams.end()) return {};
   OpenFiles::File forgotten = std::move(found->second);
   t_current.object->files.streams.erase(found);
-  if (forgotten.writes && ferror(file) != 0) openr_host::ReportLostBytes(&forgotten, 0);
+  if (forgotten.writes && ferror(file) != 0) openr_host::ReportWriteError(&forgotten, 0);
   return forgotten;
 }
 
@@ -329,7 +329,7 @@ int fclose(FILE* file) {
   const int result = next(file);
   // fclose() has written the last bytes of the file, so an error may mean that these bytes are
   // lost.
-  if (result != 0 && written.writes) openr_host::ReportLostBytes(&written, errno);
+  if (result != 0 && written.writes) openr_host::ReportWriteError(&written, errno);
   return result;
 }
 

@@ -57,7 +57,7 @@ void ReportNoMemory(size_t size) {
           : fmt::format("no memory for {} bytes{}: this object holds {} of the {} MiB that an "
                         "object may have here; the robot has {} MiB for all its objects",
                         size, openr_host::AtCaller(), held,
-                        openr_host::AddressPlace::kHeapBytes >> 20,
+                        openr_host::ObjectAddresses::kHeapBytes >> 20,
                         openr_host::kRobotMemoryBytes >> 20));
 }
 

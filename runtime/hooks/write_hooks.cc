@@ -45,7 +45,7 @@ void CheckWritten(int descriptor, ssize_t result, size_t size) {
   const int error = result < 0 ? errno : 0;
   const ApiScope scope;
   OpenFiles::File* const file = FindFile(descriptor);
-  if (file != nullptr && file->writes) openr_host::ReportLostBytes(file, error);
+  if (file != nullptr && file->writes) openr_host::ReportWriteError(file, error);
 }
 
 // Reports that the stream `file` has just failed to write; errno has the reason and stays as it is.
@@ -55,7 +55,7 @@ void ReportFailedStream(FILE* file) {
   OpenFiles& files = t_current.object->files;
   const auto found = files.streams.find(file);
   if (found != files.streams.end() && found->second.writes)
-    openr_host::ReportLostBytes(&found->second, error);
+    openr_host::ReportWriteError(&found->second, error);
   errno = error;
 }
 

@@ -19,42 +19,42 @@ namespace {
 class AddressPlanTest : public testing::Test {
  protected:
   void SetUp() override {
-    if (AddressPlace(0).heap() == nullptr) GTEST_SKIP() << "sanitizers need these addresses";
+    if (ObjectAddresses(0).heap() == nullptr) GTEST_SKIP() << "sanitizers need these addresses";
   }
 };
 
 TEST_F(AddressPlanTest, APlaceFollowsFromTheObject) {
   const char* first = nullptr;
   {
-    const AddressPlace place(7);
+    const ObjectAddresses place(7);
     first = place.heap();
     EXPECT_TRUE(IsPlanned(first));
-    EXPECT_TRUE(IsPlanned(place.copies() + AddressPlace::kCopyBytes - 1));
-    EXPECT_EQ(AddressPlace::OfHeap(first + 100), AddressPlace::OfHeap(first));
+    EXPECT_TRUE(IsPlanned(place.copies() + ObjectAddresses::kCopyBytes - 1));
+    EXPECT_EQ(ObjectAddresses::OfHeap(first + 100), ObjectAddresses::OfHeap(first));
   }
-  EXPECT_EQ(AddressPlace(7).heap(), first);
-  EXPECT_NE(AddressPlace(8).heap(), first);
+  EXPECT_EQ(ObjectAddresses(7).heap(), first);
+  EXPECT_NE(ObjectAddresses(8).heap(), first);
 }
 
 TEST_F(AddressPlanTest, ASuccessorHasTheSecondPlaceWhileTheFirstIsInUse) {
-  auto first = std::make_unique<AddressPlace>(7);
-  const AddressPlace second(7);
-  EXPECT_EQ(second.heap() - first->heap(), static_cast<ptrdiff_t>(AddressPlace::kHeapBytes));
+  auto first = std::make_unique<ObjectAddresses>(7);
+  const ObjectAddresses second(7);
+  EXPECT_EQ(second.heap() - first->heap(), static_cast<ptrdiff_t>(ObjectAddresses::kHeapBytes));
   const char* const address = first->heap();
   first.reset();
-  EXPECT_EQ(AddressPlace(7).heap(), address);
+  EXPECT_EQ(ObjectAddresses(7).heap(), address);
 }
 
 TEST_F(AddressPlanTest, AnotherSystemOfTheProcessHasPlacesFromTheEnd) {
-  const AddressPlace first(7), second(7), third(7);
-  const AddressPlace of_a_large_number(10'000'000);
+  const ObjectAddresses first(7), second(7), third(7);
+  const ObjectAddresses of_a_large_number(10'000'000);
   EXPECT_GT(third.heap(), second.heap());
   EXPECT_EQ(third.heap() - of_a_large_number.heap(),
-            static_cast<ptrdiff_t>(AddressPlace::kHeapBytes));
+            static_cast<ptrdiff_t>(ObjectAddresses::kHeapBytes));
 }
 
 TEST_F(AddressPlanTest, MemoryIsNotMappedTwice) {
-  const AddressPlace place(7);
+  const ObjectAddresses place(7);
   ASSERT_TRUE(MapAt(place.stack(0), 4096));
   EXPECT_FALSE(MapAt(place.stack(0), 4096));
   munmap(place.stack(0), 4096);

@@ -15,7 +15,7 @@ class ArenaTest : public testing::Test {
     if (place_.heap() == nullptr) GTEST_SKIP() << "sanitizers bring a heap of their own";
   }
 
-  const AddressPlace place_{0};
+  const ObjectAddresses place_{0};
 };
 
 TEST_F(ArenaTest, BlocksOfAllSizesAreAlignedUsableAndKnowTheirOwner) {
@@ -105,7 +105,7 @@ TEST_F(ArenaTest, ArenasShareABudgetAndGiveItBack) {
   MemoryBudget budget{.limit_bytes = 1000};
   Arena stays(place_, &budget);
   {
-    const AddressPlace other(1);
+    const ObjectAddresses other(1);
     Arena goes(other, &budget);
     EXPECT_NE(goes.Allocate(600), nullptr);
     EXPECT_EQ(stays.Allocate(600), nullptr);
@@ -162,7 +162,7 @@ TEST_F(ArenaTest, AddressesFollowFromThePlaceAndTheOrderOfCallsOnly) {
 
 TEST_F(ArenaTest, AFullHeapAreaRefusesAndLeavesTheRestUsable) {
   Arena arena(place_);
-  void* const most = arena.Allocate(AddressPlace::kHeapBytes);
+  void* const most = arena.Allocate(ObjectAddresses::kHeapBytes);
   EXPECT_NE(most, nullptr);
   EXPECT_EQ(arena.Allocate(1), nullptr);
   Arena::Free(most);

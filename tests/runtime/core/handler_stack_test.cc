@@ -37,7 +37,7 @@ class HandlerStackTest : public testing::Test {
       GTEST_SKIP() << "code of images runs on the caller's stack, or on one that is watched";
   }
 
-  const AddressPlace place_{0};
+  const ObjectAddresses place_{0};
 };
 
 TEST_F(HandlerStackTest, WhatACallLeftIsGoneBeforeTheNextOne) {
@@ -75,7 +75,7 @@ TEST_F(HandlerStackTest, ACallWithinACallGoesOnOnTheSameStack) {
       },
       &calls);
   EXPECT_GT(calls.inner, place_.stack(0));
-  EXPECT_LT(calls.inner, place_.stack(0) + AddressPlace::kStackBytes);
+  EXPECT_LT(calls.inner, place_.stack(0) + ObjectAddresses::kStackBytes);
 }
 
 TEST_F(HandlerStackTest, AnExceptionLeavesACleanStack) {

@@ -13,12 +13,12 @@
 namespace openr_host {
 namespace {
 
-constexpr uint64_t kMost = AddressPlace::kImageBytes;
+constexpr uint64_t kMost = ObjectAddresses::kImageBytes;
 
 std::string Probe() { return ReadImageFile(std::string(OPENR_IMAGES) + "/PROBE.BIN").bytes; }
 
 TEST(ImageRebaseTest, AMovedImageIsLoadedWhereItWasMovedTo) {
-  const AddressPlace place(0);
+  const ObjectAddresses place(0);
   if (place.image() == nullptr) GTEST_SKIP() << "sanitizers need these addresses";
   std::string bytes = Probe();
   ASSERT_TRUE(RebaseImage(&bytes, reinterpret_cast<uint64_t>(place.image()), kMost));

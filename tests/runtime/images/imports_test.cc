@@ -53,13 +53,13 @@ TEST_F(ImportsTest, WhatTheLibraryUsesIsNoStackOfTheObject) {
 }
 
 TEST_F(ImportsTest, ConstructorsRunOnTheStackOfHandlers) {
-  if (AddressPlace(0).image() == nullptr) GTEST_SKIP() << "addresses are not planned";
+  if (ObjectAddresses(0).image() == nullptr) GTEST_SKIP() << "addresses are not planned";
   Start();
   const uint64_t constructed = std::strtoull(talker->Ask("constructed").c_str(), nullptr, 16);
   const uint64_t handled = std::strtoull(talker->Ask("stack").c_str(), nullptr, 16);
   EXPECT_NE(handled, 0u);
-  EXPECT_EQ(constructed / AddressPlace::kStackBytes, handled / AddressPlace::kStackBytes);
-  EXPECT_GT(constructed % AddressPlace::kStackBytes, StackMemory::kBottomOffset);
+  EXPECT_EQ(constructed / ObjectAddresses::kStackBytes, handled / ObjectAddresses::kStackBytes);
+  EXPECT_GT(constructed % ObjectAddresses::kStackBytes, StackMemory::kBottomOffset);
 }
 
 TEST_F(ImportsTest, AConstructorThatThrowsIsAProblemOfTheImage) {
