@@ -24,7 +24,7 @@ inline constexpr double kFrame_s = 0.008;
 inline constexpr double kGravity_m_s2 = 9.80665;
 
 // The effects of hands of people and of faults on one joint and its servo.
-struct JointTrouble {
+struct JointDisturbance {
   std::optional<double> hand_rad;    // a hand turns the joint towards this angle
   std::optional<double> jammed_rad;  // the joint is stuck at this angle
   double strength = 1;               // share of the motor's torque that is left, 0 to 1
@@ -46,7 +46,7 @@ struct JointCommand {
   double target_rad = 0;  // set point of the joint during the frame
   bool enabled = false;  // whether the servo has gains and motor power; otherwise the joint is limp
   PidGains gains;
-  const JointTrouble* trouble = nullptr;  // null: no hand and no fault acts on the joint
+  const JointDisturbance* disturbance = nullptr;  // null: no hand and no fault acts on the joint
 };
 
 // The state of one joint at the end of a frame.

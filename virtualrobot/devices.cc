@@ -35,19 +35,19 @@ const std::vector<JointCommand>& Devices::Commands(bool motor_power) {
     command.gains = {joint.gains[0], joint.gains[1], joint.gains[2],
                      joint.gains[3], joint.gains[4], joint.gains[5]};
   }
-  for (size_t i = 0; i < troubles_.size(); ++i)
-    commands_[i].trouble = TroubleOf(static_cast<int>(i));
+  for (size_t i = 0; i < disturbances_.size(); ++i)
+    commands_[i].disturbance = DisturbanceOf(static_cast<int>(i));
   return commands_;
 }
 
-JointTrouble& Devices::Trouble(int joint) {
-  troubles_.resize(joints.size());
-  return troubles_[static_cast<size_t>(joint)];
+JointDisturbance& Devices::Disturbance(int joint) {
+  disturbances_.resize(joints.size());
+  return disturbances_[static_cast<size_t>(joint)];
 }
 
-const JointTrouble* Devices::TroubleOf(int joint) const {
+const JointDisturbance* Devices::DisturbanceOf(int joint) const {
   const auto j = static_cast<size_t>(joint);
-  return j < troubles_.size() && troubles_[j].Exists() ? &troubles_[j] : nullptr;
+  return j < disturbances_.size() && disturbances_[j].Exists() ? &disturbances_[j] : nullptr;
 }
 
 void Devices::SwitchOff() {

@@ -55,10 +55,10 @@ class Devices {
 
   // Returns how the hands of people and the faults act on `joint`, so that the caller can change
   // it.
-  JointTrouble& Trouble(int joint);
+  JointDisturbance& Disturbance(int joint);
   // Returns how the hands of people and the faults act on `joint`, for reading only; null when none
   // act on it.
-  const JointTrouble* TroubleOf(int joint) const;
+  const JointDisturbance* DisturbanceOf(int joint) const;
 
   // Sets the object whose command vector is applied next.  SetTarget() stores this object as the
   // commander of the joint.
@@ -107,8 +107,8 @@ class Devices {
   std::vector<bool> on_face_;  // for each light, the result of OnFace()
   std::vector<JointCommand> commands_;
   // How the hands of people and the faults act on each joint; empty before the first call of
-  // Trouble().
-  std::vector<JointTrouble> troubles_;
+  // Disturbance().
+  std::vector<JointDisturbance> disturbances_;
 };
 
 }  // namespace openr_host

@@ -43,8 +43,8 @@ void Energy::NoteMotors(const BodyState& state, const Devices& devices) {
   for (size_t j = 0; j < motors_.size(); ++j) {
     const JointState& joint = state.joints[j];
     if (joint.drive == 0) continue;
-    const JointTrouble* const trouble = devices.TroubleOf(static_cast<int>(j));
-    const double strength = trouble == nullptr ? 1 : trouble->strength;
+    const JointDisturbance* const disturbance = devices.DisturbanceOf(static_cast<int>(j));
+    const double strength = disturbance == nullptr ? 1 : disturbance->strength;
     const double duty = std::clamp(joint.drive / kDriveFull, -1.0, 1.0);
     // Current in the motor, as a share of its stall current; the voltage that the turning motor
     // produces reduces the current.

@@ -47,10 +47,10 @@ std::vector<std::string> Faults::Names() {
   return names;
 }
 
-void Faults::AddVerbs() {
+void Faults::AddInputs() {
   const auto add = [this](const char* name, const char* usage, const char* help,
                           std::string (Faults::*read)(std::string_view, Inputs::Action*)) {
-    robot_.system.inputs().AddVerb(
+    robot_.system.inputs().AddKind(
         robot_.robot_index,
         {name, usage, help, [this, read](int, std::string_view rest, Inputs::Action* action) {
            const std::string problem = (this->*read)(rest, action);
@@ -243,11 +243,11 @@ void Faults::Begin(const Place& place, const Fault& fault) {
   const double share = fault.amount / 100.0;
   switch (place.part) {
     case Part::kMotor: {
-      JointTrouble& trouble = robot_.devices.Trouble(place.number);
-      if (fault.kind == Kind::kWeak) trouble.strength = share;
-      if (fault.kind == Kind::kUnpowered) trouble.strength = 0;
+      JointDisturbance& disturbance = robot_.devices.Disturbance(place.number);
+      if (fault.kind == Kind::kWeak) disturbance.strength = share;
+      if (fault.kind == Kind::kUnpowered) disturbance.strength = 0;
       if (fault.kind == Kind::kJammed)
-        trouble.jammed_rad =
+        disturbance.jammed_rad =
             robot_.body->state().joints[static_cast<size_t>(place.number)].angle_rad;
       break;
     }
@@ -260,11 +260,11 @@ void Faults::Begin(const Place& place, const Fault& fault) {
         robot_.sensors.Break(place.number, {kind, fault.amount});
         break;
       }
-      JointTrouble& trouble = robot_.devices.Trouble(joint);
+      JointDisturbance& disturbance = robot_.devices.Disturbance(joint);
       if (fault.kind == Kind::kStuck)
-        trouble.sensed_rad = robot_.body->state().joints[static_cast<size_t>(joint)].angle_rad;
-      if (fault.kind == Kind::kDead) trouble.sensed_rad = 0;
-      trouble.is_sensor_dead = fault.kind == Kind::kDead;
+        disturbance.sensed_rad = robot_.body->state().joints[static_cast<size_t>(joint)].angle_rad;
+      if (fault.kind == Kind::kDead) disturbance.sensed_rad = 0;
+      disturbance.is_sensor_dead = fault.kind == Kind::kDead;
       break;
     }
     case Part::kBody:
@@ -286,9 +286,9 @@ void Faults::End(const Place& place) {
   if (faults_.erase(place) == 0) return;
   switch (place.part) {
     case Part::kMotor: {
-      JointTrouble& trouble = robot_.devices.Trouble(place.number);
-      trouble.strength = 1;
-      trouble.jammed_rad.reset();
+      JointDisturbance& disturbance = robot_.devices.Disturbance(place.number);
+      disturbance.strength = 1;
+      disturbance.jammed_rad.reset();
       break;
     }
     case Part::kSensor: {
@@ -297,10 +297,10 @@ void Faults::End(const Place& place) {
         robot_.sensors.Repair(place.number);
         break;
       }
-      JointTrouble& trouble = robot_.devices.Trouble(joint);
-      trouble.sensed_rad.reset();
-      trouble.sensor_error_rad = 0;
-      trouble.is_sensor_dead = false;
+      JointDisturbance& disturbance = robot_.devices.Disturbance(joint);
+      disturbance.sensed_rad.reset();
+      disturbance.sensor_error_rad = 0;
+      disturbance.is_sensor_dead = false;
       break;
     }
     case Part::kBody:
@@ -331,7 +331,7 @@ void Faults::DoFrame() {
     const int joint = robot_.model.sensors[static_cast<size_t>(place.number)].joint;
     if (joint < 0) continue;
     const Range& stops_rad = robot_.model.joints[static_cast<size_t>(joint)].hard_rad;
-    robot_.devices.Trouble(joint).sensor_error_rad =
+    robot_.devices.Disturbance(joint).sensor_error_rad =
         robot_.sensors.FaultNoise() * fault.amount / 100 * (stops_rad.max - stops_rad.min);
   }
 }
@@ -388,11 +388,12 @@ void Faults::HashState(Hasher* hasher) const {
     if (place.part == Part::kMotor) joint = place.number;
     if (place.part == Part::kSensor)
       joint = robot_.model.sensors[static_cast<size_t>(place.number)].joint;
-    const JointTrouble* const trouble = joint < 0 ? nullptr : robot_.devices.TroubleOf(joint);
-    if (trouble == nullptr) continue;
-    hasher->Add(trouble->jammed_rad.value_or(0));
-    hasher->Add(trouble->sensed_rad.value_or(0));
-    hasher->Add(trouble->sensor_error_rad);
+    const JointDisturbance* const disturbance =
+        joint < 0 ? nullptr : robot_.devices.DisturbanceOf(joint);
+    if (disturbance == nullptr) continue;
+    hasher->Add(disturbance->jammed_rad.value_or(0));
+    hasher->Add(disturbance->sensed_rad.value_or(0));
+    hasher->Add(disturbance->sensor_error_rad);
   }
 }
 

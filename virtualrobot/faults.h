@@ -30,7 +30,7 @@ class Faults {
 
   // Adds the inputs for faults, such as "break" and "repair", to the System of this robot, so that
   // people and scripts can use them.
-  void AddVerbs();
+  void AddInputs();
 
   // Returns the faults that the input "break" knows, such as "jammed".
   static std::vector<std::string> Names();
@@ -71,7 +71,7 @@ class Faults {
   };
 
   // The next functions read the words after the verb of an input ("break", "heat", ...), as
-  // Inputs::Verb::read does.  Each returns "" or the error.
+  // Inputs::Kind::read does.  Each returns "" or the error.
   std::string ReadBreak(std::string_view rest, Inputs::Action* action);
   // Reads the words of "break PART missing", which ReadBreak() has separated.  `fault` has the
   // duration.

@@ -38,10 +38,10 @@ const double kTurnPerFrame_rad = Radians(90) * kFrame_s;
 
 }  // namespace
 
-void Hands::AddVerbs() {
+void Hands::AddInputs() {
   const auto add = [this](const char* name, const char* usage, const char* help,
                           std::string (Hands::*read)(std::string_view, Inputs::Action*)) {
-    robot_.system.inputs().AddVerb(
+    robot_.system.inputs().AddKind(
         robot_.robot_index,
         {name, usage, help, [this, read](int, std::string_view rest, Inputs::Action* action) {
            return (this->*read)(rest, action);
@@ -67,7 +67,7 @@ void Hands::AddVerbs() {
   add("charger", "charger on|off", "Puts the robot on its charging station, or takes it away.",
       &Hands::ReadCharger);
   const auto add_plain = [this](const char* name, const char* help, std::function<void()> work) {
-    robot_.system.inputs().AddVerb(
+    robot_.system.inputs().AddKind(
         robot_.robot_index,
         {name, name, help,
          [work](int, std::string_view rest, Inputs::Action* action) -> std::string {
@@ -328,7 +328,7 @@ void Hands::Release(int sensor) {
 }
 
 void Hands::ReleaseJoint(int joint) {
-  if (turns_.erase(joint) > 0) robot_.devices.Trouble(joint).hand_rad.reset();
+  if (turns_.erase(joint) > 0) robot_.devices.Disturbance(joint).hand_rad.reset();
 }
 
 // Simulates one frame (8 ms) of the hands that turn joints.
@@ -341,7 +341,7 @@ void Hands::MoveJoints() {
     }
     const double way_rad = turn.goal_rad - turn.angle_rad;
     turn.angle_rad += std::clamp(way_rad, -kTurnPerFrame_rad, kTurnPerFrame_rad);
-    robot_.devices.Trouble(joint).hand_rad = turn.angle_rad;
+    robot_.devices.Disturbance(joint).hand_rad = turn.angle_rad;
   }
 }
 

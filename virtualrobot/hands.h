@@ -26,7 +26,7 @@ class Hands {
 
   // Adds the inputs for hands, such as "press" and "push", to the System of this robot, so that
   // people and scripts can use them.
-  void AddVerbs();
+  void AddInputs();
 
   // Does what the hands do during the frame of 8 ms that ends now.  Called before the body moves
   // and its sensors are sampled.
@@ -62,7 +62,7 @@ class Hands {
   };
 
   // The next functions read the words after the verb of an input ("press", "set", ...), as
-  // Inputs::Verb::read does.  Each returns "" or the error.
+  // Inputs::Kind::read does.  Each returns "" or the error.
   std::string ReadPress(std::string_view rest, Inputs::Action* action);
   std::string ReadSet(std::string_view rest, Inputs::Action* action);
   std::string ReadRelease(std::string_view rest, Inputs::Action* action);

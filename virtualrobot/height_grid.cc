@@ -113,8 +113,8 @@ SurfacePoint SurfaceAt(const WorldThing& thing, double x, double y) {
   return {height_m, NormalOf(triangle)};
 }
 
-double EnterHeights(const WorldThing& thing, const Vector3d& p, const Vector3d& d, double enter,
-                    double leave) {
+double CastRayOnHeights(const WorldThing& thing, const Vector3d& p, const Vector3d& d, double enter,
+                        double leave) {
   const HeightGrid& grid = *thing.heights;
   // Returns the height, over the surface of the heightfield, of the point of the ray at `t`;
   // negative below the surface.

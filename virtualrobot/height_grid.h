@@ -55,7 +55,7 @@ SurfacePoint SurfaceAt(const WorldThing& thing, double x, double y);
 // Follows the ray p + t d for t from `enter` to `leave`, the range in which the ray is in the box
 // of the heightfield `thing`.  Returns the least t at which the ray is in the solid; infinite if
 // the ray does not meet the solid.
-double EnterHeights(const WorldThing& thing, const Eigen::Vector3d& p, const Eigen::Vector3d& d,
-                    double enter, double leave);
+double CastRayOnHeights(const WorldThing& thing, const Eigen::Vector3d& p, const Eigen::Vector3d& d,
+                        double enter, double leave);
 
 }  // namespace openr_host

@@ -14,9 +14,10 @@ using Eigen::Vector3d;
 // Returns the angle at the end of the frame of a joint on which `trouble`, a fault or a person's
 // hand, acts.  At the beginning of the frame the joint is at `angle_rad`, and its servo would move
 // it to `goal_rad`.
-double AngleInTrouble(const JointTrouble& trouble, double angle_rad, double goal_rad) {
-  if (trouble.jammed_rad || (trouble.strength == 0 && !trouble.hand_rad)) return angle_rad;
-  return trouble.hand_rad.value_or(goal_rad);
+double DisturbedAngle(const JointDisturbance& disturbance, double angle_rad, double goal_rad) {
+  if (disturbance.jammed_rad || (disturbance.strength == 0 && !disturbance.hand_rad))
+    return angle_rad;
+  return disturbance.hand_rad.value_or(goal_rad);
 }
 
 }  // namespace
@@ -38,8 +39,8 @@ void IdealBody::SetCommands(const std::vector<JointCommand>& commands) {
       const Range& stops_rad = model_.joints[j].hard_rad;
       angle_rad = std::clamp(commands[j].target_rad, stops_rad.min, stops_rad.max);
     }
-    if (commands[j].trouble != nullptr)
-      angle_rad = AngleInTrouble(*commands[j].trouble, joint.angle_rad, angle_rad);
+    if (commands[j].disturbance != nullptr)
+      angle_rad = DisturbedAngle(*commands[j].disturbance, joint.angle_rad, angle_rad);
     joint.speed_rad_s = (angle_rad - joint.angle_rad) / kFrame_s;
     if (angle_rad != joint.angle_rad) placed_ = false;
     joint.angle_rad = angle_rad;

@@ -43,8 +43,8 @@ std::string RemoveInTime(std::vector<std::string_view>* words, int64_t* frames) 
 
 }  // namespace
 
-void JointTargets::AddVerbs() {
-  robot_.system.inputs().AddVerb(
+void JointTargets::AddInputs() {
+  robot_.system.inputs().AddKind(
       robot_.robot_index,
       {"target", "target JOINT DEGREES [JOINT DEGREES]... [in DURATION], or target off",
        "Gives servos their set points, in place of the robot's objects, until the joints are "

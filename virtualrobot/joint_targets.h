@@ -24,7 +24,7 @@ class JointTargets {
   explicit JointTargets(RobotParts* robot) : robot_(*robot) {}
 
   // Adds the input `target` to the System of this robot, so that people and scripts can use it.
-  void AddVerbs();
+  void AddInputs();
 
   // Moves the set points of all joints that an input has taken over (movements_), for the frame of
   // 8 ms that begins.  Called after the set points of the objects' command vectors have been set,

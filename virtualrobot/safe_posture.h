@@ -27,12 +27,12 @@ class SafePosture {
 
   // Starts the movement of the joints of object `commander`, which has crashed in frame `frame`, to
   // a safe posture.
-  void CommanderIsGone(ObjectId commander, int64_t frame) {
+  void OnCommanderLost(ObjectId commander, int64_t frame) {
     lost_commanders_.push_back({commander, frame, {}});
   }
   // Ends the movement of the joints of object `commander` to a safe posture, because the object
   // runs again.
-  void CommanderIsBack(ObjectId commander) {
+  void OnCommanderBack(ObjectId commander) {
     std::erase_if(lost_commanders_,
                   [commander](const LostCommander& lost) { return lost.commander == commander; });
   }

@@ -96,9 +96,10 @@ void SensorSource::SampleJoint(size_t index, int joint, const BodyState& state,
   const auto j = static_cast<size_t>(joint);
   const JointState& now = state.joints[j];
   const slongword target_urad = devices.joints[j].target_urad;
-  const JointTrouble* const trouble = devices.TroubleOf(joint);
-  const double angle_rad = trouble == nullptr ? now.angle_rad : trouble->Measured(now.angle_rad);
-  const bool is_dead = trouble != nullptr && trouble->is_sensor_dead;
+  const JointDisturbance* const disturbance = devices.DisturbanceOf(joint);
+  const double angle_rad =
+      disturbance == nullptr ? now.angle_rad : disturbance->Measured(now.angle_rad);
+  const bool is_dead = disturbance != nullptr && disturbance->is_sensor_dead;
   JointReading& before = readings_[j];
   const JointReading reading = {angle_rad, now.drive, target_urad, is_dead};
   if (before == reading) return;

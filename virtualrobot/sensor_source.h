@@ -76,7 +76,7 @@ class SensorSource {
   void Release(int sensor) { held_[static_cast<size_t>(sensor)].reset(); }
 
   // Makes sensor `sensor` faulty until Repair().  REQUIRES: `sensor` is not the sensor of a joint.
-  // The fault of a joint's sensor is in Devices::Trouble() instead, because the servo uses this
+  // The fault of a joint's sensor is in Devices::Disturbance() instead, because the servo uses this
   // sensor, too.
   void Break(int sensor, const SensorFault& fault) { faults_[sensor] = fault; }
   // Ends the fault of sensor `sensor`.

@@ -32,7 +32,7 @@ Servo::Servo(const JointModel& joint, const ServoSettings& settings)
 }
 
 void Servo::BeginFrame(const JointCommand& command, double angle_rad) {
-  trouble_ = command.trouble;
+  disturbance_ = command.disturbance;
   if (!command.enabled) {
     enabled_ = false;
     integral_ = 0;
@@ -73,7 +73,7 @@ TorqueLine Servo::Step(double angle_rad, double speed_rad_s, double step_s) cons
     line.zero_speed_nm -= stiffness_nm * beyond_rad;
     line.slope_nm_s += stiffness_nm * step_s + settings_.stop_damping_s_per_rad * stall_nm_;
   }
-  if (trouble_ != nullptr) AddTrouble(angle_rad, step_s, &line);
+  if (disturbance_ != nullptr) AddDisturbance(angle_rad, step_s, &line);
   return line;
 }
 
@@ -94,16 +94,16 @@ TorqueLine Servo::MotorLine(double angle_rad, double speed_rad_s, double step_s)
 
 // Adds the torque of a person's hand that turns the joint, and the torque that holds a jammed
 // joint.  Both torques act like springs and are computed for the angle at the end of the step.
-void Servo::AddTrouble(double angle_rad, double step_s, TorqueLine* line) const {
-  if (trouble_->hand_rad) {
+void Servo::AddDisturbance(double angle_rad, double step_s, TorqueLine* line) const {
+  if (disturbance_->hand_rad) {
     const double stiffness_nm = settings_.hand_stiffness_nm_per_rad;
-    line->zero_speed_nm += std::clamp(stiffness_nm * (*trouble_->hand_rad - angle_rad),
+    line->zero_speed_nm += std::clamp(stiffness_nm * (*disturbance_->hand_rad - angle_rad),
                                       -settings_.hand_torque_nm, settings_.hand_torque_nm);
     line->slope_nm_s += stiffness_nm * step_s;
   }
-  if (trouble_->jammed_rad) {
+  if (disturbance_->jammed_rad) {
     const double stiffness_nm = settings_.jam_stiffness_per_rad * stall_nm_;
-    line->zero_speed_nm += stiffness_nm * (*trouble_->jammed_rad - angle_rad);
+    line->zero_speed_nm += stiffness_nm * (*disturbance_->jammed_rad - angle_rad);
     line->slope_nm_s += stiffness_nm * step_s;
   }
 }

@@ -59,13 +59,13 @@ class Servo {
  private:
   TorqueLine MotorLine(double angle_rad, double speed_rad_s, double step_s) const;
   TorqueLine LimpLine(double speed_rad_s) const;
-  void AddTrouble(double angle_rad, double step_s, TorqueLine* line) const;
-  double strength() const { return trouble_ == nullptr ? 1 : trouble_->strength; }
+  void AddDisturbance(double angle_rad, double step_s, TorqueLine* line) const;
+  double strength() const { return disturbance_ == nullptr ? 1 : disturbance_->strength; }
   // Returns whether the servo does not see how its joint moves, because the joint's sensor is stuck
   // or dead.
-  bool is_blind() const { return trouble_ != nullptr && trouble_->sensed_rad.has_value(); }
+  bool is_blind() const { return disturbance_ != nullptr && disturbance_->sensed_rad.has_value(); }
   double Measured(double angle_rad) const {
-    return trouble_ == nullptr ? angle_rad : trouble_->Measured(angle_rad);
+    return disturbance_ == nullptr ? angle_rad : disturbance_->Measured(angle_rad);
   }
 
   // Constants of the servo that are computed from the joint and the settings.
@@ -86,7 +86,7 @@ class Servo {
   double i_ = 0;
   double d_ = 0;         // factor of the D part, in PWM counts per rad/s
   double integral_ = 0;  // integral of the control law, in PWM counts
-  const JointTrouble* trouble_ = nullptr;
+  const JointDisturbance* disturbance_ = nullptr;
 };
 
 }  // namespace openr_host

@@ -365,9 +365,9 @@ VirtualRobot* AddVirtualRobot(System* system, int robot, const RobotModel& model
   VirtualRobot* const result = services.get();
   system->robot(robot).services = std::move(services);
   AddSystemObjects(result);
-  result->parts().hands.AddVerbs();
-  result->parts().targets.AddVerbs();
-  result->parts().faults.AddVerbs();
+  result->parts().hands.AddInputs();
+  result->parts().targets.AddInputs();
+  result->parts().faults.AddInputs();
   return result;
 }
 

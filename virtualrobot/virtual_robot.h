@@ -68,10 +68,10 @@ class VirtualRobot : public RobotServices {
   void PressPause() { parts_.power.PressPause(); }
 
   // Starts to move the joints of `object`, which has crashed, to a safe posture (see SafePosture).
-  void CommanderIsGone(ObjectId object) {
-    parts_.safe_posture.CommanderIsGone(object, parts_.frame);
+  void OnCommanderLost(ObjectId object) {
+    parts_.safe_posture.OnCommanderLost(object, parts_.frame);
   }
-  void CommanderIsBack(ObjectId object) { parts_.safe_posture.CommanderIsBack(object); }
+  void OnCommanderBack(ObjectId object) { parts_.safe_posture.OnCommanderBack(object); }
 
   // Returns the parts of this robot, for its system objects.
   RobotParts& parts() { return parts_; }

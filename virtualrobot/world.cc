@@ -77,14 +77,14 @@ double EnterThing(const WorldThing& thing, const Vector3d& p_W, const Vector3d& 
       break;
   }
   if (thing.shape == ThingShape::kHeightField && inside.enter <= inside.leave)
-    return EnterHeights(thing, p, d, inside.enter, inside.leave);
+    return CastRayOnHeights(thing, p, d, inside.enter, inside.leave);
   return inside.Distance();
 }
 
 }  // namespace
 
-void MeetThings(const std::vector<WorldThing>& things, const Vector3d& p_W,
-                const Vector3d& direction_W, RayHit* hit) {
+void CastRayOnThings(const std::vector<WorldThing>& things, const Vector3d& p_W,
+                     const Vector3d& direction_W, RayHit* hit) {
   for (const WorldThing& thing : things) {
     if (!thing.is_solid) continue;
     const double distance_m = EnterThing(thing, p_W, direction_W);
@@ -98,7 +98,7 @@ RayHit CastRay(const World& world, const std::vector<WorldThing>& things, const 
   RayHit hit{max_m, 1};
   if (direction_W.z() < 0 && -p_W.z() / direction_W.z() < max_m)
     hit = {-p_W.z() / direction_W.z(), world.floor_reflectance};
-  MeetThings(things, p_W, direction_W, &hit);
+  CastRayOnThings(things, p_W, direction_W, &hit);
   return hit;
 }
 

@@ -79,8 +79,8 @@ struct RayHit {
 // Follows the ray from `p_W` along the unit vector `direction_W`, up to the distance
 // `hit->distance_m`.  Sets `hit` to the first solid thing of `things` that the ray meets.  Does not
 // change `hit` if the ray meets no solid thing.
-void MeetThings(const std::vector<WorldThing>& things, const Eigen::Vector3d& p_W,
-                const Eigen::Vector3d& direction_W, RayHit* hit);
+void CastRayOnThings(const std::vector<WorldThing>& things, const Eigen::Vector3d& p_W,
+                     const Eigen::Vector3d& direction_W, RayHit* hit);
 
 // Follows a ray from `p_W` along the unit vector `direction_W` to the floor or the first solid
 // thing of `things`.  The distance is `max_m` when nothing is nearer, and 0 when `p_W` is inside a

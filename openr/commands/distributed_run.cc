@@ -78,9 +78,9 @@ bool DistributedRun::Connect(Simulation* simulation) {
   const auto robot_of = [simulation](const Object& object) {
     return simulation->robots()[static_cast<size_t>(object.robot)];
   };
-  workers_->OnCrash([robot_of](Object* object) { robot_of(*object)->CommanderIsGone(object->id); });
+  workers_->OnCrash([robot_of](Object* object) { robot_of(*object)->OnCommanderLost(object->id); });
   workers_->OnReturn(
-      [robot_of](Object* object) { robot_of(*object)->CommanderIsBack(object->id); });
+      [robot_of](Object* object) { robot_of(*object)->OnCommanderBack(object->id); });
   return true;
 }
 

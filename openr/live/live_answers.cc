@@ -72,8 +72,8 @@ Json AnswerInput(const Asked& asked) {
 
 Json AnswerInputs(const Asked& asked) {
   Json inputs = Json::array();
-  for (const Inputs::Verb* const verb : asked.system().inputs().VerbsOf(asked.robot()))
-    inputs.push_back({{"usage", verb->usage}, {"help", verb->help}});
+  for (const Inputs::Kind* const kind : asked.system().inputs().KindsOf(asked.robot()))
+    inputs.push_back({{"usage", kind->usage}, {"help", kind->help}});
   return {{"inputs", inputs}};
 }
 

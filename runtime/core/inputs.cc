@@ -12,27 +12,27 @@
 
 namespace openr_host {
 
-void Inputs::AddVerb(int robot, Verb verb) {
-  ASSERT(FindVerb(robot, verb.name) == nullptr, "robot {} has the verb '{}'", robot, verb.name);
-  std::pair key(robot, verb.name);
-  verbs_.emplace(std::move(key), std::move(verb));
+void Inputs::AddKind(int robot, Kind kind) {
+  ASSERT(FindKind(robot, kind.name) == nullptr, "robot {} has the verb '{}'", robot, kind.name);
+  std::pair key(robot, kind.name);
+  kinds_.emplace(std::move(key), std::move(kind));
 }
 
-const Inputs::Verb* Inputs::FindVerb(int robot, const std::string& name) const {
+const Inputs::Kind* Inputs::FindKind(int robot, const std::string& name) const {
   for (const int owner : {robot, kEveryRobot}) {
-    if (const auto found = verbs_.find({owner, name}); found != verbs_.end()) return &found->second;
+    if (const auto found = kinds_.find({owner, name}); found != kinds_.end()) return &found->second;
   }
   return nullptr;
 }
 
-std::vector<const Inputs::Verb*> Inputs::VerbsOf(int robot) const {
-  std::vector<const Verb*> verbs;
-  for (const auto& [key, verb] : verbs_) {
-    if (key.first == robot || key.first == kEveryRobot) verbs.push_back(&verb);
+std::vector<const Inputs::Kind*> Inputs::KindsOf(int robot) const {
+  std::vector<const Kind*> kinds;
+  for (const auto& [key, kind] : kinds_) {
+    if (key.first == robot || key.first == kEveryRobot) kinds.push_back(&kind);
   }
-  std::sort(verbs.begin(), verbs.end(),
-            [](const Verb* a, const Verb* b) { return a->name < b->name; });
-  return verbs;
+  std::sort(kinds.begin(), kinds.end(),
+            [](const Kind* a, const Kind* b) { return a->name < b->name; });
+  return kinds;
 }
 
 std::string Inputs::Read(int robot, std::string_view line, Action* action) const {
@@ -40,16 +40,16 @@ std::string Inputs::Read(int robot, std::string_view line, Action* action) const
   const std::string name(line.substr(0, end));
   if (robot < 0 || robot >= std::max(1, system_->robot_count()))
     return fmt::format("there is no robot {}; this run has {}", robot, system_->robot_count());
-  const Verb* const verb = FindVerb(robot, name);
-  if (verb == nullptr) {
+  const Kind* const kind = FindKind(robot, name);
+  if (kind == nullptr) {
     std::vector<std::string> known;
-    for (const Verb* const each : VerbsOf(robot)) known.push_back(each->name);
+    for (const Kind* const each : KindsOf(robot)) known.push_back(each->name);
     return fmt::format("'{}' is no input{}; known are {}", name, DidYouMean(name, known),
                        fmt::join(known, ", "));
   }
   const std::string_view rest = end == line.size() ? "" : line.substr(end + 1);
-  const std::string problem = verb->read(robot, rest, action);
-  return problem.empty() ? "" : fmt::format("{}: {}; usage: {}", name, problem, verb->usage);
+  const std::string problem = kind->read(robot, rest, action);
+  return problem.empty() ? "" : fmt::format("{}: {}; usage: {}", name, problem, kind->usage);
 }
 
 std::string Inputs::Check(int robot, std::string_view line) const {

@@ -41,7 +41,7 @@ class Inputs {
     bool is_before_boot = false;
   };
 
-  struct Verb {
+  struct Kind {
     std::string name;   // the first word of the input: "press"
     std::string usage;  // the form of the input: "press NAME [N%] [for DURATION]"
     std::string help;   // what the input does: "Presses a sensor that people touch."
@@ -50,17 +50,17 @@ class Inputs {
     std::function<std::string(int robot, std::string_view rest, Action* action)> read;
   };
 
-  // The value of `robot` in AddVerb() for a verb that every robot has.
+  // The value of `robot` in AddKind() for a verb that every robot has.
   static constexpr int kEveryRobot = -1;
 
   explicit Inputs(System* system) : system_(system) {}
 
   // Adds a verb, the first word of inputs such as "press chin", for one robot or for every robot.
   // REQUIRES: the robot has no verb of this name.
-  void AddVerb(int robot, Verb verb);
+  void AddKind(int robot, Kind kind);
 
   // Returns the verbs (first words of inputs) of `robot` in order of their names.
-  std::vector<const Verb*> VerbsOf(int robot) const;
+  std::vector<const Kind*> KindsOf(int robot) const;
 
   // Returns "" if Add() would accept the input `line` now, or the reason why not.
   std::string Check(int robot, std::string_view line) const;
@@ -97,12 +97,12 @@ class Inputs {
     Action action;
   };
 
-  const Verb* FindVerb(int robot, const std::string& name) const;
+  const Kind* FindKind(int robot, const std::string& name) const;
   std::string Read(int robot, std::string_view line, Action* action) const;
   void Insert(Waiting input);
 
   System* const system_;
-  std::map<std::pair<int, std::string>, Verb> verbs_;  // the key is the robot and the verb's name
+  std::map<std::pair<int, std::string>, Kind> kinds_;  // the key is the robot and the verb's name
   std::deque<Waiting> waiting_;  // the inputs that wait, in the order of due_us
   std::vector<Listener> listeners_;
 };

@@ -72,7 +72,7 @@ System::System(SystemOptions options)
   manager_ = AddObject<ObjectManager>(0, "oobjectManager");
   manager_->host().is_system = true;
   manager_->host().limits.priority = 0;
-  AddSystemVerbs(this);
+  AddSystemInputs(this);
   table_.OnEnd([this](ObjectId id) { time_events_.ForgetObject(id); });
 }
 

@@ -167,8 +167,8 @@ void TypeText(System* system, int robot, std::string_view text) {
   system->inputs().Add(robot, fmt::format("type {}", text));
 }
 
-void AddSystemVerbs(System* system) {
-  system->inputs().AddVerb(
+void AddSystemInputs(System* system) {
+  system->inputs().AddKind(
       Inputs::kEveryRobot,
       {"type", "type TEXT", "Types a line on the robot's terminal, for objects that read it.",
        [system](int robot, std::string_view rest, Inputs::Action* action) {
@@ -177,13 +177,13 @@ void AddSystemVerbs(System* system) {
          };
          return std::string();
        }});
-  system->inputs().AddVerb(Inputs::kEveryRobot,
+  system->inputs().AddKind(Inputs::kEveryRobot,
                            {"send", "send OBSERVER [from SUBJECT] VALUE...",
                             "Sends an observer one datum, as if a subject had notified it.",
                             [system](int robot, std::string_view rest, Inputs::Action* action) {
                               return ReadSend(system, robot, rest, action);
                             }});
-  system->inputs().AddVerb(
+  system->inputs().AddKind(
       Inputs::kEveryRobot,
       {"shutdown", "shutdown",
        "Shuts the robot down: DoStop and DoDestroy of all objects, then off.",

@@ -10,7 +10,7 @@ namespace openr_host {
 class System;
 
 // Adds the kinds of inputs that begin with `type`, `send` and `shutdown` to System::inputs().
-void AddSystemVerbs(System* system);
+void AddSystemInputs(System* system);
 
 // Adds the input `type TEXT`, which types `text` on the terminal of `robot`.
 void TypeText(System* system, int robot, std::string_view text);

@@ -19,13 +19,13 @@ namespace {
 // "release JOINT" for "release SENSOR|JOINT".
 void AddBeginnings(const std::string& usage, std::set<std::string>* beginnings) {
   std::istringstream words(usage);
-  std::string verb, argument;
-  words >> verb >> argument;
+  std::string kind, argument;
+  words >> kind >> argument;
   while (!argument.empty() && argument.back() == ',') argument.pop_back();
-  if (argument.empty()) beginnings->insert(verb);
+  if (argument.empty()) beginnings->insert(kind);
   std::istringstream choices(argument);
   for (std::string choice; std::getline(choices, choice, '|');)
-    beginnings->insert(verb + " " + choice);
+    beginnings->insert(kind + " " + choice);
 }
 
 std::set<std::string> InputsOfTheProgram() {
@@ -36,8 +36,8 @@ std::set<std::string> InputsOfTheProgram() {
   Simulation simulation(options);
   constexpr std::string_view kOr = ", or ";  // as in "press SENSOR, or press pause"
   std::set<std::string> beginnings;
-  for (const Inputs::Verb* const verb : simulation.system().inputs().VerbsOf(0)) {
-    std::string usage = verb->usage;
+  for (const Inputs::Kind* const kind : simulation.system().inputs().KindsOf(0)) {
+    std::string usage = kind->usage;
     for (size_t at = 0; (at = usage.find(kOr)) != std::string::npos;) {
       AddBeginnings(usage.substr(0, at), &beginnings);
       usage.erase(0, at + kOr.size());

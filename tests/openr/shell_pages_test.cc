@@ -130,8 +130,8 @@ std::vector<std::string> UsagesOfInputs() {
   options.console = [](std::string_view) {};
   Simulation simulation(options);
   std::vector<std::string> usages;
-  for (const Inputs::Verb* const verb : simulation.system().inputs().VerbsOf(0))
-    usages.push_back(verb->usage);
+  for (const Inputs::Kind* const kind : simulation.system().inputs().KindsOf(0))
+    usages.push_back(kind->usage);
   return usages;
 }
 
@@ -141,8 +141,8 @@ TEST_F(CompletionTest, AnInputIsFollowedByTheWordsOfItsUsage) {
   EXPECT_THAT(Offered("openr poke default hold ''"), IsEmpty());
   EXPECT_THAT(Offered("openr poke default break neck_pan ja"), UnorderedElementsAre("jammed"));
   for (const std::string& usage : UsagesOfInputs()) {
-    const std::string verb = usage.substr(0, usage.find(' '));
-    const std::vector<std::string> offered = Offered("openr poke default " + verb + " ''");
+    const std::string kind = usage.substr(0, usage.find(' '));
+    const std::vector<std::string> offered = Offered("openr poke default " + kind + " ''");
     const std::set<std::string> words = WordsInUsage(usage);
     for (const std::string& word : words) {
       if (std::islower(static_cast<unsigned char>(word[0])) == 0) continue;

@@ -42,7 +42,7 @@ TEST_F(SafePostureTest, NothingMovesWhileCommandersAreThere) {
 }
 
 TEST_F(SafePostureTest, JointsHoldThenGoToRestAndStayThere) {
-  posture_.CommanderIsGone(kGone, kSince);
+  posture_.OnCommanderLost(kGone, kSince);
   EXPECT_EQ(TargetAfter(SafePosture::kHoldFrames, 0), 500'000);
   const slongword half = TargetAfter(SafePosture::kHoldFrames + SafePosture::kMoveFrames / 2, 0);
   EXPECT_NEAR(half, (500'000 + RestOf(0)) / 2, 2);
@@ -51,12 +51,12 @@ TEST_F(SafePostureTest, JointsHoldThenGoToRestAndStayThere) {
 }
 
 TEST_F(SafePostureTest, JointsOfOthersAreLeftAlone) {
-  posture_.CommanderIsGone(kGone, kSince);
+  posture_.OnCommanderLost(kGone, kSince);
   EXPECT_EQ(TargetAfter(100'000, 2), 100'000);
 }
 
 TEST_F(SafePostureTest, AJointThatSomebodyElseTakesIsLeftToHim) {
-  posture_.CommanderIsGone(kGone, kSince);
+  posture_.OnCommanderLost(kGone, kSince);
   TargetAfter(SafePosture::kHoldFrames + 10, 0);
   devices_.set_commander(kOther);
   devices_.SetTarget(0, 123'456);

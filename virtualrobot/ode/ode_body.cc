@@ -188,7 +188,7 @@ RayHit OdeBody::CastRay(const Vector3d& p_W, const Vector3d& direction_W, double
     const Vector3d to_robot = robot->state_.X_WB.translation() - p_W;
     const double along_m = std::clamp(to_robot.dot(direction_W), 0.0, hit.distance_m);
     if ((to_robot - along_m * direction_W).norm() > kReach_m) continue;
-    MeetThings(
+    CastRayOnThings(
         ThingsOfRobot(robot->model_, robot->BodyPoses(), std::vector<bool>(robot->bodies_.size())),
         p_W, direction_W, &hit);
   }
