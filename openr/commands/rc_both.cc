@@ -132,7 +132,7 @@ int FollowRobot(const RcFlags& flags) {
   options.tracks[kFirst] = flags.track;
   RemotePair pair(remote::ParseAddress(flags.address), remote::ParseAddress(flags.with), options);
   PairControl control;
-  control.Wish({.follow = Follow::kFirst, .follows_motions = true});
+  control.SetSettings({.follow = Follow::kFirst, .follows_motions = true});
   const InterruptCounter interrupts;
   int statuses = 0;
   pair.Run(&control, [&](const PairStatus& status) {

@@ -94,7 +94,7 @@ bool RemotePort::Guarded(const Function& function, std::string* refusal) {
     return true;
   } catch (const remote::Error& error) {
     *refusal = error.text();
-    if (!error.LeavesConnection()) failure_ = std::current_exception();
+    if (!error.IsConnectionUsable()) failure_ = std::current_exception();
   } catch (const std::exception& error) {
     *refusal = error.what();
   }

@@ -17,21 +17,21 @@ uint64_t BitOf(ObjectId id) { return uint64_t{1} << std::clamp(id, 0, 63); }
 
 }  // namespace
 
-Json TouchedToJson(const Touched& touched) { return {touched.memory, touched.queues}; }
+Json UsedObjectsToJson(const UsedObjects& used) { return {used.memory, used.queues}; }
 
-Touched TouchedFromJson(const Json& json) {
+UsedObjects UsedObjectsFromJson(const Json& json) {
   return {json[0].get<uint64_t>(), json[1].get<uint64_t>()};
 }
 
 Json SleepToJson(const SleepSet& sleep) {
   Json json = Json::array();
-  for (const auto& [object, touched] : sleep) json.push_back({object, TouchedToJson(touched)});
+  for (const auto& [object, used] : sleep) json.push_back({object, UsedObjectsToJson(used)});
   return json;
 }
 
 SleepSet SleepFromJson(const Json& json) {
   SleepSet sleep;
-  for (const Json& entry : json) sleep[entry[0].get<ObjectId>()] = TouchedFromJson(entry[1]);
+  for (const Json& entry : json) sleep[entry[0].get<ObjectId>()] = UsedObjectsFromJson(entry[1]);
   return sleep;
 }
 
@@ -64,7 +64,7 @@ size_t ExactSchedule::PickOf(const Deviation& spot, const std::vector<ObjectId>&
   const size_t chosen = node.chosen;
   nodes_.push_back(std::move(node));
   BeginEvent(candidates[chosen], index);
-  if (is_start) touched_ = kAllTouched;
+  if (is_start) used_ = kAllObjects;
   return chosen;
 }
 
@@ -80,7 +80,7 @@ void ExactSchedule::BeginEvent(ObjectId target, size_t node) {
   is_begun_ = false;
   event_target_ = target;
   event_node_ = node;
-  touched_ = {BitOf(target), 0};
+  used_ = {BitOf(target), 0};
 }
 
 void ExactSchedule::SawDelivery(const Message& message) {
@@ -92,30 +92,30 @@ void ExactSchedule::SawDelivery(const Message& message) {
     BeginEvent(message.target, kNone);
   }
   is_begun_ = true;
-  if (message.kind == PayloadKind::kNotify) TouchMemoryOf(message.sender);
-  TouchHeld(*system().object(message.target));
+  if (message.kind == PayloadKind::kNotify) AddMemoryOf(message.sender);
+  AddHeld(*system().object(message.target));
 }
 
 void ExactSchedule::FinishEvent() {
   if (!std::exchange(has_event_, false)) return;
-  if (event_node_ != kNone) nodes_[event_node_].touched = touched_;
+  if (event_node_ != kNone) nodes_[event_node_].used = used_;
   // Leaves sleep_ alone while the run repeats earlier choices, because the search gives it at the
   // last of them.
   if (nodes_.size() < choices_.size()) return;
   std::erase_if(sleep_,
-                [this](const auto& sleeper) { return !reduce_ || sleeper.second.Meets(touched_); });
+                [this](const auto& sleeper) { return !reduce_ || sleeper.second.Meets(used_); });
 }
 
-void ExactSchedule::SawPost(const Message& message) { touched_.queues |= BitOf(message.target); }
+void ExactSchedule::SawPost(const Message& message) { used_.queues |= BitOf(message.target); }
 
-void ExactSchedule::TouchMemoryOf(ObjectId id) {
-  if (id != kNoObject) touched_.memory |= BitOf(id);
+void ExactSchedule::AddMemoryOf(ObjectId id) {
+  if (id != kNoObject) used_.memory |= BitOf(id);
 }
 
-void ExactSchedule::TouchHeld(const Object& object) {
+void ExactSchedule::AddHeld(const Object& object) {
   for (const auto& observer : object.observers) {
     for (const ObserverState::Held& held : observer->held) {
-      if (!held.regions.empty()) TouchMemoryOf(ObjectIdOf(held.subject.GetOID()));
+      if (!held.regions.empty()) AddMemoryOf(ObjectIdOf(held.subject.GetOID()));
     }
   }
 }
@@ -126,7 +126,7 @@ Json ExactSchedule::Tell() {
   for (const Node& node : nodes_) {
     nodes.push_back({{"candidates", node.candidates},
                      {"chosen", node.chosen},
-                     {"touched", TouchedToJson(node.touched)},
+                     {"touched", UsedObjectsToJson(node.used)},
                      {"sleep", SleepToJson(node.sleep)}});
   }
   return {{"cut", is_cut_}, {"nodes", std::move(nodes)}};

@@ -28,24 +28,24 @@ namespace openr_host {
 // message.  Objects with an id from 63 on share the last bit, because there are 64 bits.  Then more
 // deliveries seem to concern the same object, so the search tries more orders than necessary, but
 // misses none.
-struct Touched {
+struct UsedObjects {
   uint64_t memory = 0;
   uint64_t queues = 0;
 
-  bool Meets(const Touched& other) const {
+  bool Meets(const UsedObjects& other) const {
     return ((memory & other.memory) | (queues & other.queues)) != 0;
   }
 };
-constexpr Touched kAllTouched = {~uint64_t{0}, ~uint64_t{0}};
+constexpr UsedObjects kAllObjects = {~uint64_t{0}, ~uint64_t{0}};
 
 // The deliveries that sleep, so the schedule does not choose them (sleep sets, at the top of this
 // file).  The key is a receiver and stands for the delivery of the next message to it.  The value
 // has the objects that this delivery concerns.  The delivery stops sleeping when another delivery
 // concerns one of these objects too.
-using SleepSet = std::map<ObjectId, Touched>;
+using SleepSet = std::map<ObjectId, UsedObjects>;
 
-nlohmann::ordered_json TouchedToJson(const Touched& touched);
-Touched TouchedFromJson(const nlohmann::ordered_json& json);
+nlohmann::ordered_json UsedObjectsToJson(const UsedObjects& used);
+UsedObjects UsedObjectsFromJson(const nlohmann::ordered_json& json);
 nlohmann::ordered_json SleepToJson(const SleepSet& sleep);
 SleepSet SleepFromJson(const nlohmann::ordered_json& json);
 
@@ -87,14 +87,14 @@ class ExactSchedule : public ExploreSchedule {
   struct Node {
     std::vector<ObjectId> candidates;
     size_t chosen = 0;
-    Touched touched;
+    UsedObjects used;
     SleepSet sleep;
   };
   size_t FirstAwake(const std::vector<ObjectId>& candidates);
   void BeginEvent(ObjectId target, size_t node);
   void FinishEvent();
-  void TouchMemoryOf(ObjectId id);
-  void TouchHeld(const Object& object);
+  void AddMemoryOf(ObjectId id);
+  void AddHeld(const Object& object);
 
   const bool reduce_;
   std::vector<size_t> choices_;
@@ -112,7 +112,7 @@ class ExactSchedule : public ExploreSchedule {
   bool is_begun_ = false;  // true when the message of the current delivery has been delivered
   ObjectId event_target_ = kNoObject;
   size_t event_node_ = kNone;
-  Touched touched_;
+  UsedObjects used_;
 };
 
 }  // namespace openr_host

@@ -25,7 +25,7 @@ struct Frame {
   SleepSet sleep;  // deliveries that sleep at this choice, so the search need not try them
   SleepSet done;   // candidates that were explored; value: the objects that each of them concerns
   size_t current = 0;
-  Touched touched;  // objects that the delivery of the current candidate's message concerns
+  UsedObjects used;  // objects that the delivery of the current candidate's message concerns
 };
 
 class Search {
@@ -51,7 +51,7 @@ class Search {
     SleepSet sleep;
     if (!stack_.empty() && plan_.reduce) {
       sleep = stack_.back().sleep;
-      for (const auto& [object, touched] : stack_.back().done) sleep[object] = touched;
+      for (const auto& [object, used] : stack_.back().done) sleep[object] = used;
     }
     return {
         {"seed", plan_.first_seed},
@@ -80,7 +80,7 @@ class Search {
         frame.current = nodes[i]["chosen"].get<size_t>();
         stack_.push_back(std::move(frame));
       }
-      stack_[i].touched = TouchedFromJson(nodes[i]["touched"]);
+      stack_[i].used = UsedObjectsFromJson(nodes[i]["touched"]);
     }
   }
 
@@ -96,7 +96,7 @@ class Search {
   bool Backtrack() {
     while (!stack_.empty()) {
       Frame& frame = stack_.back();
-      frame.done[frame.candidates[frame.current]] = frame.touched;
+      frame.done[frame.candidates[frame.current]] = frame.used;
       for (size_t i = 0; i < frame.candidates.size(); ++i) {
         const ObjectId candidate = frame.candidates[i];
         if (frame.done.contains(candidate) || frame.sleep.contains(candidate)) continue;

@@ -34,12 +34,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // A request of a client, and the run to which it was sent.
-struct Asked {
-  const LiveContext& context;
+struct RequestContext {
+  const LiveContext& live;
   const nlohmann::json& request;
 
-  Simulation* simulation() const { return context.simulation; }
-  System& system() const { return context.simulation->system(); }
+  Simulation* simulation() const { return live.simulation; }
+  System& system() const { return live.simulation->system(); }
   int robot() const { return request.value("robot", 0); }
 };
 
@@ -60,41 +60,43 @@ std::string Base64(const std::string& bytes) {
 
 Json Error(const std::string& text) { return {{"error", text}}; }
 
-double TimeOf(const Asked& asked) { return static_cast<double>(asked.system().now_us()) / 1e6; }
-
-Json AnswerInput(const Asked& asked) {
-  const std::string line = asked.request.at("line").get<std::string>();
-  if (asked.context.known != nullptr) return Error("this is a recording; nothing can be changed");
-  const std::string problem = asked.system().inputs().Add(asked.robot(), line);
-  if (!problem.empty()) return Error(problem);
-  return {{"time_s", TimeOf(asked)}};
+double TimeOf(const RequestContext& context) {
+  return static_cast<double>(context.system().now_us()) / 1e6;
 }
 
-Json AnswerInputs(const Asked& asked) {
+Json AnswerInput(const RequestContext& context) {
+  const std::string line = context.request.at("line").get<std::string>();
+  if (context.live.known != nullptr) return Error("this is a recording; nothing can be changed");
+  const std::string problem = context.system().inputs().Add(context.robot(), line);
+  if (!problem.empty()) return Error(problem);
+  return {{"time_s", TimeOf(context)}};
+}
+
+Json AnswerInputs(const RequestContext& context) {
   Json inputs = Json::array();
-  for (const Inputs::Kind* const kind : asked.system().inputs().KindsOf(asked.robot()))
+  for (const Inputs::Kind* const kind : context.system().inputs().KindsOf(context.robot()))
     inputs.push_back({{"usage", kind->usage}, {"help", kind->help}});
   return {{"inputs", inputs}};
 }
 
-Json AnswerStatus(const Asked& asked) {
-  System& system = asked.system();
+Json AnswerStatus(const RequestContext& context) {
+  System& system = context.system();
   Json waits = Json::array();
   for (const std::string& line : WhoWaits(system)) waits.push_back(line);
   Json ports = Json::array();
-  for (int i = 0; i < system.robot_count(); ++i) ports.push_back(asked.simulation()->RcPort(i));
-  return {{"time_s", TimeOf(asked)},
+  for (int i = 0; i < system.robot_count(); ++i) ports.push_back(context.simulation()->RcPort(i));
+  return {{"time_s", TimeOf(context)},
           {"robots", system.robot_count()},
-          {"model", asked.simulation()->model().name},
+          {"model", context.simulation()->model().name},
           {"messages", system.message_count()},
           {"findings", system.findings().all().size()},
           {"rc_ports", ports},
           {"waits", waits}};
 }
 
-Json AnswerObjects(const Asked& asked) {
+Json AnswerObjects(const RequestContext& context) {
   Json objects = Json::array();
-  for (const auto& object : asked.system().objects()) {
+  for (const auto& object : context.system().objects()) {
     objects.push_back({{"robot", object->robot},
                        {"name", object->name},
                        {"state", object->state},
@@ -102,7 +104,7 @@ Json AnswerObjects(const Asked& asked) {
                        {"waiting", object->waiting},
                        {"waits_for", object->wait.why}});
   }
-  return {{"time_s", TimeOf(asked)}, {"objects", objects}};
+  return {{"time_s", TimeOf(context)}, {"objects", objects}};
 }
 
 // Returns the name of the service to which `entry`, a handler of the object `id`, belongs, such as
@@ -113,15 +115,15 @@ std::string ServiceAt(const System& system, const OServiceEntry& entry, ObjectId
   return ServiceOfEntry(*object, entry.GetSelector());
 }
 
-Json AnswerObject(const Asked& asked) {
-  const System& system = asked.system();
-  const std::string name = asked.request.at("name").get<std::string>();
-  const Object* const object = system.FindObject(asked.robot(), name);
+Json AnswerObject(const RequestContext& context) {
+  const System& system = context.system();
+  const std::string name = context.request.at("name").get<std::string>();
+  const Object* const object = system.FindObject(context.robot(), name);
   if (object == nullptr) {
     std::vector<std::string> known;
     for (const auto& each : system.objects()) known.push_back(each->name);
-    return Error(
-        fmt::format("robot {} has no object '{}'{}", asked.robot(), name, DidYouMean(name, known)));
+    return Error(fmt::format("robot {} has no object '{}'{}", context.robot(), name,
+                             DidYouMean(name, known)));
   }
   Json subjects = Json::array(), observers = Json::array(), findings = Json::array();
   for (const auto& subject : object->subjects) {
@@ -145,7 +147,7 @@ Json AnswerObject(const Asked& asked) {
       findings.push_back(fmt::format("{}: {}{}", SeverityName(finding.severity), finding.text,
                                      MessageInParentheses(finding.message, finding.said)));
   }
-  return {{"time_s", TimeOf(asked)},
+  return {{"time_s", TimeOf(context)},
           {"name", object->name},
           {"path", object->path},
           {"state", object->state},
@@ -160,16 +162,16 @@ Json AnswerObject(const Asked& asked) {
 
 // Returns the robot whose number the client's request has in its member "robot"; robot 0 if this
 // member is missing.  Returns null if the simulation has no such robot.
-const VirtualRobot* RobotOf(const Asked& asked) {
-  const auto& robots = asked.simulation()->robots();
-  const int robot = asked.robot();
+const VirtualRobot* RobotOf(const RequestContext& context) {
+  const auto& robots = context.simulation()->robots();
+  const int robot = context.robot();
   return robot < 0 || robot >= static_cast<int>(robots.size()) ? nullptr
                                                                : robots[static_cast<size_t>(robot)];
 }
 
-Json AnswerSensors(const Asked& asked) {
-  const VirtualRobot* const robot = RobotOf(asked);
-  if (robot == nullptr) return Error(fmt::format("there is no robot {}", asked.robot()));
+Json AnswerSensors(const RequestContext& context) {
+  const VirtualRobot* const robot = RobotOf(context);
+  if (robot == nullptr) return Error(fmt::format("there is no robot {}", context.robot()));
   Json sensors = Json::array();
   const auto& models = robot->model().sensors;
   for (size_t i = 0; i < models.size(); ++i) {
@@ -179,12 +181,12 @@ Json AnswerSensors(const Asked& asked) {
                        {"long_name", models[i].name},
                        {"locator", models[i].locator}});
   }
-  return {{"time_s", TimeOf(asked)}, {"sensors", sensors}};
+  return {{"time_s", TimeOf(context)}, {"sensors", sensors}};
 }
 
-Json AnswerJoints(const Asked& asked) {
-  const VirtualRobot* const robot = RobotOf(asked);
-  if (robot == nullptr) return Error(fmt::format("there is no robot {}", asked.robot()));
+Json AnswerJoints(const RequestContext& context) {
+  const VirtualRobot* const robot = RobotOf(context);
+  if (robot == nullptr) return Error(fmt::format("there is no robot {}", context.robot()));
   Json joints = Json::array();
   const auto& models = robot->model().joints;
   for (size_t i = 0; i < models.size(); ++i) {
@@ -194,14 +196,14 @@ Json AnswerJoints(const Asked& asked) {
                       {"target_deg", Degrees(device.target_urad * 1e-6)},
                       {"gain", device.gain_enabled}});
   }
-  return {{"time_s", TimeOf(asked)}, {"joints", joints}};
+  return {{"time_s", TimeOf(context)}, {"joints", joints}};
 }
 
-Json AnswerFindings(const Asked& asked) { return FindingsJson(asked.context); }
+Json AnswerFindings(const RequestContext& context) { return FindingsJson(context.live); }
 
-Json AnswerScene(const Asked& asked) {
-  Json scene = SceneJson(*asked.simulation());
-  scene["time_s"] = TimeOf(asked);
+Json AnswerScene(const RequestContext& context) {
+  Json scene = SceneJson(*context.simulation());
+  scene["time_s"] = TimeOf(context);
   return scene;
 }
 
@@ -217,20 +219,20 @@ int64_t InUs(double time_s) {
 
 // Lets a known run, such as a replay, go on to the later moment `time_us`.  Returns the answer to
 // the client: the state of the clock, or an error.
-Json GoTo(const Asked& asked, int64_t time_us) {
-  const KnownRun* const known = asked.context.known;
+Json GoTo(const RequestContext& context, int64_t time_us) {
+  const KnownRun* const known = context.live.known;
   if (known == nullptr) return Error("only a recording can go on to a given moment");
   if (time_us > known->length_us())
     return Error(fmt::format("the recording is over at t={:.3f} s",
                              static_cast<double>(known->length_us()) / 1e6));
-  asked.context.clock->GoTo(time_us);
-  return asked.context.events->Clock();
+  context.live.clock->GoTo(time_us);
+  return context.live.events->Clock();
 }
 
-Json AnswerClock(const Asked& asked) {
-  RunClock* const clock = asked.context.clock;
-  const nlohmann::json& request = asked.request;
-  if (request.contains("to_s")) return GoTo(asked, InUs(request["to_s"].get<double>()));
+Json AnswerClock(const RequestContext& context) {
+  RunClock* const clock = context.live.clock;
+  const nlohmann::json& request = context.request;
+  if (request.contains("to_s")) return GoTo(context, InUs(request["to_s"].get<double>()));
   if (clock->is_fixed())
     return Error("a free run cannot be paused, and keeps its rate: its processes do not wait");
   if (request.contains("rate")) {
@@ -257,15 +259,15 @@ Json AnswerClock(const Asked& asked) {
       return Error(fmt::format("the count is 1 to {}", RunClock::kStepsMax));
     clock->AddSteps(step, count);
   }
-  return asked.context.events->Clock();
+  return context.live.events->Clock();
 }
 
-Json AnswerCamera(const Asked& asked) {
-  const auto& robots = asked.simulation()->robots();
-  const int robot = asked.robot();
+Json AnswerCamera(const RequestContext& context) {
+  const auto& robots = context.simulation()->robots();
+  const int robot = context.robot();
   if (robot < 0 || robot >= static_cast<int>(robots.size()))
     return Error(fmt::format("there is no robot {}", robot));
-  const auto layer = asked.request.value("layer", std::string("picture"));
+  const auto layer = context.request.value("layer", std::string("picture"));
   if (layer != "picture" && layer != "colour")
     return Error(fmt::format("a layer is picture or colour, not '{}'", layer));
   VirtualRobot& dog = *robots[static_cast<size_t>(robot)];
@@ -274,7 +276,7 @@ Json AnswerCamera(const Asked& asked) {
       layer == "colour" ? dog.CopyColours(&picture) : dog.CopyPicture(&picture);
   if (!problem.empty()) return Error(problem);
   const std::string png = render::EncodePng(picture.width, picture.height, picture.rgb);
-  return {{"time_s", TimeOf(asked)},
+  return {{"time_s", TimeOf(context)},
           {"width", picture.width},
           {"height", picture.height},
           {"png", Base64(png)}};
@@ -283,18 +285,18 @@ Json AnswerCamera(const Asked& asked) {
 // Returns one event, the line about the state of the run whose kind, such as "values", the request
 // names.  The line is about this process: if the process is a view, a copy that repeats the run up
 // to a past moment, the line is about that moment.
-Json AnswerEvent(const Asked& asked) {
-  const auto name = asked.request.at("name").get<std::string>();
+Json AnswerEvent(const RequestContext& context) {
+  const auto name = context.request.at("name").get<std::string>();
   const auto& kinds = LiveEvents::Kinds();
   if (std::none_of(kinds.begin(), kinds.end(), [&](const auto& kind) { return kind.name == name; }))
     return Error(fmt::format("there is no event '{}'", name));
   EventCursor cursor;
-  return {{"line", asked.context.events->Line(name, &cursor)}};
+  return {{"line", context.live.events->Line(name, &cursor)}};
 }
 
-Json AnswerRewind(const Asked& asked) {
-  Rewind* const rewind = asked.context.rewind;
-  const nlohmann::json& request = asked.request;
+Json AnswerRewind(const RequestContext& context) {
+  Rewind* const rewind = context.live.rewind;
+  const nlohmann::json& request = context.request;
   std::string problem;
   if (request.contains("present")) {
     rewind->ShowPresent();
@@ -302,7 +304,7 @@ Json AnswerRewind(const Asked& asked) {
     problem = rewind->ShowMessage(
         static_cast<uint64_t>(std::max<int64_t>(request["to_message"].get<int64_t>(), 0)));
   } else {
-    const int64_t from_us = rewind->shows_past() ? rewind->shown_us() : asked.system().now_us();
+    const int64_t from_us = rewind->shows_past() ? rewind->shown_us() : context.system().now_us();
     const int64_t to_us = request.contains("back_s")
                               ? from_us - InUs(request["back_s"].get<double>())
                               : InUs(request.at("to_s").get<double>());
@@ -310,49 +312,49 @@ Json AnswerRewind(const Asked& asked) {
   }
   if (!problem.empty()) return Error(problem);
   // Pauses the run, because its state must not change while its user looks at the past.
-  asked.context.clock->Pause();
-  return asked.context.events->Clock();
+  context.live.clock->Pause();
+  return context.live.events->Clock();
 }
 
-Json AnswerBranch(const Asked& asked) {
-  return asked.context.rewind->Branch(asked.context.clock->rate());
+Json AnswerBranch(const RequestContext& context) {
+  return context.live.rewind->Branch(context.live.clock->rate());
 }
 
-Json AnswerHashes(const Asked& asked) {
-  return {{"time_s", TimeOf(asked)},
-          {"messages", asked.system().message_count()},
-          {"trace_hash", fmt::format("{:016x}", asked.system().trace_hash())},
-          {"state_hash", fmt::format("{:016x}", asked.system().state_hash())}};
+Json AnswerHashes(const RequestContext& context) {
+  return {{"time_s", TimeOf(context)},
+          {"messages", context.system().message_count()},
+          {"trace_hash", fmt::format("{:016x}", context.system().trace_hash())},
+          {"state_hash", fmt::format("{:016x}", context.system().state_hash())}};
 }
 
 // Answers a client's request while the run shows an earlier moment to its user; the answer is about
 // that moment.
-Json AnswerInPast(const Asked& asked, const std::string& name) {
-  Rewind* const rewind = asked.context.rewind;
+Json AnswerInPast(const RequestContext& context, const std::string& name) {
+  Rewind* const rewind = context.live.rewind;
   if (name == "input")
     return Error(
         "this is the past, where nothing can be changed; go on from here, or go back to "
         "the present");
-  if (name != "clock") return rewind->Forward(asked.request);
-  const nlohmann::json& request = asked.request;
+  if (name != "clock") return rewind->Forward(context.request);
+  const nlohmann::json& request = context.request;
   if (request.contains("to_s")) {
     rewind->ShowPresent();
-    return AnswerClock(asked);
+    return AnswerClock(context);
   }
   if (!request.value("pause", true))
     return Error("this is the past; go on from here, or go back to the present");
-  if (!request.contains("step")) return AnswerClock(asked);
+  if (!request.contains("step")) return AnswerClock(context);
   RunClock::Step step;
-  if (!RunClock::ParseStep(request["step"].get<std::string>(), &step)) return AnswerClock(asked);
+  if (!RunClock::ParseStep(request["step"].get<std::string>(), &step)) return AnswerClock(context);
   const int count = request.value("count", 1);
-  if (count < 1 || count > RunClock::kStepsMax) return AnswerClock(asked);
+  if (count < 1 || count > RunClock::kStepsMax) return AnswerClock(context);
   // Converts steps over sensor values to steps over frames: sensor values come every four frames.
   const int64_t frames = step == RunClock::Step::kVector ? 4 * count : count;
   const std::string problem =
       step == RunClock::Step::kMessage
           ? rewind->ShowMessage(rewind->shown_messages() + static_cast<uint64_t>(count))
           : rewind->ShowTime((rewind->shown_us() / kFrameUs + frames) * kFrameUs);
-  return problem.empty() ? asked.context.events->Clock() : Error(problem);
+  return problem.empty() ? context.live.events->Clock() : Error(problem);
 }
 
 // Returns the first 64 bytes of `content` as hexadecimal digits; all bytes if there are fewer.
@@ -362,29 +364,29 @@ std::string HexOf(const std::string& content) {
   return hex;
 }
 
-Json AnswerConnection(const Asked& asked) {
-  const auto wanted = asked.request.at("connection").get<std::string>();
-  for (const Connection& each : asked.system().connections()) {
+Json AnswerConnection(const RequestContext& context) {
+  const auto wanted = context.request.at("connection").get<std::string>();
+  for (const Connection& each : context.system().connections()) {
     if (ConnectionName(each.robot, each.subject, each.observer) != wanted) continue;
     Json messages = Json::array();
     for (const MessageHistory::Entry& entry :
-         asked.context.history->LastOf(each.robot, each.subject, each.observer)) {
+         context.live.history->LastOf(each.robot, each.subject, each.observer)) {
       messages.push_back(
           {{"number", entry.number},
            {"time_s", static_cast<double>(entry.time_us) / 1e6},
            {"ready", entry.is_ready},
            {"size", entry.size},
-           {"text", DecodeContent(asked.simulation()->model(),
+           {"text", DecodeContent(context.simulation()->model(),
                                   entry.is_ready ? "(Ready)" : each.subject, entry.content)},
            {"hex", HexOf(entry.content)}});
     }
-    return {{"time_s", TimeOf(asked)}, {"messages", messages}};
+    return {{"time_s", TimeOf(context)}, {"messages", messages}};
   }
   return Error(fmt::format("there is no connection '{}'", wanted));
 }
 
-const std::map<std::string, Json (*)(const Asked&)>& KnownRequests() {
-  static const std::map<std::string, Json (*)(const Asked&)> requests = {
+const std::map<std::string, Json (*)(const RequestContext&)>& KnownRequests() {
+  static const std::map<std::string, Json (*)(const RequestContext&)> requests = {
       {"input", &AnswerInput},     {"inputs", &AnswerInputs},         {"status", &AnswerStatus},
       {"objects", &AnswerObjects}, {"object", &AnswerObject},         {"sensors", &AnswerSensors},
       {"joints", &AnswerJoints},   {"findings", &AnswerFindings},     {"scene", &AnswerScene},
@@ -396,13 +398,13 @@ const std::map<std::string, Json (*)(const Asked&)>& KnownRequests() {
 
 }  // namespace
 
-Json AnswerLive(const LiveContext& context, const nlohmann::json& request) {
+Json AnswerLive(const LiveContext& live, const nlohmann::json& request) {
   const std::string name = request.at("do").get<std::string>();
   const auto found = KnownRequests().find(name);
   const bool is_about_time = name == "rewind" || name == "branch";
-  if (context.rewind->shows_past() && !is_about_time && found != KnownRequests().end())
-    return AnswerInPast({context, request}, name);
-  if (found != KnownRequests().end()) return found->second({context, request});
+  if (live.rewind->shows_past() && !is_about_time && found != KnownRequests().end())
+    return AnswerInPast({live, request}, name);
+  if (found != KnownRequests().end()) return found->second({live, request});
   std::vector<std::string> known;
   for (const auto& [each, answer] : KnownRequests()) known.push_back(each);
   return Error(fmt::format("'{}' is no request; known are {}", name, fmt::join(known, ", ")));

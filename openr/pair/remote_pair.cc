@@ -22,7 +22,7 @@ constexpr int kTellMs = 200;           // time between two reports of the status
 constexpr int64_t kRoundTripMs = 500;  // time between two measurements of the round trip
 // The largest number of requests that one robot has not answered yet.  While a robot has so many,
 // no positions are sent to it, because newer positions follow.
-constexpr size_t kPostedMax = 16;
+constexpr size_t kPendingMax = 16;
 // The time of silence after which a robot gets no more positions.  When the robot goes on, all
 // positions that were sent during its silence would be old.
 constexpr int64_t kSilentMs = 500;
@@ -76,9 +76,9 @@ PairControl::PairControl() : descriptor_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK))
 
 PairControl::~PairControl() { close(descriptor_); }
 
-void PairControl::Wish(const PairWish& wish) {
+void PairControl::SetSettings(const PairSettings& settings) {
   const std::lock_guard lock(mutex_);
-  wish_ = wish;
+  settings_ = settings;
   eventfd_write(descriptor_, 1);
 }
 
@@ -88,9 +88,9 @@ void PairControl::End() {
   eventfd_write(descriptor_, 1);
 }
 
-PairWish PairControl::wish() const {
+PairSettings PairControl::settings() const {
   const std::lock_guard lock(mutex_);
-  return wish_;
+  return settings_;
 }
 
 bool PairControl::is_ended() const {
@@ -190,16 +190,16 @@ void RemotePair::Run(PairControl* control, const std::function<void(const PairSt
   }
   int64_t next_ms = now_ms_;
   while (!control->is_ended()) {
-    SetWish(control->wish());
+    ApplySettings(control->settings());
     for (const PairSide side : {kFirst, kSecond}) {
       Serve(side);
       MeasureRoundTrip(side);
       CheckAlive(side);
     }
     if (now_ms_ >= next_ms) {
-      const bool follows_motion = wish_.follows_motions && status_.key_frame >= 0;
+      const bool follows_motion = settings_.follows_motions && status_.key_frame >= 0;
       status_.lag_ms =
-          wish_.follow != Follow::kNone || follows_motion ? lag_.LagMs() : std::nullopt;
+          settings_.follow != Follow::kNone || follows_motion ? lag_.LagMs() : std::nullopt;
       tell(status_);
       next_ms = now_ms_ + kTellMs;
     }
@@ -208,7 +208,7 @@ void RemotePair::Run(PairControl* control, const std::function<void(const PairSt
 }
 
 // Waits until one of the two robots has sent something, or until a person has changed the wish
-// (PairWish), which says what the robots are to do.
+// (PairSettings), which says what the robots are to do.
 void RemotePair::Wait(const PairControl& control) {
   pollfd waited[] = {{sides_[kFirst].robot->descriptor(), POLLIN, 0},
                      {sides_[kSecond].robot->descriptor(), POLLIN, 0},
@@ -218,11 +218,11 @@ void RemotePair::Wait(const PairControl& control) {
   now_ms_ = WallClockMs();
 }
 
-void RemotePair::SetWish(const PairWish& wish) {
-  const bool is_other = wish.follow != wish_.follow;
-  wish_ = wish;
+void RemotePair::ApplySettings(const PairSettings& settings) {
+  const bool is_other = settings.follow != settings_.follow;
+  settings_ = settings;
   if (!is_other) return;
-  status_.follow = wish.follow;
+  status_.follow = settings.follow;
   lag_.Clear();
   for (const PairSide side : {kFirst, kSecond}) {
     sides_[side].sent.clear();
@@ -252,27 +252,28 @@ void RemotePair::HandleEvent(PairSide side, const remote::Event& event) {
 
 // Takes all answers that have arrived from the robot `side`.
 void RemotePair::HandleAnswers(PairSide side) {
-  auto& posted = sides_[side].posted;
-  for (auto next = posted.begin(); next != posted.end();) {
+  auto& pending = sides_[side].pending;
+  for (auto next = pending.begin(); next != pending.end();) {
     const auto here = next++;
     const std::optional<remote::Answer> answer = sides_[side].robot->TakeAnswer(here->first);
     if (!answer) continue;
-    const Posted request = here->second;
-    posted.erase(here);
+    const PendingRequest request = here->second;
+    pending.erase(here);
     HandleAnswer(side, *answer, request);
   }
 }
 
-void RemotePair::HandleAnswer(PairSide side, const remote::Answer& answer, const Posted& posted) {
+void RemotePair::HandleAnswer(PairSide side, const remote::Answer& answer,
+                              const PendingRequest& pending) {
   Side& own = sides_[side];
   own.heard_ms = now_ms_;
-  status_.round_trip_ms[side] = static_cast<double>(now_ms_ - posted.time_ms);
-  own.trips_ms.push_back(now_ms_ - posted.time_ms);
+  status_.round_trip_ms[side] = static_cast<double>(now_ms_ - pending.time_ms);
+  own.trips_ms.push_back(now_ms_ - pending.time_ms);
   if (own.trips_ms.size() > kTripsMax) own.trips_ms.pop_front();
-  if (posted.calls == 0) return;
+  if (pending.calls == 0) return;
   status_.refusal[side] = answer.error;
   if (answer.status != rcOK) return;
-  for (const remote::Answer& each : own.robot->ReadBatch(answer, posted.calls)) {
+  for (const remote::Answer& each : own.robot->ReadBatch(answer, pending.calls)) {
     if (each.status == rcOK) continue;
     status_.refusal[side] = each.error;
     // Uses the command MOVE instead of TRACK from now on, because this robot has an earlier
@@ -296,21 +297,22 @@ void RemotePair::HandleSensors(PairSide side, const remote::Event& event) {
   status_.state[side] = MoverStateName(values.state);
   status_.joints[side] = values.joints;
   const bool plays = status_.key_frame >= 0;
-  const bool second_leads = wish_.follow == Follow::kFirst || plays;
+  const bool second_leads = settings_.follow == Follow::kFirst || plays;
   if (side == (second_leads ? kSecond : kFirst)) {
     lag_.AddLeader(SentMs(side), values.joints);
   } else {
     lag_.AddFollower(SentMs(side), values.joints);
   }
-  if (wish_.follow == Follow::kSecond && side == kFirst) Lead(side, event.frame, values.joints);
+  if (settings_.follow == Follow::kSecond && side == kFirst) Lead(side, event.frame, values.joints);
   // Makes the first robot follow the measured positions while the second robot goes to the first
   // key frame of a motion, because the second robot reports no key frames yet.
-  if (side == kSecond && values.state == moverPREPARE_MTN && wish_.follows_motions &&
-      wish_.follow == Follow::kNone)
+  if (side == kSecond && values.state == moverPREPARE_MTN && settings_.follows_motions &&
+      settings_.follow == Follow::kNone)
     Lead(side, event.frame, values.joints);
   // Does not make the first robot follow measured positions while a motion plays, because it then
   // follows the key frames of the motion.
-  if (wish_.follow == Follow::kFirst && side == kSecond && !(plays && wish_.follows_motions))
+  if (settings_.follow == Follow::kFirst && side == kSecond &&
+      !(plays && settings_.follows_motions))
     Lead(side, event.frame, values.joints);
 }
 
@@ -326,7 +328,7 @@ void RemotePair::HandleSetValues(const remote::Event& event) {
   }
   status_.key_frame = values.keyFrame;
   status_.motion = plays ? values.file : "";
-  if (!plays || !wish_.follows_motions) return;
+  if (!plays || !settings_.follows_motions) return;
   if (Lead(kSecond, event.frame, values.commanded)) ++status_.key_frames;
 }
 
@@ -336,7 +338,8 @@ void RemotePair::HandleSetValues(const remote::Event& event) {
 bool RemotePair::Lead(PairSide leader, uint32_t frame, const std::vector<int32_t>& goals) {
   Side& follower = sides_[OtherOf(leader)];
   if (follower.state != moverACCEPTING_COMMANDS || goals.size() != joints_.size()) return false;
-  if (now_ms_ - follower.heard_ms > kSilentMs || follower.posted.size() >= kPostedMax) return false;
+  if (now_ms_ - follower.heard_ms > kSilentMs || follower.pending.size() >= kPendingMax)
+    return false;
   const bool is_first = follower.sent.empty();
   const uint32_t passed = (frame + kFramesPerTurn - follower.goal_frame) % kFramesPerTurn;
   const std::vector<int32_t>& measured = status_.joints[OtherOf(leader)];
@@ -357,17 +360,17 @@ bool RemotePair::Lead(PairSide leader, uint32_t frame, const std::vector<int32_t
   if (is_first) follower.sent = goals;
   follower.goal_frame = frame;
   if (calls.empty()) return false;
-  follower.posted[follower.robot->SendBatch(calls)] = {now_ms_, calls.size()};
+  follower.pending[follower.robot->SendBatch(calls)] = {now_ms_, calls.size()};
   return true;
 }
 
 // Asks a robot for its state from time to time.  The time until its answer comes is the round trip.
 void RemotePair::MeasureRoundTrip(PairSide side) {
   Side& own = sides_[side];
-  if (!own.posted.empty() || now_ms_ - own.asked_ms < kRoundTripMs) return;
+  if (!own.pending.empty() || now_ms_ - own.asked_ms < kRoundTripMs) return;
   if (now_ms_ - own.heard_ms > kSilentMs) return;
   own.asked_ms = now_ms_;
-  own.posted[own.robot->Send(rcINFO)] = {now_ms_, 0};
+  own.pending[own.robot->Send(rcINFO)] = {now_ms_, 0};
 }
 
 // Throws remote::Error if the robot `side` is silent for too long.

@@ -37,7 +37,7 @@ struct PairOptions {
 };
 
 // The way in which a person wants two robots to move together.  The wish may change at any time.
-struct PairWish {
+struct PairSettings {
   Follow follow = Follow::kNone;
   // True: the first robot follows the key frames of the second robot's motions.
   bool follows_motions = true;
@@ -69,19 +69,20 @@ class PairControl {
   PairControl(const PairControl&) = delete;
   PairControl& operator=(const PairControl&) = delete;
 
-  void Wish(const PairWish& wish);
+  void SetSettings(const PairSettings& settings);
   void End();
 
-  PairWish wish() const;
+  PairSettings settings() const;
   bool is_ended() const;
-  // Returns a descriptor that becomes readable when Wish() or End() is called.  Heard() resets it.
+  // Returns a descriptor that becomes readable when SetSettings() or End() is called.  Heard()
+  // resets it.
   int descriptor() const { return descriptor_; }
   void Heard() const;
 
  private:
   const int descriptor_;
   mutable std::mutex mutex_;
-  PairWish wish_;
+  PairSettings settings_;
   bool is_ended_ = false;
 };
 
@@ -112,7 +113,7 @@ class RemotePair {
 
  private:
   // A remote-control request that was sent to a robot and not answered yet.
-  struct Posted {
+  struct PendingRequest {
     int64_t time_ms = 0;
     size_t calls = 0;  // number of commands of a batch; 0: the request is no batch
   };
@@ -123,8 +124,8 @@ class RemotePair {
     RcInfo info;
     int64_t heard_ms = 0;  // time of the last packet from this robot
     int64_t asked_ms = 0;  // time of the last request with which the round trip was measured
-    std::map<remote::RequestId, Posted> posted;  // requests without an answer yet
-    std::deque<int64_t> trips_ms;                // times of the last round trips, in ms
+    std::map<remote::RequestId, PendingRequest> pending;  // requests without an answer yet
+    std::deque<int64_t> trips_ms;                         // times of the last round trips, in ms
     // The goals (joint positions) that were sent last to this robot; empty: none.
     std::vector<int32_t> sent;
     uint32_t goal_frame = 0;  // frame in which the other robot had the goals in `sent`
@@ -138,19 +139,19 @@ class RemotePair {
   void Serve(PairSide side);
   void HandleEvent(PairSide side, const remote::Event& event);
   void HandleAnswers(PairSide side);
-  void HandleAnswer(PairSide side, const remote::Answer& answer, const Posted& posted);
+  void HandleAnswer(PairSide side, const remote::Answer& answer, const PendingRequest& pending);
   int64_t SentMs(PairSide side) const;
   void HandleSensors(PairSide side, const remote::Event& event);
   void HandleSetValues(const remote::Event& event);
   bool Lead(PairSide leader, uint32_t frame, const std::vector<int32_t>& goals);
   void MeasureRoundTrip(PairSide side);
   void CheckAlive(PairSide side) const;
-  void SetWish(const PairWish& wish);
+  void ApplySettings(const PairSettings& settings);
 
   const PairOptions options_;
   std::vector<RcDescription> joints_;
   Side sides_[2];
-  PairWish wish_;
+  PairSettings settings_;
   PairStatus status_;
   LagMeter lag_;
   int64_t now_ms_ = 0;

@@ -66,21 +66,21 @@ const char* NameOf(Follow follow) {
   return follow == Follow::kFirst ? "simulation" : follow == Follow::kSecond ? "robot" : "none";
 }
 
-PairWish WishOf(const nlohmann::json& request) {
-  PairWish wish;
-  wish.follows_motions = request.value("simulation", true);
+PairSettings SettingsOf(const nlohmann::json& request) {
+  PairSettings settings;
+  settings.follows_motions = request.value("simulation", true);
   const std::string follow = request.value("follow", "none");
   if (follow == "simulation") {
-    wish.follow = Follow::kFirst;
+    settings.follow = Follow::kFirst;
   } else if (follow == "robot") {
-    wish.follow = Follow::kSecond;
+    settings.follow = Follow::kSecond;
   } else if (follow != "none") {
     throw std::runtime_error(
         fmt::format("'follow' is none, simulation or robot, not '{}'", follow));
   }
-  if (wish.follow == Follow::kFirst && !wish.follows_motions)
+  if (settings.follow == Follow::kFirst && !settings.follows_motions)
     throw std::runtime_error("the simulation is not controlled, so it cannot follow the robot");
-  return wish;
+  return settings;
 }
 
 OrderedJson DegreesJson(const std::vector<int32_t>& values) {
@@ -209,7 +209,7 @@ PairBridge::PairBridge(const LiveRun& run, size_t robot, const nlohmann::json& r
     throw std::runtime_error(fmt::format("'period_ms' is {} to {}", kPeriodMinMs, kPeriodMaxMs));
   work_->options.period = period_ms / (kFrameMs * RC_FRAMES_PER_VECTOR) * RC_FRAMES_PER_VECTOR;
   work_->options.first_may_pause = true;
-  work_->control.Wish(WishOf(request));
+  work_->control.SetSettings(SettingsOf(request));
   if (g_pair_threads >= kThreadsMax)
     throw std::runtime_error("too many connections to robots are being closed; try again soon");
   ++g_pair_threads;
@@ -231,7 +231,9 @@ PairBridge::PairBridge(const LiveRun& run, size_t robot, const nlohmann::json& r
 
 PairBridge::~PairBridge() { work_->control.End(); }
 
-void PairBridge::Set(const nlohmann::json& request) { work_->control.Wish(WishOf(request)); }
+void PairBridge::Set(const nlohmann::json& request) {
+  work_->control.SetSettings(SettingsOf(request));
+}
 
 bool PairBridge::is_over() const { return work_->is_over; }
 

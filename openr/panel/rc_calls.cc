@@ -96,7 +96,7 @@ Json RcCalls::Do(const nlohmann::json& request, const Progress& progress) {
     Robot();
     return (this->*call)(request, progress);
   } catch (const remote::Error& error) {
-    if (!error.LeavesConnection()) Disconnect();
+    if (!error.IsConnectionUsable()) Disconnect();
     if (error.code() != remote::ErrorCode::kRefused) return {{"error", error.what()}};
     return {{"error", error.text()}, {"status", error.status()}};
   } catch (const std::exception& error) {

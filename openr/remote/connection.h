@@ -90,9 +90,9 @@ using Progress = std::function<void(size_t done, size_t size)>;
 
 // A TCP connection to a robot.  The caller owns it and uses it in one thread at a time.
 //
-// Functions throw Error.  If Error::LeavesConnection() is false, the connection cannot be used any
-// more.  It does not connect again by itself, because its subscriptions and begun uploads are lost,
-// and other clients may have changed the robot meanwhile; the caller must decide what to do.
+// Functions throw Error.  If Error::IsConnectionUsable() is false, the connection cannot be used
+// any more.  It does not connect again by itself, because its subscriptions and begun uploads are
+// lost, and other clients may have changed the robot meanwhile; the caller must decide what to do.
 //
 // Requests use version 1 of the protocol if it has the command, so that older robots answer them.
 class Connection {

@@ -46,7 +46,7 @@ Error::Error(int status, uint32_t frame, const std::string& text)
       status_(status),
       frame_(frame) {}
 
-bool Error::LeavesConnection() const {
+bool Error::IsConnectionUsable() const {
   switch (code_) {
     case ErrorCode::kRefused:
       return status_ != rcerrorBAD_PACKET;

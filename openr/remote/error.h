@@ -39,7 +39,7 @@ class Error : public std::runtime_error {
 
   // Returns whether the connection can still be used after this error.  If it cannot, the caller
   // must make a new connection.
-  bool LeavesConnection() const;
+  bool IsConnectionUsable() const;
 
  private:
   const ErrorCode code_;

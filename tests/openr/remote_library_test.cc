@@ -57,7 +57,7 @@ TEST_F(RemoteLibraryTest, ARefusalLeavesTheAnswersBehindIt) {
   const remote::Error error = ErrorOf([&] { client_.Wait(wrong); });
   EXPECT_EQ(error.code(), remote::ErrorCode::kRefused);
   EXPECT_EQ(error.status(), rcerrorNO_SUCH_DEVICE);
-  EXPECT_TRUE(error.LeavesConnection());
+  EXPECT_TRUE(error.IsConnectionUsable());
   EXPECT_NE(error.text().find("joint 99"), std::string::npos) << error.text();
   EXPECT_GT(client_.Read<remote::JointState>(client_.Wait(good)).speed, 0);
   EXPECT_EQ(ErrorOf([&] {
@@ -179,7 +179,7 @@ TEST(RemoteLibraryFaultsTest, AServerThatAnswersNothingTimesOut) {
     FAIL();
   } catch (const remote::Error& error) {
     EXPECT_EQ(error.code(), remote::ErrorCode::kTimeout);
-    EXPECT_FALSE(error.LeavesConnection());
+    EXPECT_FALSE(error.IsConnectionUsable());
     EXPECT_NE(error.advice(), "");
     EXPECT_EQ(std::string(error.what()), error.text() + "; " + error.advice());
   }
@@ -236,7 +236,7 @@ TEST(RemoteLibraryFaultsTest, ARobotOfVersionOneIsAskedInVersionOne) {
     FAIL();
   } catch (const remote::Error& error) {
     EXPECT_EQ(error.status(), rcerrorVERSION);
-    EXPECT_TRUE(error.LeavesConnection());
+    EXPECT_TRUE(error.IsConnectionUsable());
     EXPECT_NE(error.advice(), "");
   }
 }
