@@ -33,7 +33,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/core/post_in_name.h"
+#include "runtime/core/post_as_object.h"
 #include "runtime/core/system.h"
 #include "testing/bench_schedule.h"
 #include "testing/bench_stick.h"

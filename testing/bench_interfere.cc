@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "runtime/base/spelling.h"
-#include "runtime/core/post_in_name.h"
+#include "runtime/core/post_as_object.h"
 #include "testing/bench.h"
 
 namespace openr::testing {

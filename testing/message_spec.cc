@@ -1,6 +1,6 @@
 #include "testing/message_spec.h"
 
-#include "runtime/core/post_in_name.h"
+#include "runtime/core/post_as_object.h"
 
 namespace openr::testing {
 namespace {

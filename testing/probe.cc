@@ -7,7 +7,7 @@
 
 #include "runtime/config/service_name.h"
 #include "runtime/core/api.h"
-#include "runtime/core/post_in_name.h"
+#include "runtime/core/post_as_object.h"
 #include "runtime/core/system.h"
 #include "testing/message_spec.h"
 

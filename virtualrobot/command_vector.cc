@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "runtime/base/assert.h"
-#include "runtime/core/fresh_command.h"
+#include "runtime/core/unset_command.h"
 
 namespace openr_host {
 namespace {

@@ -49,8 +49,8 @@
 #include "openr/simulation/sanitizer_start.h"
 #include "openr/simulation/simulation.h"
 #include "openr/timeline/timeline.h"
-#include "runtime/core/lost_bytes.h"
 #include "runtime/core/system.h"
+#include "runtime/core/write_errors.h"
 
 namespace openr_host {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "openr/explore/explore_schedule.h"
 #include "openr/explore/prepared_run.h"
-#include "openr/inspect/answers.h"
+#include "openr/inspect/answer_difference.h"
 #include "openr/inspect/trace_file.h"
 #include "openr/simulation/known_run.h"
 #include "openr/simulation/simulation.h"
@@ -23,9 +23,9 @@ struct ReplayOptions {
   std::string file;
   std::string stick;  // folder of the Memory Stick; "": the folder that the recording names
   std::function<void(std::string_view)> console;
-  // The name of an object whose messages are compared with the recording, see answers.h.  The case
-  // of letters counts only if two objects differ in nothing else.  "" means that all messages are
-  // compared, and that the replay ends at the first difference.
+  // The name of an object whose messages are compared with the recording, see answer_difference.h.
+  // The case of letters counts only if two objects differ in nothing else.  "" means that all
+  // messages are compared, and that the replay ends at the first difference.
   std::string only = {};
   // A function that changes the options of the simulation before the simulation is made; null: the
   // options are not changed.

@@ -12,7 +12,7 @@
 
 #include "runtime/base/read_file.h"
 #include "runtime/core/system.h"
-#include "runtime/core/system_verbs.h"
+#include "runtime/core/system_inputs.h"
 
 namespace openr_host {
 

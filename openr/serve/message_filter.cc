@@ -10,7 +10,7 @@
 #include "openr/live/message_history.h"
 #include "runtime/base/spelling.h"
 #include "runtime/core/api.h"
-#include "runtime/core/post_in_name.h"
+#include "runtime/core/post_as_object.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {

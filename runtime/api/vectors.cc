@@ -8,7 +8,7 @@
 #include <cstddef>
 
 #include "runtime/api/region_memory.h"
-#include "runtime/core/fresh_command.h"
+#include "runtime/core/unset_command.h"
 
 using namespace openr_host;
 
@@ -120,7 +120,7 @@ OStatus NewCommandVectorData(size_t numCommands, MemoryRegionID* memID,
     info->dataSize = kData;
     OCommandData* const data = (*baseAddr)->GetData(static_cast<int>(i));
     // Marks the commands as not set, so that the simulated robot can see which of them the program
-    // has set (fresh_command.h).
+    // has set (unset_command.h).
     for (OCommandValue& value : data->value) value.value[0] = kUnsetCommand;
   }
   return oSUCCESS;

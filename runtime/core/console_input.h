@@ -2,7 +2,7 @@
 // terminal.
 //
 // An object that reads the console waits until a line has been typed; other objects go on meanwhile
-// (field-notes.md, section 6).  The text comes from the input `type` (system_verbs.h).
+// (field-notes.md, section 6).  The text comes from the input `type` (system_inputs.h).
 #pragma once
 
 #include <cstddef>

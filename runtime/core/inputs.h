@@ -3,7 +3,7 @@
 // The first word of an input is its verb: "press chin for 300ms" has the verb "press".  The rest
 // are the arguments of the verb.  An input takes effect at a frame boundary, like all that comes
 // from outside.  A recording stores the lines with their times, so a replay gives the same lines at
-// the same times.  The runtime defines some verbs (system_verbs.h), a virtual robot defines the
+// the same times.  The runtime defines some verbs (system_inputs.h), a virtual robot defines the
 // verbs of its body (virtualrobot/hands.h).  docs/inputs.md lists all verbs.
 #pragma once
 

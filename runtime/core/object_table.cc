@@ -10,9 +10,9 @@
 #include "runtime/core/connection_state.h"
 #include "runtime/core/cpu.h"
 #include "runtime/core/dispatcher.h"
-#include "runtime/core/lost_bytes.h"
 #include "runtime/core/object_manager.h"
 #include "runtime/core/system.h"
+#include "runtime/core/write_errors.h"
 
 namespace openr_host {
 namespace {

@@ -20,7 +20,7 @@
 #include "runtime/core/local_calls.h"
 #include "runtime/core/object_manager.h"
 #include "runtime/core/robot_services.h"
-#include "runtime/core/system_verbs.h"
+#include "runtime/core/system_inputs.h"
 #include "runtime/stick/memory_stick.h"
 
 namespace openr_host {

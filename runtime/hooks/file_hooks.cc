@@ -19,8 +19,8 @@
 #include <string_view>
 #include <utility>
 
-#include "runtime/core/lost_bytes.h"
 #include "runtime/core/system.h"
+#include "runtime/core/write_errors.h"
 #include "runtime/hooks/hook.h"
 #include "runtime/hooks/stick_call.h"
 #include "runtime/stick/memory_stick.h"

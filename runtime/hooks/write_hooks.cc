@@ -12,8 +12,8 @@
 
 #include <cerrno>
 
-#include "runtime/core/lost_bytes.h"
 #include "runtime/core/system.h"
+#include "runtime/core/write_errors.h"
 #include "runtime/hooks/hook.h"
 
 using openr_host::ApiScope;

@@ -1,6 +1,6 @@
 // core.md 8.1 (terminal) and 10.1 23, field-notes.md section 6: objects that read the console.
 #include "runtime/core/stalls.h"
-#include "runtime/core/system_verbs.h"
+#include "runtime/core/system_inputs.h"
 #include "tests/conformance/conform_fixture.h"
 
 namespace openr_host {

@@ -4,7 +4,7 @@
 #include <sys/resource.h>
 #include <zlib.h>
 
-#include "runtime/core/lost_bytes.h"
+#include "runtime/core/write_errors.h"
 #include "tests/conformance/conform_fixture.h"
 
 namespace openr_host {

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "openr/inspect/answers.h"
+#include "openr/inspect/answer_difference.h"
 #include "openr/inspect/recorder.h"
 #include "openr/inspect/replayer.h"
 #include "tests/openr/program_run.h"

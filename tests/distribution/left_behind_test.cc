@@ -9,7 +9,7 @@
 #include "distribution/worker_group.h"
 #include "runtime/core/api.h"
 #include "runtime/core/load_stick.h"
-#include "runtime/core/system_verbs.h"
+#include "runtime/core/system_inputs.h"
 #include "tests/conformance/conform_fixture.h"
 #include "tests/distribution/kill_process.h"
 #include "tests/distribution/wait_until.h"

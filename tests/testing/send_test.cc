@@ -1,5 +1,5 @@
 // The inputs `send`, `type` and `shutdown`, and when inputs take effect.
-#include "runtime/core/system_verbs.h"
+#include "runtime/core/system_inputs.h"
 #include "tests/testing/doubler.h"
 
 namespace openr::testing {

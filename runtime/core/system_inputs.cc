@@ -1,4 +1,4 @@
-#include "runtime/core/system_verbs.h"
+#include "runtime/core/system_inputs.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "runtime/base/characters.h"
-#include "runtime/core/post_in_name.h"
+#include "runtime/core/post_as_object.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {

@@ -1,4 +1,4 @@
-#include "runtime/core/post_in_name.h"
+#include "runtime/core/post_as_object.h"
 
 #include <OPENR/ObjcommMessages.h>
 #include <OPENR/RCRegion.h>

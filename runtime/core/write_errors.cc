@@ -1,4 +1,4 @@
-#include "runtime/core/lost_bytes.h"
+#include "runtime/core/write_errors.h"
 
 #include <fmt/format.h>
 #include <sys/statvfs.h>

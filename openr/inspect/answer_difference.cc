@@ -1,4 +1,4 @@
-#include "openr/inspect/answers.h"
+#include "openr/inspect/answer_difference.h"
 
 #include <OPENR/ObjcommMessages.h>
 #include <OPENR/RCRegion.h>
