@@ -18,7 +18,7 @@ namespace openr_host {
 // compiler ("... in 'asm'") or from the assembler.
 bool IsAboutAssembly(const CompilerError& error);
 
-// Beginning of Complaint::message for errors that come from the assembler and not the compiler.
+// Beginning of CompilerError::message for errors that come from the assembler and not the compiler.
 inline constexpr char kAssemblerSays[] = "assembler: ";
 
 // Returns the edits that remove from `text`, a source, the assembly that `error` is about.  If

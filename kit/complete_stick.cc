@@ -165,7 +165,7 @@ class StickCompletion {
   }
 
   // Finds images for the names in `missing_`, which OBJECT.CFG lists without an image on the stick,
-  // by similar names (MatchImages).  Takes only images that are not on the stick yet and for which
+  // by similar names (MatchImages).  Uses only images that are not on the stick yet and for which
   // `is_wanted` returns true.
   void UseMatchingImages(const std::function<bool(const BuiltImage&)>& is_wanted) {
     std::vector<ImageCandidate> candidates;

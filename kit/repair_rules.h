@@ -27,7 +27,7 @@ struct Edit {
   std::string what;  // description of the repair for the user; "" in further edits of a repair
 };
 
-// Returns the edits of `text`, the whole file, that repair the error of `error`; none if no
+// Returns the edits of `text`, the whole file, that repair `error`; none if no
 // rule fits.  If the error is about a missing header, `headers` are the paths of all headers
 // that could be meant.
 std::vector<Edit> RepairOf(const CompilerError& error, const std::string& text,

@@ -70,7 +70,7 @@ class Faults {
     std::optional<int64_t> frames;
   };
 
-  // The next functions read the words after the verb of an input ("break", "heat", ...), as
+  // The next functions read the words after the kind of an input ("break", "heat", ...), as
   // Inputs::Kind::read does.  Each returns "" or the error.
   std::string ReadBreak(std::string_view rest, Inputs::Action* action);
   // Reads the words of "break PART missing", which ReadBreak() has separated.  `fault` has the

@@ -61,7 +61,7 @@ class Hands {
     bool sets_down = false;  // true: the hand lets go when the robot stands or lies on something
   };
 
-  // The next functions read the words after the verb of an input ("press", "set", ...), as
+  // The next functions read the words after the kind of an input ("press", "set", ...), as
   // Inputs::Kind::read does.  Each returns "" or the error.
   std::string ReadPress(std::string_view rest, Inputs::Action* action);
   std::string ReadSet(std::string_view rest, Inputs::Action* action);

@@ -42,8 +42,8 @@ class Servo {
   Servo(const JointModel& joint, const ServoSettings& settings);
 
   // Sets the command for the next frame of 8 ms; `angle_rad` is the present angle of the joint.
-  // Called once per frame, before the steps of the frame.  `command.trouble` must exist until the
-  // last call of Step() and Drive() for this frame.
+  // Called once per frame, before the steps of the frame.  `command.disturbance` must exist until
+  // the last call of Step() and Drive() for this frame.
   void BeginFrame(const JointCommand& command, double angle_rad);
 
   // Returns the torque of motor, friction and stops on the joint, as a function of the speed,

@@ -54,7 +54,7 @@ class VirtualRobot : public RobotServices {
     return parts_.camera.CopyPicture(parts_.frame, *parts_.body, picture);
   }
 
-  // Takes a picture of the colours that the camera's colour detection has found in the image that
+  // Copies a picture of the colours that the camera's colour detection has found in the image that
   // the camera has just completed (see CameraDevice::CopyColours()).
   std::string CopyColours(Picture* colours) {
     return parts_.camera.CopyColours(parts_.frame, *parts_.body, colours);

@@ -42,7 +42,7 @@ public:
     // Ends the client's upload and subscriptions.
     void End() { handler_->EndClient(number_); }
 
-    // Takes bytes that the client has sent, so that NextAnswers() can answer the requests in them.
+    // Receives bytes that the client has sent, so that NextAnswers() can answer the requests in them.
     // REQUIRES: size <= RC_MAX_PACKET, and NextAnswers() has returned 0 since the last call.
     void Receive(const Uint8* bytes, int size);
 

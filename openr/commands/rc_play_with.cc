@@ -46,7 +46,7 @@ remote::PlayAnswer PlayBoth(remote::Connection* robot, remote::Connection* other
 
 void ReadBothLogs(remote::LogReader* log, remote::LogReader* other) {
   for (bool plays = true; plays; usleep(kBothPollUs)) {
-    // Takes the records of both robots in each round, also of the one that has ended its motion,
+    // Reads the records of both robots in each round, also of the one that has ended its motion,
     // because `||` would otherwise skip a call.
     const int state = log->ReadNewRecords();
     plays = other->ReadNewRecords() != moverACCEPTING_COMMANDS || state != moverACCEPTING_COMMANDS;

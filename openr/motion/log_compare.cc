@@ -128,8 +128,8 @@ class LagSearch {
   }
 
  private:
-  // Takes the records (positions at key frames) of motion A whose times stay inside the time that A
-  // and motion B have in common, with any shift up to `margin_ms`.
+  // Copies the records (positions at key frames) of motion A whose times stay inside the time that
+  // A and motion B have in common, with any shift up to `margin_ms`.
   void CopyRecords(double margin_ms) {
     times_.clear();
     a_deg_.clear();

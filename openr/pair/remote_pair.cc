@@ -207,7 +207,7 @@ void RemotePair::Run(PairControl* control, const std::function<void(const PairSt
   }
 }
 
-// Waits until one of the two robots has sent something, or until a person has changed the wish
+// Waits until one of the two robots has sent something, or until a person has changed the settings
 // (PairSettings), which says what the robots are to do.
 void RemotePair::Wait(const PairControl& control) {
   pollfd waited[] = {{sides_[kFirst].robot->descriptor(), POLLIN, 0},
@@ -250,7 +250,7 @@ void RemotePair::HandleEvent(PairSide side, const remote::Event& event) {
   }
 }
 
-// Takes all answers that have arrived from the robot `side`.
+// Handles all answers that have arrived from the robot `side`.
 void RemotePair::HandleAnswers(PairSide side) {
   auto& pending = sides_[side].pending;
   for (auto next = pending.begin(); next != pending.end();) {
@@ -316,7 +316,7 @@ void RemotePair::HandleSensors(PairSide side, const remote::Event& event) {
     Lead(side, event.frame, values.joints);
 }
 
-// Takes an event with the values that the second robot's object JointMover has set.  If a motion
+// Handles an event with the values that the second robot's object JointMover has set.  If a motion
 // plays and the first robot is to follow motions, sends the joint positions in this event to the
 // first robot.
 void RemotePair::HandleSetValues(const remote::Event& event) {

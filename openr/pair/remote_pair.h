@@ -36,7 +36,8 @@ struct PairOptions {
   bool first_may_pause = false;
 };
 
-// The way in which a person wants two robots to move together.  The wish may change at any time.
+// The way in which a person wants two robots to move together.  The settings may change at any
+// time.
 struct PairSettings {
   Follow follow = Follow::kNone;
   // True: the first robot follows the key frames of the second robot's motions.
@@ -60,8 +61,8 @@ struct PairStatus {
   std::string refusal[2];
 };
 
-// Passes the wish of a person, and the request to end the pair, from other threads to the thread
-// that runs RemotePair::Run().
+// Passes the settings of a person, and the request to end the pair, from other threads to the
+// thread that runs RemotePair::Run().
 class PairControl {
  public:
   PairControl();

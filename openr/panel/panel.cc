@@ -340,8 +340,8 @@ std::string Panel::Announcement() const {
 void Panel::EndPages() {
   if (is_leaving_) return;
   for (OpenPage* const page : pages_) {
-    // Takes the answers that the run sent shortly before its end, because the event loop may see
-    // the end of the run first.
+    // Passes on the answers that the run sent shortly before its end, because the event loop may
+    // see the end of the run first.
     page->PassOnLastAnswers();
     page->End(kCloseRunEnded, "the run has ended");
   }

@@ -190,7 +190,7 @@ std::optional<OwnAnswer> Forwarding::OwnAnswerToRequest() const {
                    false};
 }
 
-// Takes the requests that have come from the client of the remote control.  Sends them to the
+// Receives the requests that have come from the client of the remote control.  Sends them to the
 // robot, or answers them here if they must not reach the robot.  Returns false if the connection
 // must end.
 bool Forwarding::ForwardRequests() {

@@ -56,7 +56,7 @@ class WebConnection {
 class WebPage {
  public:
   virtual ~WebPage() = default;
-  // Takes a part of a message from the page.  `is_last` says that the message is complete.
+  // Receives a part of a message from the page.  `is_last` says that the message is complete.
   virtual void ReceivePart(std::string_view part, bool is_text, bool is_last) = 0;
   // Returns the next message for the page; "" if none waits.
   virtual std::string Next() = 0;

@@ -80,7 +80,7 @@ class Rewind {
   // before their first change.  REQUIRES: System::Boot() has not been called.
   void Begin(RewindParts parts);
 
-  // Takes a checkpoint if the last checkpoint is old enough, and drops old checkpoints.  Drops all
+  // Makes a checkpoint if the last checkpoint is old enough, and drops old checkpoints.  Drops all
   // checkpoints if no client watches the run.  Called after each frame.  Returns false in the
   // original run.  Returns again, with true, in a branch, a copy that goes on as a run of its own.
   bool AfterFrame(bool is_watched);

@@ -70,7 +70,7 @@ class FieldReader {
   std::string ReadName();
   int64_t ReadSize(const char* what);
   int ReadPriority();
-  // Takes the next field of the .ocf file.  Returns true if it is `yes`, false if it is `no`.  Any
+  // Reads the next field of the .ocf file.  Returns true if it is `yes`, false if it is `no`.  Any
   // other word is an error, whose message names the field `what`.
   bool ReadChoice(const char* what, const char* yes, const char* no);
   bool ReadCache();
@@ -137,7 +137,7 @@ bool FieldReader::ReadChoice(const char* what, const char* yes, const char* no) 
   return field.text == yes;
 }
 
-// Takes the field of the .ocf file that must be "cache" or "nocache".  Only warns about other
+// Reads the field of the .ocf file that must be "cache" or "nocache".  Only warns about other
 // words, because gensnap, a tool of the SDK, silently takes them as "nocache".
 bool FieldReader::ReadCache() {
   const Field& field = ReadField();

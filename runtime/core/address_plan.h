@@ -74,7 +74,7 @@ class ObjectAddresses {
   int index_ = -1;  // the number of the place; -1 if addresses are not planned
 };
 
-// Takes an area of kRegionAreaBytes for the regions (blocks of shared memory) of one System and
+// Reserves an area of kRegionAreaBytes for the regions (blocks of shared memory) of one System and
 // returns its first address.  There are two such areas.  Returns null if both are taken or
 // addresses are not planned.
 char* ReserveRegionArea();

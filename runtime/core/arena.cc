@@ -68,10 +68,10 @@ bool Arena::MapUpTo(size_t span_end) {
   return true;
 }
 
-// Takes `count` neighbouring free spans (pieces of 64 KiB) with the lowest addresses, and returns
-// the first address.  `use` becomes the Span::use of the first span: a size class, or kLarge.  The
-// bytes of the spans are zeros.  Returns null if there are not enough neighbouring free spans, or
-// no memory.
+// Allocates `count` neighbouring free spans (pieces of 64 KiB) with the lowest addresses, and
+// returns the first address.  `use` becomes the Span::use of the first span: a size class, or
+// kLarge.  The bytes of the spans are zeros.  Returns null if there are not enough neighbouring
+// free spans, or no memory.
 char* Arena::AllocateSpans(size_t count, int16_t use) {
   size_t run = 0;
   for (size_t i = first_free_; i < kSpans; ++i) {

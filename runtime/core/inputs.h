@@ -1,10 +1,10 @@
 // Inputs: what people, scripts and other programs do to a run, one line of text each.
 //
-// The first word of an input is its verb: "press chin for 300ms" has the verb "press".  The rest
-// are the arguments of the verb.  An input takes effect at a frame boundary, like all that comes
+// The first word of an input is its kind: "press chin for 300ms" is of the kind "press".  The rest
+// are the arguments.  An input takes effect at a frame boundary, like all that comes
 // from outside.  A recording stores the lines with their times, so a replay gives the same lines at
-// the same times.  The runtime defines some verbs (system_inputs.h), a virtual robot defines the
-// verbs of its body (virtualrobot/hands.h).  docs/inputs.md lists all verbs.
+// the same times.  The runtime defines some kinds (system_inputs.h), a virtual robot defines the
+// kinds of its body (virtualrobot/hands.h).  docs/inputs.md lists all kinds.
 #pragma once
 
 #include <concepts>
@@ -28,7 +28,7 @@ class Inputs {
   // The work of one input.  `work` is called at the input's frame boundary, outside all handlers.
   struct Action {
     Action() = default;
-    // The constructor is not explicit, so that Verb::read can assign a lambda to an Action:
+    // The constructor is not explicit, so that Kind::read can assign a lambda to an Action:
     // `*action = [this] { ... };`.
     template <std::invocable Work>
     requires(!std::same_as<std::remove_cvref_t<Work>, Action>) Action(Work&& work_in)
@@ -45,21 +45,21 @@ class Inputs {
     std::string name;   // the first word of the input: "press"
     std::string usage;  // the form of the input: "press NAME [N%] [for DURATION]"
     std::string help;   // what the input does: "Presses a sensor that people touch."
-    // Parses `rest`, the text behind the verb and one blank, of an input for `robot`.  Sets
+    // Parses `rest`, the text behind the kind and one blank, of an input for `robot`.  Sets
     // `*action` and returns "", or returns the error in `rest`.
     std::function<std::string(int robot, std::string_view rest, Action* action)> read;
   };
 
-  // The value of `robot` in AddKind() for a verb that every robot has.
+  // The value of `robot` in AddKind() for a kind that every robot has.
   static constexpr int kEveryRobot = -1;
 
   explicit Inputs(System* system) : system_(system) {}
 
-  // Adds a verb, the first word of inputs such as "press chin", for one robot or for every robot.
-  // REQUIRES: the robot has no verb of this name.
+  // Adds a kind, the first word of inputs such as "press chin", for one robot or for every robot.
+  // REQUIRES: the robot has no kind of this name.
   void AddKind(int robot, Kind kind);
 
-  // Returns the verbs (first words of inputs) of `robot` in order of their names.
+  // Returns the kinds (first words of inputs) of `robot` in order of their names.
   std::vector<const Kind*> KindsOf(int robot) const;
 
   // Returns "" if Add() would accept the input `line` now, or the reason why not.
@@ -102,7 +102,7 @@ class Inputs {
   void Insert(Waiting input);
 
   System* const system_;
-  std::map<std::pair<int, std::string>, Kind> kinds_;  // the key is the robot and the verb's name
+  std::map<std::pair<int, std::string>, Kind> kinds_;  // the key is the robot and the kind's name
   std::deque<Waiting> waiting_;  // the inputs that wait, in the order of due_us
   std::vector<Listener> listeners_;
 };

@@ -53,7 +53,7 @@ struct Arguments {
   va_list list;
 };
 
-// Takes the argument that `conversion` prints from `arguments`.  Sets `*is_nan` if the argument is
+// Reads the argument that `conversion` prints from `arguments`.  Sets `*is_nan` if the argument is
 // a NaN.  Returns false if the type of the argument is not known.
 bool ReadArgument(const Conversion& conversion, Arguments* arguments, bool* is_nan) {
   const std::string_view length = conversion.length;

@@ -8,7 +8,7 @@
 namespace openr_host {
 namespace {
 
-// `text` after the repair of a error at the first '@', which is taken out.
+// `text` after the repair of an error at the first '@', which is taken out.
 std::string Repaired(std::string text, const std::string& message,
                      const std::vector<std::string>& headers = {}) {
   const size_t at = text.find('@');

@@ -50,7 +50,7 @@ class CameraDevice {
   // runs, because a new region belongs to the object that runs.
   RCRegion* MakeVector(int64_t frame, const Body& body, std::string* problem);
 
-  // Takes the picture of the image that MakeVector() returns, for a reader outside the simulation.
+  // Copies the picture of the image that MakeVector() returns, for a reader outside the simulation.
   // The picture is not split into layers: it has the size of the sensor, with gain, shutter and
   // white balance applied.  Changes no state.  Returns "", or the reason why there is no picture.
   std::string CopyPicture(int64_t frame, const Body& body, Picture* picture);
