@@ -41,7 +41,7 @@ bool ChildProcess::UpdateStatus(bool waits) {
   return ended_;
 }
 
-std::string ChildProcess::HowItEnded() {
+std::string ChildProcess::EndText() {
   if (!UpdateStatus(false)) return "";
   if (WIFSIGNALED(status_))
     return fmt::format("process '{}' (pid {}) was killed by signal {} ({})", name_, pid_,

@@ -24,7 +24,7 @@ class ChildProcess {
 
   // Describes how the process has ended, such as "process 'vision' (pid 123) was killed by signal 9
   // (Killed)"; "" while the process runs.
-  std::string HowItEnded();
+  std::string EndText();
 
   // Waits for the end of the process, and kills the process if it has not ended after `limit_ms`.
   // Returns whether the process has ended by itself.

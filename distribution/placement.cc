@@ -32,18 +32,18 @@ std::string Add(const std::string& object, const std::string& process, Placement
 }
 
 // The result of a query to the name service for the address of a host.
-struct Resolved {
+struct ResolvedHost {
   std::string problem;
   bool is_loopback = false;
 };
 
-Resolved Resolve(const std::string& host) {
+ResolvedHost Resolve(const std::string& host) {
   addrinfo hints{};
   hints.ai_socktype = SOCK_DGRAM;
   addrinfo* list = nullptr;
   const int error = getaddrinfo(host.c_str(), nullptr, &hints, &list);
   if (error != 0) return {gai_strerror(error), false};
-  Resolved found;
+  ResolvedHost found;
   if (list->ai_family == AF_INET) {
     const auto* const address = reinterpret_cast<const sockaddr_in*>(list->ai_addr);
     found.is_loopback = ntohl(address->sin_addr.s_addr) >> 24 == IN_LOOPBACKNET;
@@ -105,7 +105,7 @@ std::vector<Diagnostic> WrongHosts(const Placement& placement, const std::string
   std::vector<Diagnostic> diagnostics;
   for (const auto& [process, host] : placement.host_of) {
     const FilePosition& place = placement.host_lines.at(process);
-    const Resolved found = Resolve(host);
+    const ResolvedHost found = Resolve(host);
     if (!found.problem.empty()) {
       diagnostics.push_back(ErrorAt(
           place,

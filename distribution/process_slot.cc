@@ -90,10 +90,10 @@ void ProcessSlot::Abandon() {
 // worker that was unreachable only for a short time does not take the master for dead.  Without
 // this notice, such a worker would wait for work for ever.
 void ProcessSlot::NotifyAbandoned() {
-  std::erase_if(abandoned_, [](const Abandoned& abandoned) {
+  std::erase_if(abandoned_, [](const AbandonedWorker& abandoned) {
     return abandoned.is_notified && !abandoned.channel->IsConnected();
   });
-  for (Abandoned& abandoned : abandoned_) {
+  for (AbandonedWorker& abandoned : abandoned_) {
     if (abandoned.is_notified || !abandoned.channel->IsConnected()) continue;
     openr_wire_ToWorker to_worker{};
     to_worker.body._d = openr_wire_TO_WORKER_END;

@@ -92,11 +92,11 @@ class ProcessSlot {
   std::unique_ptr<MasterJoinChannel> join_channel_;
   std::unique_ptr<MasterChannel> channel_;
   // An external worker that the master has given up.  The worker may not know this yet.
-  struct Abandoned {
+  struct AbandonedWorker {
     std::unique_ptr<MasterChannel> channel;
     bool is_notified = false;
   };
-  std::vector<Abandoned> abandoned_;
+  std::vector<AbandonedWorker> abandoned_;
   std::string requester_id_;  // JoinRequest::id of the process that got the session
   std::string session_;
   int64_t session_opened_ms_ = 0;  // time at which the external worker got its session

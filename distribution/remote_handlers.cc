@@ -37,7 +37,7 @@ void RemoteHandlers::Deliver(RemoteObject* object, const Message& message) {
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_DELIVER);
   openr_wire_Deliver& deliver = to_worker.body._u.deliver;
   deliver.now_us = resources_->system()->now_us();
-  deliver.heap_elsewhere = resources_->HeapElsewhere(resources_->system(), object->robot);
+  deliver.heap_elsewhere = resources_->HeapOfOtherProcesses(resources_->system(), object->robot);
   // Returns whether the worker has the bytes of a region, so that they need not be sent.  The
   // worker has them if one of its objects has made the region, even if another object owns the
   // region now.  A restarted worker does not have the regions of the lost process; for these,
@@ -88,7 +88,7 @@ void RemoteHandlers::ResumeWithReply(RemoteObject* object, const HandlerStop& st
   if (connection_->IsOver(session)) return;
   WireArena arena;
   resume.now_us = resources_->system()->now_us();
-  resume.heap_elsewhere = resources_->HeapElsewhere(resources_->system(), object->robot);
+  resume.heap_elsewhere = resources_->HeapOfOtherProcesses(resources_->system(), object->robot);
   resources_->marshaller()->Encode(*reply, nullptr, &arena, &resume.reply);
   resume.reply.target = object->id;
   resume.reply.is_reply = true;
@@ -112,7 +112,7 @@ void RemoteHandlers::ResumeWithLine(RemoteObject* object, const HandlerStop& sto
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_RESUME);
   openr_wire_Resume& resume = to_worker.body._u.resume;
   resume.now_us = resources_->system()->now_us();
-  resume.heap_elsewhere = resources_->HeapElsewhere(resources_->system(), object->robot);
+  resume.heap_elsewhere = resources_->HeapOfOtherProcesses(resources_->system(), object->robot);
   resume.reply.target = object->id;
   resume.reply.sender = kNoObject;
   resume.reply.is_reply = true;

@@ -40,7 +40,7 @@ bool RemoteResources::MayUse(uint32_t region) const {
   return calls_->HasRegion(region) || marshaller_->HasExported(region);
 }
 
-uint64_t RemoteResources::HeapElsewhere(System* system, int robot) const {
+uint64_t RemoteResources::HeapOfOtherProcesses(System* system, int robot) const {
   const auto there = heap_by_robot_.find(robot);
   return system->robot(robot).memory.used_bytes -
          (there == heap_by_robot_.end() ? 0 : there->second);

@@ -61,7 +61,7 @@ class RemoteResources {
   // Returns the bytes of heap used on `robot` by all objects but those of this worker.  The worker
   // needs this number to know how much of the robot's memory is left, because all objects of a
   // robot share its memory.  May be called before Begin().
-  uint64_t HeapElsewhere(System* system, int robot) const;
+  uint64_t HeapOfOtherProcesses(System* system, int robot) const;
   // Records the bytes of heap that the worker's objects use on `robot`.  Throws ProcessLost if the
   // number is too large.
   void RecordHeap(int robot, uint64_t bytes);

@@ -283,7 +283,7 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
   const std::string problem = marshaller_->Decode(in, message.get());
   if (!problem.empty()) throw std::runtime_error("a malformed message: " + problem);
   CheckRobot(object->robot);
-  SetHeapElsewhere(object->robot, deliver.heap_elsewhere);
+  SetHeapOfOtherProcesses(object->robot, deliver.heap_elsewhere);
   TrackSharedBuffers(*object, *message);
   // Marks the message as the end of a wait that has timed out.  Requests::Await() recognises such a
   // message: it is of kind kHashed, and its sender is the object that waits.
@@ -367,7 +367,7 @@ void Worker::SendStopped(Object* object) {
   stopped.dropped = object->dropped_count;
   stopped.stack_max = object->stack_max;
   if (object->arena != nullptr) stopped.heap_max = object->arena->bytes_in_use_max();
-  stopped.heap_here = HeapHere(object->robot);
+  stopped.heap_here = HeapOfThisProcess(object->robot);
   for (const auto& subject : object->subjects) {
     for (const ObserverLink& link : subject->links) stopped.pending += link.units.size();
   }

@@ -108,8 +108,8 @@ class Worker : public MasterLink {
   void ReportRunEnded(const openr_wire_End& end);
   void Deliver(const openr_wire_Deliver& deliver, bool timed_out);
   void RunTimed(ObjectId id);
-  void SetHeapElsewhere(int robot, uint64_t bytes);
-  uint64_t HeapHere(int robot) const;
+  void SetHeapOfOtherProcesses(int robot, uint64_t bytes);
+  uint64_t HeapOfThisProcess(int robot) const;
   void SendStopped(Object* object);
   void SendState(ObjectId id);
   void Forget(ObjectId id);
@@ -145,7 +145,7 @@ class Worker : public MasterLink {
   std::set<std::string> own_object_names_;  // names of this worker's objects
   bool has_reported_joined_ = false;
   // For each robot, the number of heap bytes used in other processes.
-  std::map<int, uint64_t> heap_elsewhere_;
+  std::map<int, uint64_t> heap_of_other_processes_;
   bool is_free_ = false;             // whether the master does not wait for handlers (a free run)
   std::set<ObjectId> fast_objects_;  // objects whose last handler took less than kFastHandlerNs
   bool is_shutting_down_ =

@@ -63,7 +63,7 @@ WorkerGroup::WorkerGroup(WorkerGroupOptions options)
 // that run instead of this run.
 std::string WorkerGroup::ProblemOf(const Member& member) const {
   if (IsInterrupted()) return "interrupted";
-  if (member.child != nullptr) return member.child->HowItEnded();
+  if (member.child != nullptr) return member.child->EndText();
   const std::string earlier_run =
       member.is_external && !member.is_welcomed ? claim_->EarlierRun() : "";
   if (earlier_run.empty()) return "";
@@ -195,7 +195,7 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
   // in other processes may have used more heap since the previous Load.
   std::vector<uint64_t> heap_elsewhere;
   for (int i = 0; i < system_->robot_count(); ++i)
-    heap_elsewhere.push_back(member->process->resources().HeapElsewhere(system_, i));
+    heap_elsewhere.push_back(member->process->resources().HeapOfOtherProcesses(system_, i));
   load.heap_elsewhere = arena->Numbers(heap_elsewhere);
   load.robots = arena->Sequence<decltype(load.robots)>(robots);
   load.designs = arena->Sequence<decltype(load.designs)>(designs);

@@ -103,8 +103,8 @@ void WorkerGroup::AdvanceRestart(Member* member, bool may_load) {
 // Throws ProcessLost if the restarted process has ended or has not finished its present stage in
 // time (--join-wait).  Tells the user if the stage takes long.
 void WorkerGroup::CheckRestart(Member* member) {
-  if (member->child != nullptr && !member->child->HowItEnded().empty())
-    throw ProcessLost(member->child->HowItEnded());
+  if (member->child != nullptr && !member->child->EndText().empty())
+    throw ProcessLost(member->child->EndText());
   // Does not limit the time of an external worker in a free run, because the run goes on while the
   // worker joins.
   if (member->stage == Stage::kJoining && member->is_external && options_.is_free) return;
@@ -137,7 +137,7 @@ void WorkerGroup::FailAttempt(Member* member, const std::string& why) {
 void WorkerGroup::Restart(Member* member) {
   if (!member->is_cleaned_up || !system_->booted()) return;
   if (member->attempt_failed && WallClockMs() - member->since_ms < kRetryPauseMs) return;
-  if (member->child != nullptr && member->child->HowItEnded().empty()) {
+  if (member->child != nullptr && member->child->EndText().empty()) {
     // Gives a crashed process time to write its crash record on the Memory Stick, before the
     // process is killed.
     if (member->crashed && WallClockMs() - member->since_ms < kCrashRecordMs) return;

@@ -45,7 +45,7 @@ std::string Worker::LoadObjects(const openr_wire_Load& load) {
   }
   for (uint32_t i = 0; i < load.heap_elsewhere._length; ++i) {
     CheckRobot(static_cast<int>(i));
-    SetHeapElsewhere(static_cast<int>(i), load.heap_elsewhere._buffer[i]);
+    SetHeapOfOtherProcesses(static_cast<int>(i), load.heap_elsewhere._buffer[i]);
   }
   if (!std::exchange(has_called_begins_, true)) {
     const std::string problem =
@@ -145,7 +145,7 @@ openr_wire_LoadedObject Worker::Describe(const Object& object) {
   out.priority = object.limits.priority;
   out.stack_bytes = object.limits.stack_bytes;
   out.heap_bytes = object.limits.heap_bytes;
-  out.heap_here = HeapHere(object.robot);
+  out.heap_here = HeapOfThisProcess(object.robot);
   std::vector<uint64_t> selectors;
   for (uint32_t i = 0; i < kSelectorMax; ++i) {
     if (object.HasEntry(i)) selectors.push_back(i);
@@ -170,14 +170,15 @@ void Worker::SendLoaded(std::vector<openr_wire_LoadedObject> loaded) {
 // Sets the number of heap bytes on `robot` that objects in other processes use.  These bytes count
 // in this process too, because all objects of a robot share its memory, even in different
 // processes.
-void Worker::SetHeapElsewhere(int robot, uint64_t bytes) {
-  system_->robot(robot).memory.used_bytes += bytes - std::exchange(heap_elsewhere_[robot], bytes);
+void Worker::SetHeapOfOtherProcesses(int robot, uint64_t bytes) {
+  system_->robot(robot).memory.used_bytes +=
+      bytes - std::exchange(heap_of_other_processes_[robot], bytes);
 }
 
-uint64_t Worker::HeapHere(int robot) const {
-  const auto elsewhere = heap_elsewhere_.find(robot);
+uint64_t Worker::HeapOfThisProcess(int robot) const {
+  const auto elsewhere = heap_of_other_processes_.find(robot);
   return system_->robot(robot).memory.used_bytes -
-         (elsewhere == heap_elsewhere_.end() ? 0 : elsewhere->second);
+         (elsewhere == heap_of_other_processes_.end() ? 0 : elsewhere->second);
 }
 
 }  // namespace openr_host

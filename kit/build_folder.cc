@@ -79,7 +79,7 @@ class FolderBuild {
 
  private:
   void PrepareWork();
-  void CheckWorkIsOurs() const;
+  void CheckWorkFolder() const;
   void Build();
   void TryConvention(const std::vector<ObjectFolder>& objects, const MakePlan& plan);
   bool HasFailure(const ObjectFolder& object) const;
@@ -105,7 +105,7 @@ class FolderBuild {
 
 // Throws if `work_`, the folder for private copies, is used for another folder of the user or holds
 // files that no build has made.
-void FolderBuild::CheckWorkIsOurs() const {
+void FolderBuild::CheckWorkFolder() const {
   std::error_code error;
   if (!fs::exists(work_, error)) return;
   if (!fs::is_directory(work_, error) ||
@@ -128,7 +128,7 @@ void FolderBuild::PrepareWork() {
   // the same folder of the user.
   lock_ = open((work_.string() + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (lock_ >= 0) flock(lock_, LOCK_EX);
-  CheckWorkIsOurs();
+  CheckWorkFolder();
   const std::string identity = KitIdentity(sdk_root_, options_.variant);
   const fs::path identity_file = work_ / kIdentityFile;
   if (options_.is_fresh || ReadText(identity_file) != identity) fs::remove_all(work_);

@@ -30,10 +30,10 @@ class ControllerCheck {
                   Remarks* remarks)
       : code_(sources.files),
         locators_(locators),
-        run_functions_(code_.GivenTo("robot_run")),
+        run_functions_(code_.FunctionsPassedTo("robot_run")),
         in_run_(code_.ReachedFrom(run_functions_)),
-        in_die_(code_.ReachedFrom(code_.GivenTo("robot_die"))),
-        steps_(code_.LeadingTo("robot_step")),
+        in_die_(code_.ReachedFrom(code_.FunctionsPassedTo("robot_die"))),
+        steps_(code_.CallersOf("robot_step")),
         remarks_(remarks) {}
 
   void Run() {
@@ -82,12 +82,12 @@ class ControllerCheck {
       const std::string_view step = WordAt(code, argument);
       const Part part = PartOf(function);
       Add(Remark::Kind::kWarning, file, call.at,
-          part == Part::kMain ? ConvertingALoop(step) : SteppingElsewhere(part));
+          part == Part::kMain ? LoopAdvice(step) : StepAdvice(part));
       if (part == Part::kMain) CheckTimeStep(file, argument, step);
     }
   }
 
-  static std::string ConvertingALoop(std::string_view step) {
+  static std::string LoopAdvice(std::string_view step) {
     return fmt::format(
         "robot_step() works on the host only: on the robot a method that waits hears nothing any "
         "more, so main() ends here. Put the body of the loop into \"int run(int ms)\", let it "
@@ -96,7 +96,7 @@ class ControllerCheck {
         step.empty() ? "64" : step);
   }
 
-  static std::string SteppingElsewhere(Part part) {
+  static std::string StepAdvice(Part part) {
     if (part == Part::kDie) {
       return "robot_step() does nothing in the function of robot_die(): the dog is being shut "
              "down, nothing is commanded any more and no time passes. Leave it out";
@@ -121,11 +121,11 @@ class ControllerCheck {
       Add(Remark::Kind::kError, file, loop.at,
           fmt::format(
               "{}() never returns from this loop: {}", function->name,
-              loop.waits ? WaitingForAValue(PartOf(function)) : LoopingForEver(PartOf(function))));
+              loop.waits ? WaitAdvice(PartOf(function)) : EndlessLoopAdvice(PartOf(function))));
     }
   }
 
-  static std::string WaitingForAValue(Part part) {
+  static std::string WaitAdvice(Part part) {
     return fmt::format(
         "while a function of the controller runs no time passes, so what the loop waits for does "
         "not change. {} and look at it again at its next call",
@@ -133,7 +133,7 @@ class ControllerCheck {
                             : "Return");
   }
 
-  static std::string LoopingForEver(Part part) {
+  static std::string EndlessLoopAdvice(Part part) {
     return part == Part::kMain
                ? "no sensor changes meanwhile and no command goes out. Put the body of the loop "
                  "into \"int run(int ms)\", which returns the ms until its next call, and call "

@@ -34,7 +34,7 @@ std::string MembersOf(std::string body) {
 
 // Returns the reason why values of a type cannot be sent as bytes; "" if such values can be sent.
 // `members` is the text of the type's members.
-std::string TroubleIn(const std::string& members) {
+std::string SendProblem(const std::string& members) {
   static const std::regex kContainer(
       "\\b(string|vector|list|deque|map|multimap|set|multiset|queue|stack)\\b[ \t]*(<[^;]*>)?"
       "[ \t]+\\w+[ \t]*[;,\\[]");
@@ -111,7 +111,7 @@ class DataCheck {
       if (close == std::string::npos) continue;
       const std::string name = (*it)[1];
       const std::string body = code.substr(open + 1, close - open - 1);
-      const std::string trouble = TroubleIn(MembersOf(body));
+      const std::string trouble = SendProblem(MembersOf(body));
       // Removes the name of a type from types_ and troubles_ if the program has two types of this
       // name, because the check does not know data of which of the two types a call of SetData()
       // sends.

@@ -283,19 +283,19 @@ void CheckObjects(const Project& project, const ObjectParts& parts, Remarks* rem
 
 void CheckObjectNames(const std::vector<PlacedObject>& placed, const ObjectParts& parts,
                       Remarks* remarks) {
-  struct Named {
+  struct NamedObject {
     const PlacedObject* object;
     Ocf ocf;
   };
-  std::vector<Named> seen;
+  std::vector<NamedObject> seen;
   for (const PlacedObject& object : placed) {
-    std::vector<Named> own;
+    std::vector<NamedObject> own;
     for (const fs::path& file : parts.OcfsOf(*object.folder)) {
       const OcfResult ocf = ParseOcf(file, ReadText(file).value_or(""));
       if (ocf.ocf) own.push_back({&object, *ocf.ocf});
     }
-    for (const Named& mine : own) {
-      const auto first = std::find_if(seen.begin(), seen.end(), [&](const Named& other) {
+    for (const NamedObject& mine : own) {
+      const auto first = std::find_if(seen.begin(), seen.end(), [&](const NamedObject& other) {
         return other.ocf.name == mine.ocf.name && other.object->folder != object.folder &&
                MayBothApply(other.object->section, object.section);
       });

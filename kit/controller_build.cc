@@ -61,7 +61,7 @@ class ControllerBuild {
 
  private:
   bool Link(const Arguments& objects) {
-    Arguments arguments = {"-o", Made(), (part_ / "Controller.ocf").string(),
+    Arguments arguments = {"-o", ImagePath(), (part_ / "Controller.ocf").string(),
                            (part_ / "controller.o").string()};
     arguments.insert(arguments.end(), objects.begin(), objects.end());
     return RunMkbin(arguments) == 0;
@@ -108,7 +108,7 @@ class ControllerBuild {
     stick.root = stick_;
     const fs::path images = stick.ObjectsFolder();
     fs::remove(images / "CONTROLL.DBG");  // debug information of the former image
-    Put(Made(), images / kImage);
+    Put(ImagePath(), images / kImage);
     const fs::path open_r = FindEntry(stick_, "OPEN-R");
     for (const auto& entry : fs::directory_iterator(folder_)) {
       const std::string name = LowerCase(entry.path().filename());
@@ -124,7 +124,7 @@ class ControllerBuild {
     if (!problem.empty()) throw std::runtime_error(problem);
   }
 
-  std::string Made() const { return scratch_.path() + "/" + kImage; }
+  std::string ImagePath() const { return scratch_.path() + "/" + kImage; }
 
   const fs::path folder_;
   const fs::path stick_;

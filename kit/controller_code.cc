@@ -104,7 +104,7 @@ std::vector<CodeCall> ControllerCode::CallsIn(const std::string& code, size_t be
   return calls;
 }
 
-std::set<std::string> ControllerCode::GivenTo(const std::string& registrar) const {
+std::set<std::string> ControllerCode::FunctionsPassedTo(const std::string& registrar) const {
   std::set<std::string> names;
   for (const CodeFile& file : files_) {
     const std::string& code = file.code.text;
@@ -130,7 +130,7 @@ std::set<std::string> ControllerCode::ReachedFrom(std::set<std::string> names) c
   return names;
 }
 
-std::set<std::string> ControllerCode::LeadingTo(const std::string& name) const {
+std::set<std::string> ControllerCode::CallersOf(const std::string& name) const {
   std::set<std::string> names = {name};
   for (const auto& [caller, callees] : callees_) {
     if (!caller.empty() && ReachedFrom({caller}).contains(name)) names.insert(caller);

@@ -55,13 +55,13 @@ class ControllerCode {
 
   // Returns the names of the functions that the controller passes to the function `registrar`, such
   // as robot_run.
-  std::set<std::string> GivenTo(const std::string& registrar) const;
+  std::set<std::string> FunctionsPassedTo(const std::string& registrar) const;
 
   // Returns `names` and the names of all functions that these call, directly or not.
   std::set<std::string> ReachedFrom(std::set<std::string> names) const;
 
   // Returns `name` and the names of all functions that call this function, directly or not.
-  std::set<std::string> LeadingTo(const std::string& name) const;
+  std::set<std::string> CallersOf(const std::string& name) const;
 
   static FilePosition PlaceOf(const CodeFile& file, size_t at);
 

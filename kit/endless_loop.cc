@@ -16,8 +16,8 @@ class LoopFinder {
   std::vector<EndlessLoop> Find() {
     for (size_t at = 0; at < code_.size();) {
       const std::string_view word = WordAt(code_, at);
-      if (word == "do") LookAtDo(at);
-      if (word == "for" || (word == "while" && !IsEndOfDo(at))) LookAtLoop(at, word);
+      if (word == "do") CheckDoLoop(at);
+      if (word == "for" || (word == "while" && !IsEndOfDo(at))) CheckLoop(at, word);
       at += std::max<size_t>(word.size(), 1);
     }
     return loops_;
@@ -44,7 +44,7 @@ class LoopFinder {
   // while loop.
   bool IsEndOfDo(size_t at) const { return std::count(do_ends_.begin(), do_ends_.end(), at) > 0; }
 
-  void LookAtDo(size_t at) {
+  void CheckDoLoop(size_t at) {
     const size_t body = NextOf(code_, at + 2);
     if (body == kNone) return;
     const size_t end = EndOfStatement(body);
@@ -53,15 +53,15 @@ class LoopFinder {
     do_ends_.push_back(condition);
     const size_t open = NextOf(code_, condition + 5);
     const size_t close = open == kNone ? kNone : ClosingOf(code_, open);
-    if (close != kNone) Judge(at, Inside(open, close), body, close);
+    if (close != kNone) AddIfEndless(at, TextBetween(open, close), body, close);
   }
 
-  void LookAtLoop(size_t at, std::string_view word) {
+  void CheckLoop(size_t at, std::string_view word) {
     const size_t open = NextOf(code_, at + word.size());
     if (open == kNone || code_[open] != '(') return;
     const size_t close = ClosingOf(code_, open);
     if (close == kNone) return;
-    std::string condition = Inside(open, close);
+    std::string condition = TextBetween(open, close);
     if (word == "for") {
       const size_t first = condition.find(';');
       const size_t second = first == kNone ? kNone : condition.find(';', first + 1);
@@ -70,15 +70,15 @@ class LoopFinder {
       // Takes an empty condition, as in for (;;), as true.
       if (NextOf(condition, 0) == kNone) condition.assign(1, '1');
     }
-    Judge(at, condition, close + 1, EndOfStatement(close + 1));
+    AddIfEndless(at, condition, close + 1, EndOfStatement(close + 1));
   }
 
-  void Judge(size_t at, const std::string& condition, size_t body, size_t end) {
+  void AddIfEndless(size_t at, const std::string& condition, size_t body, size_t end) {
     const bool waits = AsksADevice(condition);
     if ((waits || IsTrue(condition)) && !Leaves(body, end)) loops_.push_back({at, end, waits});
   }
 
-  std::string Inside(size_t open, size_t close) const {
+  std::string TextBetween(size_t open, size_t close) const {
     return code_.substr(open + 1, close - open - 1);
   }
 

@@ -50,7 +50,7 @@ bool IsLongSubsequence(const std::string& wanted, const std::string& name) {
 
 // Returns whether the two names have kSharedMin letters in a row in common, as "mywalker" and
 // "walking" have "walk".
-bool ShareAWord(const std::string& wanted, const std::string& name) {
+bool HaveCommonPart(const std::string& wanted, const std::string& name) {
   for (size_t at = 0; at + kSharedMin <= wanted.size(); ++at) {
     if (name.find(wanted.substr(at, kSharedMin)) != std::string::npos) return true;
   }
@@ -123,7 +123,7 @@ std::vector<int> MatchImages(const std::vector<std::string>& wanted,
   matcher.Pair(&IsSubsequenceFromTheFirst);
   matcher.Pair(&IsPart);
   matcher.Pair(&IsLongSubsequence);
-  matcher.Pair(&ShareAWord);
+  matcher.Pair(&HaveCommonPart);
   matcher.Pair([](const std::string&, const std::string&) { return true; });
   return matcher.result();
 }

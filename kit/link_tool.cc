@@ -84,12 +84,12 @@ std::string CompileImageInfo(const LinkCommand& command, const std::string& ocf_
 
 // Returns the name of the file that the linker writes.  This file is copied to the image only if
 // the linker succeeds, so that no incomplete image ever exists.
-std::string Made(const LinkCommand& command) { return Stem(command.output) + ".nosnap.elf"; }
+std::string LinkedFile(const LinkCommand& command) { return Stem(command.output) + ".nosnap.elf"; }
 
 Arguments LinkArguments(const LinkCommand& command, const std::string& image_info) {
   const fs::path prefix = fs::path(SdkRoot()).parent_path().parent_path().parent_path();
   Arguments link = HostCompiler(Language::kCxx);
-  link.insert(link.end(), {"-shared", "-o", Made(command)});
+  link.insert(link.end(), {"-shared", "-o", LinkedFile(command)});
   link.insert(link.end(), command.objects.begin(), command.objects.end());
   // Links the libraries as a group, so that each may use functions of all other libraries.
   link.push_back("-Wl,--start-group");
@@ -128,7 +128,7 @@ void LinkIntermediates(const LinkCommand& command) {
   std::error_code ignored;
   for (const char* extension : {".snap.elf", ".rel.elf"}) {
     fs::remove(Stem(command.output) + extension, ignored);
-    fs::create_hard_link(Made(command), Stem(command.output) + extension, ignored);
+    fs::create_hard_link(LinkedFile(command), Stem(command.output) + extension, ignored);
   }
 }
 
@@ -185,7 +185,7 @@ int RunMkbin(const Arguments& arguments) {
     LogFailure({command.output, Summarise(result.output), command.output});
     return result.status;
   }
-  const std::string problem = CopyToFile(Made(command), command.output);
+  const std::string problem = CopyToFile(LinkedFile(command), command.output);
   if (!problem.empty()) {
     LogFailure({command.output, "cannot be written", command.output});
     return Refuse(problem);

@@ -97,7 +97,7 @@ std::vector<fs::path> TopFolders(const Project& project) {
 // Returns whether users had to set the variable for their own computers, because the Makefiles give
 // it no value, or a value that leads to a path outside of the project.  `makefiles` is the text of
 // all Makefiles.
-bool LeadsElsewhere(const MakefileVariable& variable, const std::string& makefiles) {
+bool LeadsOutOfProject(const MakefileVariable& variable, const std::string& makefiles) {
   if (!variable.is_defined) return true;
   static const std::regex kReference("\\$[({](\\w+)[)}].*");
   return std::any_of(variable.values.begin(), variable.values.end(), [&](const std::string& value) {
@@ -112,7 +112,7 @@ bool LeadsElsewhere(const MakefileVariable& variable, const std::string& makefil
   });
 }
 
-bool IsAlready(const MakefileVariable& variable, const std::string& value) {
+bool HasOnlyValue(const MakefileVariable& variable, const std::string& value) {
   return variable.is_defined && std::all_of(variable.values.begin(), variable.values.end(),
                                             [&](const std::string& v) { return v == value; });
 }
@@ -228,11 +228,11 @@ MakePlan PlanMake(const Project& project, const std::string& sdk_root) {
   plan.variables.emplace_back(kStickVariable, stick);
   for (const MakefileVariable& variable : SdkVariables(all)) {
     const std::string value = sdk_root + variable.folder;
-    if (variable.name != "OPENRSDK_ROOT" && !IsAlready(variable, value))
+    if (variable.name != "OPENRSDK_ROOT" && !HasOnlyValue(variable, value))
       plan.variables.emplace_back(variable.name, value);
   }
   for (const MakefileVariable& variable : StickVariables(all)) {
-    if (LeadsElsewhere(variable, all)) plan.variables.emplace_back(variable.name, stick);
+    if (LeadsOutOfProject(variable, all)) plan.variables.emplace_back(variable.name, stick);
   }
   std::vector<fs::path> middleware;
   if (project.sticks.empty()) middleware.push_back(fs::path(stick) / "OPEN-R/MW");

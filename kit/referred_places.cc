@@ -133,7 +133,7 @@ class PlaceSearch {
     const fs::path folder = is_folder ? target : target.parent_path();
     const bool is_around_root = IsBelow(places_.folders[0], folder);
     const bool wants_files = is_above || !is_folder;
-    if (is_around_root || (wants_files && IsAroundSome(folder))) {
+    if (is_around_root || (wants_files && ContainsReferred(folder))) {
       if (!is_folder) AddFile(target);
       AddFilesIn(folder);  // a source may include headers beside it, which it names without "../"
     } else if (FilesBelow(folder).size() <= kOutsideFilesMax) {
@@ -165,7 +165,7 @@ class PlaceSearch {
     return std::any_of(places_.folders.begin(), places_.folders.end(),
                        [&](const fs::path& folder) { return IsBelow(path, folder); });
   }
-  bool IsAroundSome(const fs::path& folder) const {
+  bool ContainsReferred(const fs::path& folder) const {
     return std::any_of(places_.folders.begin(), places_.folders.end(),
                        [&](const fs::path& inner) { return IsBelow(inner, folder); });
   }

@@ -51,7 +51,7 @@ std::string Bench::Story() const {
   std::string text = fmt::format("t={:.6f} s.  ", static_cast<double>(now_us()) * 1e-6);
   const std::string last = history_.Text();
   text += last.empty() ? "No message so far.\n" : "Last messages:\n" + last;
-  const std::vector<std::string> waits = WhoWaits(*system_);
+  const std::vector<std::string> waits = DescribeWaits(*system_);
   if (!waits.empty()) text += "Who waits:\n";
   for (const std::string& line : waits) text += "  " + line + "\n";
   const std::string held = doors_.Text();

@@ -63,7 +63,7 @@ void StepPrinter::Print(const std::string& what) {
   if (what == "queue") {
     PrintQueue();
   } else if (what == "waiting") {
-    const std::vector<std::string> waits = WhoWaits(system);
+    const std::vector<std::string> waits = DescribeWaits(system);
     for (const std::string& line : waits) fmt::print("{}\n", line);
     if (waits.empty()) fmt::print("nobody\n");
   } else if (what == "objects") {

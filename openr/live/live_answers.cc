@@ -82,7 +82,7 @@ Json AnswerInputs(const RequestContext& context) {
 Json AnswerStatus(const RequestContext& context) {
   System& system = context.system();
   Json waits = Json::array();
-  for (const std::string& line : WhoWaits(system)) waits.push_back(line);
+  for (const std::string& line : DescribeWaits(system)) waits.push_back(line);
   Json ports = Json::array();
   for (int i = 0; i < system.robot_count(); ++i) ports.push_back(context.simulation()->RcPort(i));
   return {{"time_s", TimeOf(context)},

@@ -33,7 +33,7 @@ std::optional<uint32_t> AddressOf(std::string_view text) {
 
 // Returns true if `ip` cannot be the address of a single computer, because it is 0.0.0.0 or a
 // multicast, reserved or broadcast address.
-bool IsOfNobody(uint32_t ip) { return ip == 0 || ip >> 28 >= 0xe; }
+bool IsNoHostAddress(uint32_t ip) { return ip == 0 || ip >> 28 >= 0xe; }
 
 // Parses the texts of two addresses into `pair`.  Returns "" or the reason why one of the texts is
 // no address.
@@ -47,7 +47,7 @@ std::string ReadPair(std::string_view robot, std::string_view host, AddressPair*
           text);
     }
     *ip = *address;
-    if (IsOfNobody(*address))
+    if (IsNoHostAddress(*address))
       return fmt::format("'{}' is no address of one computer, but of any, many or all", text);
   }
   if (pair->robot >> 24 == 127) {

@@ -37,7 +37,7 @@ class GatewayReader {
                                             kProxyRecord, DidYouMean(first, {kProxyRecord}))));
       return;
     }
-    if (!HasItsWords(line)) return;
+    if (!HasWordCount(line)) return;
     GatewayRecord record;
     record.section = line.section;
     record.place = line.place;
@@ -66,7 +66,7 @@ class GatewayReader {
                                  : fmt::format("'{} PORT ADDRESS'", kProxyRecord))));
       return;
     }
-    if (!HasItsWords(line)) return;
+    if (!HasWordCount(line)) return;
     GatewayRecord record;
     record.section = line.section;
     record.place = line.place;
@@ -80,7 +80,7 @@ class GatewayReader {
     config_->proxy = std::move(record);
   }
 
-  bool HasItsWords(const RecordLine& line) {
+  bool HasWordCount(const RecordLine& line) {
     const size_t wanted = side_ == GatewaySide::kRobot ? 2 : 3;
     const char* const form =
         side_ == GatewaySide::kRobot ? "a service and a port" : "a service, a port and an address";

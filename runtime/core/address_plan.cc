@@ -84,7 +84,7 @@ constinit uintptr_t g_area = 0;
 
 // Returns the address plan of this process.  The plan is never deleted, because a static object of
 // the program may hold a System, which gives its places back to the plan when the program ends.
-Plan& ThePlan() {
+Plan& SharedPlan() {
   static Plan* const plan = [] {
     auto* const made = new Plan;
     if (kIsPlanned && IsEmpty(kFirstArea) && IsReachable(kFirstArea))
@@ -102,7 +102,7 @@ char* AreaOf(int index, uintptr_t offset, size_t bytes) {
 }  // namespace
 
 ObjectAddresses::ObjectAddresses(ObjectId id) {
-  Plan& plan = ThePlan();
+  Plan& plan = SharedPlan();
   if (plan.area == 0) return;
   // Object `id` has two places of its own, with the numbers 2 * id and 2 * id + 1.  An object needs
   // the second place if it is loaded while the object that it replaces still uses the first place.
@@ -120,7 +120,7 @@ ObjectAddresses::ObjectAddresses(ObjectId id) {
 }
 
 ObjectAddresses::~ObjectAddresses() {
-  if (index_ >= 0) ThePlan().taken[static_cast<size_t>(index_)] = false;
+  if (index_ >= 0) SharedPlan().taken[static_cast<size_t>(index_)] = false;
 }
 
 char* ObjectAddresses::heap() const { return AreaOf(index_, kHeaps, kHeapBytes); }
@@ -142,7 +142,7 @@ int ObjectAddresses::OfHeap(const void* address) {
 }
 
 char* ReserveRegionArea() {
-  Plan& plan = ThePlan();
+  Plan& plan = SharedPlan();
   if (plan.area == 0) return nullptr;
   const auto free = std::find(plan.regions_taken.begin(), plan.regions_taken.end(), false);
   if (free == plan.regions_taken.end()) return nullptr;
@@ -152,7 +152,7 @@ char* ReserveRegionArea() {
 }
 
 void GiveRegionArea(char* area) {
-  Plan& plan = ThePlan();
+  Plan& plan = SharedPlan();
   const uintptr_t offset = reinterpret_cast<uintptr_t>(area) - plan.area - kRegions;
   const size_t index = offset / kRegionAreaBytes;
   ASSERT(index < kRegionAreas && plan.regions_taken[index]);
@@ -175,7 +175,7 @@ bool IsPlanned(const void* address) {
 }
 
 void UseOtherAddresses() {
-  Plan& plan = ThePlan();
+  Plan& plan = SharedPlan();
   if (plan.area == 0) return;
   ASSERT(std::count(plan.taken.begin(), plan.taken.end(), true) == 0,
          "objects have their addresses already");

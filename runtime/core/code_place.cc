@@ -18,7 +18,7 @@ struct Search {
   const void* found = nullptr;
 };
 
-_Unwind_Reason_Code LookAtFrame(_Unwind_Context* context, void* data) {
+_Unwind_Reason_Code SearchFrame(_Unwind_Context* context, void* data) {
   Search* const search = static_cast<Search*>(data);
   // The address that _Unwind_GetIP() returns is that of the instruction after a call, which may
   // belong to another source line.  Therefore 1 is subtracted: the address is then inside the call.
@@ -79,7 +79,7 @@ std::string NameOfPlace(const void* address) {
 const void* CallerInImage() {
   if (t_current.object == nullptr) return nullptr;
   Search search{t_current.object};
-  _Unwind_Backtrace(&LookAtFrame, &search);
+  _Unwind_Backtrace(&SearchFrame, &search);
   return search.found;
 }
 

@@ -202,7 +202,7 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
   }
   are_deliveries_free_ = gate_ == nullptr && cpus_.empty() &&
                          system_->options().wall_clock_ns == nullptr &&
-                         !system_->manager().KeepsBack();
+                         !system_->manager().HoldsMessages();
   return message;
 }
 
@@ -302,7 +302,7 @@ void Dispatcher::Loop() {
     const int64_t next_us = std::min(queue.NextTime(), NextInstant());
     if (next_us <= limits_.time_us && next_us != INT64_MAX) {
       AdvanceTo(next_us);
-      DoWhatIsDue();
+      DoDueWork();
       continue;
     }
     if (limits_.time_us != INT64_MAX) AdvanceTo(limits_.time_us);
@@ -323,7 +323,7 @@ void Dispatcher::Loop() {
 
 // Handles the events for which NextInstant() returns a time and that are due now: ends of processor
 // time, time events, inputs and frames of robots that are off.
-[[gnu::noinline]] void Dispatcher::DoWhatIsDue() {
+[[gnu::noinline]] void Dispatcher::DoDueWork() {
   const int64_t now_us = system_->now_us();
   for (const auto& cpu : cpus_) {
     if (cpu->EndUs() == now_us) cpu->End(now_us);

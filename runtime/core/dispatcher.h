@@ -81,7 +81,7 @@ class Dispatcher {
   void ToCaller();
   void AdvanceTo(int64_t time_us);
   int64_t NextInstant() const;
-  void DoWhatIsDue();
+  void DoDueWork();
   void Deliver(Message* message);
   void DeliverChecked(Object* object, OwnedMessage message);
   OwnedMessage Admit(Object* object, OwnedMessage message);

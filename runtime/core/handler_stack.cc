@@ -83,14 +83,14 @@ struct SanitizedCall {
 // when the use of this stack begins and when it ends.  Otherwise AddressSanitizer would take the
 // handler's stack for a part of another stack.  It would also keep its marks for stack frames that
 // an exception has ended.
-void CallAndSayWhere(void* data) {
+void CallWithStackMarks(void* data) {
   SanitizedCall* const call = static_cast<SanitizedCall*>(data);
   __sanitizer_finish_switch_fiber(nullptr, &call->bottom, &call->bytes);
-  struct Departure {
+  struct StackSwitch {
     const SanitizedCall* call;
-    ~Departure() { __sanitizer_start_switch_fiber(nullptr, call->bottom, call->bytes); }
+    ~StackSwitch() { __sanitizer_start_switch_fiber(nullptr, call->bottom, call->bytes); }
   };
-  const Departure departure{call};
+  const StackSwitch departure{call};
   call->function(call->argument);
 }
 
@@ -124,13 +124,13 @@ void HandlerStack::CallWithSanitizer(void (*function)(void*), void* argument) {
   // Tells AddressSanitizer, when `function` has ended on the handler's stack, that the stack from
   // which CallWithSanitizer() was called is in use again.  Does so in a destructor, because
   // `function` may end with an exception.
-  struct Arrival {
+  struct StackReturn {
     void* const* fake_stack;
-    ~Arrival() { __sanitizer_finish_switch_fiber(*fake_stack, nullptr, nullptr); }
+    ~StackReturn() { __sanitizer_finish_switch_fiber(*fake_stack, nullptr, nullptr); }
   };
-  const Arrival arrival{&fake_stack};
+  const StackReturn arrival{&fake_stack};
   __sanitizer_start_switch_fiber(&fake_stack, memory_.bottom(), StackMemory::kBytes);
-  openr_call_on_stack(&CallAndSayWhere, &call, memory_.top());
+  openr_call_on_stack(&CallWithStackMarks, &call, memory_.top());
 }
 
 #else

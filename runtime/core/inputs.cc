@@ -74,10 +74,10 @@ std::string Inputs::Add(int robot, std::string_view line) {
 
 // Inserts `input` into the list of waiting inputs, after all inputs that are due at the same time
 // or earlier.
-void Inputs::Insert(Waiting input) {
-  const auto place =
-      std::upper_bound(waiting_.begin(), waiting_.end(), input.due_us,
-                       [](int64_t due_us, const Waiting& other) { return due_us < other.due_us; });
+void Inputs::Insert(WaitingInput input) {
+  const auto place = std::upper_bound(
+      waiting_.begin(), waiting_.end(), input.due_us,
+      [](int64_t due_us, const WaitingInput& other) { return due_us < other.due_us; });
   waiting_.insert(place, std::move(input));
 }
 
@@ -97,14 +97,14 @@ void Inputs::DoDue() {
   while (NextUs() <= system_->now_us()) {
     // Removes the input from the list before its work is done, because the work may add inputs to
     // this list.
-    const Waiting input = std::move(waiting_.front());
+    const WaitingInput input = std::move(waiting_.front());
     waiting_.pop_front();
     input.action.work();
   }
 }
 
 void Inputs::DoBeforeBoot() {
-  std::erase_if(waiting_, [this](const Waiting& input) {
+  std::erase_if(waiting_, [this](const WaitingInput& input) {
     if (input.due_us > system_->now_us() || !input.action.is_before_boot) return false;
     input.action.work();
     return true;
@@ -112,7 +112,7 @@ void Inputs::DoBeforeBoot() {
 }
 
 void Inputs::HashState(Hasher* hasher) const {
-  for (const Waiting& input : waiting_) {
+  for (const WaitingInput& input : waiting_) {
     hasher->Add(input.due_us);
     hasher->Add(input.robot);
     hasher->AddText(input.line);

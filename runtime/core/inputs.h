@@ -90,7 +90,7 @@ class Inputs {
   void HashState(Hasher* hasher) const;
 
  private:
-  struct Waiting {
+  struct WaitingInput {
     int64_t due_us;
     int robot;
     std::string line;
@@ -99,11 +99,11 @@ class Inputs {
 
   const Kind* FindKind(int robot, const std::string& name) const;
   std::string Read(int robot, std::string_view line, Action* action) const;
-  void Insert(Waiting input);
+  void Insert(WaitingInput input);
 
   System* const system_;
   std::map<std::pair<int, std::string>, Kind> kinds_;  // the key is the robot and the kind's name
-  std::deque<Waiting> waiting_;  // the inputs that wait, in the order of due_us
+  std::deque<WaitingInput> waiting_;  // the inputs that wait, in the order of due_us
   std::vector<Listener> listeners_;
 };
 

@@ -15,7 +15,7 @@ constexpr size_t kChunk = 64;  // number of messages that are allocated at a tim
 
 }  // namespace
 
-bool MessageQueue::Later::operator<(const Later& other) const {
+bool MessageQueue::LaterMessage::operator<(const LaterMessage& other) const {
   return std::tie(due_us, level, number) > std::tie(other.due_us, other.level, other.number);
 }
 
@@ -129,7 +129,7 @@ void MessageQueue::Advance(int64_t time_us) {
          size(), NextTime());
   now_us_ = time_us;
   while (!later_.empty() && later_.front().due_us == time_us) {
-    const Later first = later_.front();
+    const LaterMessage first = later_.front();
     std::pop_heap(later_.begin(), later_.end());
     later_.pop_back();
     Append(first.message, first.level);
@@ -152,7 +152,7 @@ std::vector<OwnedMessage> MessageQueue::TakeIf(const std::function<bool(const Me
       message = next;
     }
   }
-  std::erase_if(later_, [&](const Later& entry) {
+  std::erase_if(later_, [&](const LaterMessage& entry) {
     if (!matches(*entry.message)) return false;
     taken.emplace_back(entry.message);
     return true;
@@ -167,9 +167,10 @@ void MessageQueue::ForEach(const std::function<void(const Message&)>& visit) con
   }
   // Sorts a copy of later_ (the messages that are not due yet), because later_ is a heap and so not
   // in the order of delivery.
-  std::vector<Later> rest = later_;
-  std::sort(rest.begin(), rest.end(), [](const Later& a, const Later& b) { return b < a; });
-  for (const Later& entry : rest) visit(*entry.message);
+  std::vector<LaterMessage> rest = later_;
+  std::sort(rest.begin(), rest.end(),
+            [](const LaterMessage& a, const LaterMessage& b) { return b < a; });
+  for (const LaterMessage& entry : rest) visit(*entry.message);
 }
 
 }  // namespace openr_host

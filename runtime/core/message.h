@@ -140,14 +140,14 @@ class MessageQueue {
     Message* head = nullptr;  // null if the list is empty
     Message* tail = nullptr;  // the last message; has no meaning if the list is empty
   };
-  struct Later {
+  struct LaterMessage {
     int64_t due_us;
     uint32_t level;
     uint64_t number;
     Message* message;
     // Returns true if `other` comes before this message in the order of delivery.  The order is
     // reversed, because std::push_heap() and similar functions put the greatest element first.
-    bool operator<(const Later& other) const;
+    bool operator<(const LaterMessage& other) const;
   };
 
   // Returns the level of a message: one number for its class, which counts first, and its priority.
@@ -184,8 +184,8 @@ class MessageQueue {
   // often the handler of this message posts another message to the same level.  TakeDue() clears
   // the bit when it finds the list empty.
   uint64_t marks_[kLevels / 64] = {};
-  uint32_t first_level_ = kLevels;  // the first level whose bit in marks_ is 1; kLevels if none is
-  std::vector<Later> later_;        // messages that are not due yet, as a heap (std::push_heap)
+  uint32_t first_level_ = kLevels;   // the first level whose bit in marks_ is 1; kLevels if none is
+  std::vector<LaterMessage> later_;  // messages that are not due yet, as a heap (std::push_heap)
   // The first free message; each free message points to the next with Message::next.
   Message* free_ = nullptr;
   // The arrays that hold the messages of the pool, from which new messages are taken.

@@ -65,7 +65,7 @@ ObjectManager::ObjectManager() {
 
 // Begins to keep back the messages to the objects of `robot`, or of all robots.  IsTooEarly() says
 // which messages are kept back, and for how long.
-void ObjectManager::KeepBack(int robot) {
+void ObjectManager::HoldMessages(int robot) {
   are_connected_ = false;
   system().dispatcher().CheckDeliveries();
   for (const auto& object : system().objects()) {
@@ -75,7 +75,7 @@ void ObjectManager::KeepBack(int robot) {
 }
 
 void ObjectManager::PostBoot() {
-  KeepBack(kAllRobots);
+  HoldMessages(kAllRobots);
   due_.insert({boot_, 0});
   system().Post(system().NewMessage(host().id, boot_));
 }
@@ -169,7 +169,7 @@ void ObjectManager::RunBootAgain(int robot) {
   // processes does not boot again.
   unreported_.clear();
   if (!system().robot_table().LoadAgain(robot)) return;
-  KeepBack(robot);
+  HoldMessages(robot);
   RunBoot(robot, findings_before);
 }
 

@@ -49,15 +49,15 @@ class ObjectManager : public CodeObject {
     const auto found = starting_.find(message.target);
     if (found == starting_.end()) return false;
     if (message.kind == PayloadKind::kReady) return true;
-    return !found->second && !HoldsUpBoot(message);
+    return !found->second && !WouldBlockBoot(message);
   }
   // Returns whether IsTooEarly() keeps messages back, that is, whether an object is in its boot.
-  bool KeepsBack() const { return !starting_.empty(); }
+  bool HoldsMessages() const { return !starting_.empty(); }
   // Returns whether `message` is a request from an object that is itself in its boot.  Such a
   // message must not be kept back, or the boot would not go on: the sender waits for the reply in
   // its DoInit, and the receiver gets its own DoInit only after the DoInit of the sender has
   // returned.
-  bool HoldsUpBoot(const Message& message) const {
+  bool WouldBlockBoot(const Message& message) const {
     return message.reply_box != 0 && starting_.contains(message.sender);
   }
   // Records that the DoInit of object `id` begins.  Until now IsTooEarly() has kept back all
@@ -75,7 +75,7 @@ class ObjectManager : public CodeObject {
   void RunBoot(int robot, size_t findings_before);
   void RunBootAgain(int robot);
   void RefuseToStart(int robot);
-  void KeepBack(int robot);
+  void HoldMessages(int robot);
   void RunShutdown(int robot);
   void RunReload(ObjectId id);
   void RunTask();

@@ -57,7 +57,7 @@ void AddChunk() {
 
 // Returns a text about the place in the program that made the most regions: ", 65000 of them made
 // at Talker.cc:57".  Returns "" if that place is not known.
-std::string MadeWhere(const RegionTable& table) {
+std::string OriginText(const RegionTable& table) {
   const auto [address, count] = table.MostCommonPlace();
   const std::string place = openr_host::NameOfPlace(address);
   return place.empty() ? "" : fmt::format(", {} of them made at {}", count, place);
@@ -117,7 +117,7 @@ RCRegion::RCRegion(size_t size)
         fmt::format(
             "no shared memory for {} bytes: {} regions are alive{}; a region made for every "
             "message has to be given up with RemoveReference()",
-            size, table->live_count(), MadeWhere(*table)));
+            size, table->live_count(), OriginText(*table)));
   }
 }
 

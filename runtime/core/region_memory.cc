@@ -80,7 +80,7 @@ char* RegionMemory::New(uint32_t slot, size_t bytes) {
     if (!IsSet(in_use, slot)) {
       char* const block = MappedCell(size_class, slot);
       if (block != nullptr) {
-        NoLongerKept({size_class, slot});
+        RemoveFromKept({size_class, slot});
         Set(&in_use, slot, true);
         std::memset(block, 0, bytes);
         return block;
@@ -113,14 +113,14 @@ void RegionMemory::Free(char* block) {
   kept_bytes_ += cell;
   while (kept_bytes_ > kKeptBytesMax) {
     const Cell oldest = kept_.front();
-    NoLongerKept(oldest);
+    RemoveFromKept(oldest);
     Unmap(oldest);
   }
 }
 
 // Removes `cell` (memory for one region) from kept_, the list of free cells that stay mapped, if
 // the list has this cell.
-void RegionMemory::NoLongerKept(const Cell& cell) {
+void RegionMemory::RemoveFromKept(const Cell& cell) {
   kept_bytes_ -= std::erase(kept_, cell) * CellBytes(cell.size_class);
 }
 

@@ -48,7 +48,7 @@ class RegionMemory {
 
   char* MappedCell(int size_class, uint32_t slot);
   void Unmap(const Cell& cell);
-  void NoLongerKept(const Cell& cell);
+  void RemoveFromKept(const Cell& cell);
 
   struct Cells {
     std::vector<bool> in_use;  // by slot: whether the slot's cell of this class is in use

@@ -30,7 +30,7 @@ void RobotTable::BeginShutdown(int index, const RunEnd& why) {
   // stays off.  Its objects need not be stopped, because none of them runs.
   if (off_robots_.Remove(index)) {
     Get(index).end = why;
-    return NoteWhetherAllAreOff(why);
+    return NoteIfAllAreOff(why);
   }
   NoteEnd(index, why);
   system_->manager().PostShutdown(index);
@@ -48,11 +48,11 @@ void RobotTable::CutPower(int index, const RunEnd& why) {
       continue;
     object->delivery.set_off(true);
   }
-  if (index >= count()) return NoteWhetherAllAreOff(why);
+  if (index >= count()) return NoteIfAllAreOff(why);
   Get(index).powered_off = true;
   off_robots_.Remove(index);
   if (is_shutdown) WaitForBoot(&Get(index));
-  NoteWhetherAllAreOff(*Get(index).end);
+  NoteIfAllAreOff(*Get(index).end);
 }
 
 // Lets `robot`, which has just shut down, wait for its next boot if a boot timer runs.
@@ -64,7 +64,7 @@ void RobotTable::WaitForBoot(Robot* robot) {
 }
 
 // Ends the run with the reason `why` if all robots are off and stay off.
-void RobotTable::NoteWhetherAllAreOff(const RunEnd& why) {
+void RobotTable::NoteIfAllAreOff(const RunEnd& why) {
   are_all_off_ = std::all_of(robots_.begin(), robots_.end(), [this](const auto& dog) {
     return dog->powered_off && !off_robots_.Contains(dog->index);
   });
@@ -88,7 +88,7 @@ bool RobotTable::LoadAgain(int index) {
     dog.powered_off = false;
   } else {
     dog.end = {EndKind::kNoBoot, "the robot does not boot again; the findings say why"};
-    NoteWhetherAllAreOff(*dog.end);
+    NoteIfAllAreOff(*dog.end);
   }
   return boots;
 }

@@ -68,7 +68,7 @@ class RobotTable {
 
  private:
   void WaitForBoot(Robot* robot);
-  void NoteWhetherAllAreOff(const RunEnd& why);
+  void NoteIfAllAreOff(const RunEnd& why);
 
   System* const system_;
   bool are_all_off_ = false;

@@ -76,7 +76,7 @@ std::vector<Stall> FindStalls(const System& system, int64_t least_us) {
   return stalls;
 }
 
-std::vector<std::string> WhoWaits(const System& system) {
+std::vector<std::string> DescribeWaits(const System& system) {
   std::vector<std::string> lines;
   for (Stall& stall : FindStalls(system, 0)) lines.push_back(std::move(stall.text));
   return lines;

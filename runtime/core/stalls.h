@@ -45,7 +45,7 @@ std::vector<Stall> FindStalls(const System& system, int64_t least_us);
 
 // Returns a line for each object that waits: "JointMover waits for the answer of IPStack since
 // t=1.248 s".
-std::vector<std::string> WhoWaits(const System& system);
+std::vector<std::string> DescribeWaits(const System& system);
 
 // Adds a finding for every stall (an object that waits for a ready, for a reply or for the
 // processor) that has lasted for kStallUs or longer.  The finding is a note if the observer has

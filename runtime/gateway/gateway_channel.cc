@@ -79,14 +79,14 @@ void OutgoingChannel::HashState(Hasher* hasher) const {
 void IncomingChannel::Up() {
   waiting_word_ = 0;
   asked_ = false;
-  if (subject_->IsReady() > 0) Tell(kGatewayAssert);
+  if (subject_->IsReady() > 0) SendWord(kGatewayAssert);
 }
 
 void IncomingChannel::Ready(const OReadyEvent& event) {
-  if (connection_.is_up()) Tell(event.IsAssert() ? kGatewayAssert : kGatewayDeassert);
+  if (connection_.is_up()) SendWord(event.IsAssert() ? kGatewayAssert : kGatewayDeassert);
 }
 
-void IncomingChannel::Tell(uint32_t word) {
+void IncomingChannel::SendWord(uint32_t word) {
   waiting_word_ = word;
   if (!connection_.is_sending()) Sent();
 }

@@ -76,7 +76,7 @@ class IncomingChannel : public GatewayChannel {
  private:
   // Sends `word`, kGatewayAssert (ready) or kGatewayDeassert (not ready), to the peer, the gateway
   // of the other computer.  If an earlier word is still being sent, sends `word` after it.
-  void Tell(uint32_t word);
+  void SendWord(uint32_t word);
 
   TcpGateway* const gateway_;
   OSubject* subject_ = nullptr;

@@ -84,7 +84,7 @@ void GatewayConnection::Open() {
 
 // Warns that the peer does not answer.  Does so before the connect itself fails, because a connect
 // to an address that drops packets fails only after minutes.
-void GatewayConnection::LookForAnswer() {
+void GatewayConnection::WarnIfNoAnswer() {
   const std::string hint = HintFor(IPAddress(record_.host.c_str()));
   if (had_answer_ || hint.empty()) return;
   Warn(fmt::format("no answer from {} within {} s{}", record_.host, kHintUs / 1'000'000, hint));

@@ -56,7 +56,7 @@ class GatewayConnection {
   void HandleAnswer(const antEnvMsg& answer);
   // Warns the user if the peer, the gateway of the other computer, has neither accepted nor refused
   // an attempt to connect.  Called when kHintUs have passed since an attempt.
-  void LookForAnswer();
+  void WarnIfNoAnswer();
 
   void HashState(Hasher* hasher) const;
 

@@ -36,7 +36,7 @@ TcpGateway::TcpGateway(const GatewayConfig& config) {
   look_ = AddExtra("Look", [this](void* payload) {
     int index = 0;
     std::memcpy(&index, payload, sizeof index);
-    channels_.at(static_cast<size_t>(index))->connection().LookForAnswer();
+    channels_.at(static_cast<size_t>(index))->connection().WarnIfNoAnswer();
   });
   // Makes the gateway's message queue large enough for all its channels (services).  A channel has
   // only a few messages at a time (answers of the network, data, readies), so 8 for each channel

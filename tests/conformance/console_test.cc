@@ -23,7 +23,7 @@ TEST_F(ConsoleConformance, AReaderWaitsAloneUntilALineIsThere) {
   Hear("assert");
   Tell("ready?");  // waits behind the reader
   EXPECT_EQ(Said(), "");
-  EXPECT_EQ(WhoWaits(*system).size(), 1u);
+  EXPECT_EQ(DescribeWaits(*system).size(), 1u);
   TypeText(system.get(), 0, "some words\n");
   system->RunFor(8000);
   EXPECT_EQ(Said(), "some words\nT gets 'some words'\nT ready 1 refs 0\nT any 1 ready 1 all 1\n");

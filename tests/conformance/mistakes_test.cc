@@ -15,7 +15,7 @@ TEST_F(MistakesConformance, AnObserverThatNeverAssertsIsNamed) {
   Start();
   Tell("send 1");
   system->RunFor(2'000'000);
-  EXPECT_THAT(WhoWaits(*system),
+  EXPECT_THAT(DescribeWaits(*system),
               testing::ElementsAre(testing::StartsWith("teller waits for ready of hearer")));
 }
 

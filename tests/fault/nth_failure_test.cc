@@ -127,7 +127,8 @@ uint64_t CountPosts() {
 // Whether the dog stands in spite of it; if not, somebody must say why.
 void ExpectStandingOrAWord(Bench& bench) {
   if (bench.system().booted() && bench.state("JointMover") == "accepting-commands") return;
-  const bool word = bench.system().findings().HasError() || !WhoWaits(bench.system()).empty() ||
+  const bool word = bench.system().findings().HasError() ||
+                    !DescribeWaits(bench.system()).empty() ||
                     bench.console().find("failed. sError") != std::string::npos;
   EXPECT_TRUE(word) << bench.Story() << bench.Findings() << bench.console();
 }

@@ -100,7 +100,7 @@ TEST_F(DispatcherTest, ACallWaitsForItsAnswerAndBlocksOnlyTheCaller) {
   Post(third, 3);
   system.RunFor(100);
   EXPECT_EQ(log, (Log{"caller:1@0", "third:3@0", "callee:7@0"}));
-  EXPECT_EQ(WhoWaits(system),
+  EXPECT_EQ(DescribeWaits(system),
             (Log{"caller waits for the answer of callee (Entry) since t=0.000 s"}));
   const int answer = 42;
   RunAs(callee,

@@ -89,7 +89,7 @@ TEST_F(IpStackTest, CallBlocksOnlyItsCaller) {
     returned = true;
   });
   EXPECT_FALSE(returned);
-  EXPECT_EQ(WhoWaits(system),
+  EXPECT_EQ(DescribeWaits(system),
             std::vector<std::string>{
                 "probe waits for the answer of IPStack (TCP Listen) since t=0.001 s"});
   other->Do([&] { other_ran = true; });
