@@ -24,7 +24,7 @@ int g_error = 0;
 
 // Makes the console lead to /dev/null after a failed write, so that no object sees an error of this
 // host.
-void LoseConsole(int error) {
+void RedirectConsoleToNull(int error) {
   if (std::exchange(g_error, error) != 0) return;
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
   if (nowhere < 0) return;
@@ -37,7 +37,7 @@ void LoseConsole(int error) {
 void WriteConsole(std::string_view text) {
   ClearProgressLine();
   const int error = WriteAll(STDOUT_FILENO, text);
-  if (error != 0) LoseConsole(error);
+  if (error != 0) RedirectConsoleToNull(error);
 }
 
 // Writes out the buffer of the C library, in which the text of objects waits until its line ends.
@@ -46,7 +46,7 @@ void FlushConsole() {
   errno = 0;
   const bool is_flushed = std::fflush(stdout) == 0;
   const int error = errno != 0 ? errno : EIO;  // errno is read before ferror(), which may change it
-  if (!is_flushed || std::ferror(stdout) != 0) LoseConsole(error);
+  if (!is_flushed || std::ferror(stdout) != 0) RedirectConsoleToNull(error);
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ Value As(const OCommandData& data, int i) {
 
 // Returns the reason why the element of a command vector cannot set `primitive`; "" when the
 // element can set it.
-std::string Objection(const OCommandInfo& info, const Primitive* primitive) {
+std::string ElementProblem(const OCommandInfo& info, const Primitive* primitive) {
   if (primitive == nullptr || !primitive->opened()) {
     return fmt::format(
         "names primitive {:#x}, which {}; it is ignored (elements declared with SetNumData() and "
@@ -163,7 +163,7 @@ void ReadCommandElements(const SentVector& vector, longword frame_number,
           info.dataOffset);
     } else {
       element.frames = CountFrames(info, *element.data, &problem);
-      const std::string objection = Objection(info, primitive);
+      const std::string objection = ElementProblem(info, primitive);
       if (objection.empty()) {
         element.primitive = primitive;
       } else {

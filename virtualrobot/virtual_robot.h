@@ -46,7 +46,7 @@ class VirtualRobot : public RobotServices {
   void set_first_frame(int64_t frame);
 
   // Returns whether the camera completed an image with the newest frame.
-  bool ImageIsDue() const { return parts_.camera.Due(parts_.frame); }
+  bool HasNewImage() const { return parts_.camera.Due(parts_.frame); }
 
   // Writes the image that the camera has just completed to `picture` (see
   // CameraDevice::CopyPicture()).

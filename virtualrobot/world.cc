@@ -20,7 +20,7 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // The part of a ray that is inside a shape: from p + enter * d to p + leave * d for the ray p + t *
 // d.
-struct Inside {
+struct RayPart {
   double enter = 0, leave = kNever;
 
   void Cut(double from, double to) {
@@ -34,7 +34,7 @@ struct Inside {
 
 // Cuts `inside` to the part of the ray that is between the planes -half and half of one axis.  `p`
 // and `d` are the ray's coordinates along this axis.
-void CutBySlab(double p, double d, double half, Inside* inside) {
+void CutBySlab(double p, double d, double half, RayPart* inside) {
   if (d != 0) {
     inside->Cut((-half - p) / d, (half - p) / d);
   } else if (std::fabs(p) > half) {
@@ -45,7 +45,7 @@ void CutBySlab(double p, double d, double half, Inside* inside) {
 // Cuts `inside` to the part of the ray p + t * d that is within `radius` of the origin.  The ray
 // has two coordinates (for a cylinder) or three (for a ball).
 template <typename Vector>
-void CutByBall(const Vector& p, const Vector& d, double radius, Inside* inside) {
+void CutByBall(const Vector& p, const Vector& d, double radius, RayPart* inside) {
   const double a = d.squaredNorm(), b = p.dot(d), c = p.squaredNorm() - radius * radius;
   if (a == 0) {
     if (c > 0) inside->Miss();
@@ -62,7 +62,7 @@ double EnterThing(const WorldThing& thing, const Vector3d& p_W, const Vector3d& 
   const Vector3d p = thing.R_WT.transpose() * (p_W - thing.centre_m);
   const Vector3d d = thing.R_WT.transpose() * direction_W;
   const Vector3d half = thing.size_m / 2;
-  Inside inside;
+  RayPart inside;
   switch (thing.shape) {
     case ThingShape::kBox:
     case ThingShape::kHeightField:

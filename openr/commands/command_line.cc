@@ -29,9 +29,9 @@ std::string PathOf(const CLI::App& command) {
 
 // Returns the command that the user has given, such as `mtn` for "openr rc mtn".  Returns `app`,
 // the program itself, if the user has given no command.
-const CLI::App& Chosen(const CLI::App& app) {
+const CLI::App& ChosenCommand(const CLI::App& app) {
   const std::vector<CLI::App*> next = app.get_subcommands();
-  return next.empty() ? app : Chosen(*next.back());
+  return next.empty() ? app : ChosenCommand(*next.back());
 }
 
 const CLI::App* FindCommand(const CLI::App& parent, const std::string& word) {
@@ -151,12 +151,12 @@ std::string HelpAskedFor(const CLI::App& app, int argc, char** argv) {
 }
 
 std::string HelpWords(const CLI::App& app) {
-  const std::string path = PathOf(Chosen(app));
+  const std::string path = PathOf(ChosenCommand(app));
   return ShellWord(ProgramCall()) + (path.empty() || path == "help" ? " help" : " help " + path);
 }
 
 std::string ExplainCommandLine(const CLI::App& app, const CLI::ParseError& error) {
-  const CLI::App& command = Chosen(app);
+  const CLI::App& command = ChosenCommand(app);
   const std::vector<std::string> rest = app.remaining(true);
   const auto is = [&error](CLI::ExitCodes kind) {
     return error.get_exit_code() == static_cast<int>(kind);

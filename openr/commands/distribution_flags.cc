@@ -137,7 +137,7 @@ Placement PlacementOf(const PlacementFlags& flags) {
   return placement;
 }
 
-std::string RunNameOfItsOwn() { return fmt::format("openr-{}", getpid()); }
+std::string UniqueRunName() { return fmt::format("openr-{}", getpid()); }
 
 std::vector<std::string> WordsOf(const std::string& text) {
   std::istringstream stream(text);
@@ -172,7 +172,7 @@ std::unique_ptr<WorkerGroup> MakeWorkerGroup(const PlacementFlags& flags, const 
   // Takes a fixed name if processes run on other hosts, because their users have to start `openr
   // join` with the same name.
   if (options.bus.run.empty())
-    options.bus.run = options.placement.host_of.empty() ? RunNameOfItsOwn() : "openr";
+    options.bus.run = options.placement.host_of.empty() ? UniqueRunName() : "openr";
   const int watched_s = WatchedLease(flags);
   // Takes the long lease only if all workers are on this host, because the end of a worker on
   // another host is noticed only when its lease is over.
@@ -203,7 +203,7 @@ std::unique_ptr<WorkerGroup> MakeWorkerGroup(const PlacementFlags& flags, const 
 
 std::unique_ptr<Bus> MakeBus(const PlacementFlags& flags) {
   BusOptions bus = flags.bus;
-  if (bus.run.empty()) bus.run = RunNameOfItsOwn();
+  if (bus.run.empty()) bus.run = UniqueRunName();
   return std::make_unique<Bus>(bus);
 }
 

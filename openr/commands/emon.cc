@@ -49,7 +49,8 @@ std::string LastRecord(const std::string& text) {
 // Prints what the crash record of a run on a computer says.  Needs no image, because such a record
 // already names functions and lines.  `log` has no value if the record has no part in the robot's
 // form.
-void TellRun(const EmonFlags& flags, const std::string& text, const std::optional<EmonLog>& log) {
+void ExplainRunRecord(const EmonFlags& flags, const std::string& text,
+                      const std::optional<EmonLog>& log) {
   if (!flags.image.empty()) {
     throw std::runtime_error(flags.file +
                              ": was written by a run on a computer, and names functions and lines "
@@ -73,12 +74,12 @@ void TellRun(const EmonFlags& flags, const std::string& text, const std::optiona
   PrintAnswer(text + on_robot);
 }
 
-int Tell(const EmonFlags& flags) {
+int ExplainRecord(const EmonFlags& flags) {
   RequireReadable(flags.file, kEmonLog);
   const std::string text = LastRecord(ReadFileOrThrow(flags.file));
   const std::optional<EmonLog> log = ParseEmonLog(text);
   if (const std::string told = TextOfRun(text); !told.empty()) {
-    TellRun(flags, told, log);
+    ExplainRunRecord(flags, told, log);
     return kExitGood;
   }
   if (!log)
@@ -104,7 +105,7 @@ void AddEmonCommand(CLI::App* app, int* exit_code) {
                       "Image of the object that crashed: its .BIN, or the ELF file from which "
                       "mkbin made it (NAME.nosnap.elf)");
   command->add_flag("--json", flags->is_json, "Print JSON");
-  command->callback([flags, exit_code] { *exit_code = Tell(*flags); });
+  command->callback([flags, exit_code] { *exit_code = ExplainRecord(*flags); });
 }
 
 }  // namespace openr_host

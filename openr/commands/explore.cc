@@ -146,7 +146,7 @@ int Explore(ExploreFlags flags) {
   result["jobs"] = plan.jobs;
   result["wall_time_s"] = wall_time_s;
   result["runs_per_s"] = result["runs"].get<double>() / wall_time_s;
-  TellResult(result, Summary(result, flags), flags.json);
+  PrintResult(result, Summary(result, flags), flags.json);
   const bool written = WriteFailure(result, flags);
   const bool good = result["broken"] == 0 && result.value("differences", 0) == 0 &&
                     result.value("not_compared", 0) == 0;

@@ -28,7 +28,7 @@ std::string CheckProperty(const std::string& name) {
   return "";
 }
 
-void DescribeWhat(CLI::App* command, ExploreFlags* flags) {
+void AddTargetOptions(CLI::App* command, ExploreFlags* flags) {
   SimulationOptions& simulation = flags->stick.simulation;
   AddCommonFlags(command, &simulation);
   command->get_option("--seed")->description("The first seed");
@@ -49,7 +49,7 @@ void DescribeWhat(CLI::App* command, ExploreFlags* flags) {
       ->check(CLI::Validator(&CheckProperty, ""));
 }
 
-void DescribeHow(CLI::App* command, ExploreFlags* flags) {
+void AddSearchOptions(CLI::App* command, ExploreFlags* flags) {
   command->add_option("--runs", flags->plan.runs, "Number of seeds; of --exhaustive the most runs")
       ->check(CLI::Range(uint64_t{1}, kRunsMax))
       ->capture_default_str();
@@ -122,8 +122,8 @@ std::string ListOfProperties() {
 void AddExploreFlags(CLI::App* command, ExploreFlags* flags) {
   flags->plan.jobs = static_cast<int>(std::max(1L, sysconf(_SC_NPROCESSORS_ONLN)));
   flags->stick.simulation.body = "ideal";
-  DescribeWhat(command, flags);
-  DescribeHow(command, flags);
+  AddTargetOptions(command, flags);
+  AddSearchOptions(command, flags);
   command->footer(ListOfProperties());
 }
 

@@ -114,7 +114,7 @@ int ReplayFailure(ExploreFlags flags) {
   }
   Json result = answer;
   result["same"] = same;
-  TellResult(result, text, flags.json);
+  PrintResult(result, text, flags.json);
   if (flags.panel) return ShowFailure(flags, stick, schedule.seed, deviations, answer);
   bool good = !broken;
   if (broken && !flags.record_file.empty())

@@ -69,7 +69,7 @@ void SetStick(const ExploredStick& stick, const SharedConsole& console, ExploreP
   plan->prepare_run = [simulation] { return PrepareSimulation(simulation); };
 }
 
-void TellResult(const nlohmann::ordered_json& result, const std::string& text, bool as_json) {
+void PrintResult(const nlohmann::ordered_json& result, const std::string& text, bool as_json) {
   if (as_json) fmt::print("{}\n", JsonText(result));
   fmt::print(as_json ? stderr : stdout, "{}", text);
 }

@@ -47,6 +47,6 @@ void SetStick(const ExploredStick& stick, const SharedConsole& console, ExploreP
 
 // Prints `text` on standard output; with `as_json`, prints `result` there, and `text` on standard
 // error.
-void TellResult(const nlohmann::ordered_json& result, const std::string& text, bool as_json);
+void PrintResult(const nlohmann::ordered_json& result, const std::string& text, bool as_json);
 
 }  // namespace openr_host

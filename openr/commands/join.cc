@@ -143,9 +143,9 @@ Outcome Work(const WorkerOptions& options, bool is_known) {
     if (ending->object == nullptr) return;
     const CurrentScope scope(ending->object->system, ending->object);
     worker->ReportCrash(ending->finding.text());
-    // Calls TellHandled() after ReportCrash(), so that the run gets the report even if this call
-    // crashes.  TellHandled() prints the message whose handler has ended the process.
-    TellHandled(*ending);
+    // Calls PrintHandledMessage() after ReportCrash(), so that the run gets the report even if this
+    // call crashes.  PrintHandledMessage() prints the message whose handler has ended the process.
+    PrintHandledMessage(*ending);
   });
   const std::string problem = worker->Run();
   return {problem, worker->is_refused()};
@@ -255,7 +255,7 @@ void JoinedWorker::Begin(const std::string& stick) {
 // exception.  If `is_known`, an earlier worker has printed the same error already, so it is not
 // printed again.  If the exit code is kNeedsSanitizer, writes the path of the stick to the pipe
 // `stick_pipe`.
-int JoinHere(const JoinFlags& flags, bool is_known, int stick_pipe) {
+int JoinInThisProcess(const JoinFlags& flags, bool is_known, int stick_pipe) {
   try {
     std::string stick;
     const int code = JoinedWorker(flags).Run(is_known, &stick);
@@ -269,9 +269,9 @@ int JoinHere(const JoinFlags& flags, bool is_known, int stick_pipe) {
   }
 }
 
-// Runs JoinHere() in a child process and waits until the child process ends.  Returns the status
-// that waitpid() gives.  Sets `*child` to the child's process id, which the caller prints, and
-// `stick` to the path that the child has written to its pipe.
+// Runs JoinInThisProcess() in a child process and waits until the child process ends.  Returns the
+// status that waitpid() gives.  Sets `*child` to the child's process id, which the caller prints,
+// and `stick` to the path that the child has written to its pipe.
 int JoinInChild(const JoinFlags& flags, bool is_known, pid_t* child, std::string* stick) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0)
@@ -279,7 +279,7 @@ int JoinInChild(const JoinFlags& flags, bool is_known, pid_t* child, std::string
   *child = CopyProcess(Flushed::kNone, Orphan::kIsKilled);
   if (*child < 0) throw std::runtime_error(fmt::format("fork: {}", strerror(errno)));
   // Calls exit() and not EndCopy(), because this copy is a whole worker and runs its exit handlers.
-  if (*child == 0) exit(JoinHere(flags, is_known, ends[1]));
+  if (*child == 0) exit(JoinInThisProcess(flags, is_known, ends[1]));
   close(ends[1]);
   g_child = *child;
   // Passes on a signal that came before g_child was set, because it has not reached the child.
@@ -297,7 +297,7 @@ int JoinInChild(const JoinFlags& flags, bool is_known, pid_t* child, std::string
 // Each worker has a new process, so a crash does not harm the next worker.  Without a network,
 // prints one error and tries again.  If even the first worker has no network, returns an error,
 // because the flags for the network are probably wrong.
-int JoinAgainAndAgain(const JoinFlags& flags) {
+int JoinWithRestarts(const JoinFlags& flags) {
   constexpr unsigned kPause_s = 1;
   HandleEndSignals(0);
   bool is_offline = false;
@@ -355,7 +355,7 @@ void AddJoinCommand(CLI::App* app, int* exit_code) {
   command->callback([flags, exit_code] {
     if (!flags->worker.stick.empty()) StartWithSanitizerOf(flags->worker.stick);
     flags->worker.waits_for_predecessor = flags->restarts;
-    const int code = flags->restarts ? JoinAgainAndAgain(*flags) : JoinedWorker(*flags).Run();
+    const int code = flags->restarts ? JoinWithRestarts(*flags) : JoinedWorker(*flags).Run();
     *exit_code = code == kRefused && !flags->restarts ? kExitWrong : code;
   });
 }

@@ -50,7 +50,7 @@ constexpr Command kCommands[] = {
 
 // Prints the error `why` on standard error.  With `as_json`, because the user gave --json, also
 // prints it as a JSON object on standard output.
-void TellFailure(const std::string& why, bool as_json) {
+void PrintFailure(const std::string& why, bool as_json) {
   const std::string name = Coloured(Colour::kError, "openr:", HasColours(STDERR_FILENO));
   std::fprintf(stderr, "%s %s\n", name.c_str(), why.c_str());
   if (!as_json) return;
@@ -69,7 +69,7 @@ int PrintAskedFor(const CLI::App& app, const CLI::ParseError& error, int argc, c
   } catch (const ReaderGone&) {
     return kExitReaderGone;
   } catch (const std::exception& failure) {
-    TellFailure(failure.what(), false);
+    PrintFailure(failure.what(), false);
     return kExitWrong;
   }
 }
@@ -106,13 +106,13 @@ int RunProgram(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return PrintAskedFor(app, error, argc, argv);
-    TellFailure(ExplainCommandLine(app, error), as_json);
+    PrintFailure(ExplainCommandLine(app, error), as_json);
     std::fprintf(stderr, "'%s' tells more\n", HelpWords(app).c_str());
     return kExitCommandLine;
   } catch (const ReaderGone&) {
     return kExitReaderGone;
   } catch (const std::filesystem::filesystem_error& error) {
-    TellFailure(Explain(error), as_json);
+    PrintFailure(Explain(error), as_json);
     return kExitWrong;
   } catch (const std::system_error& error) {
     // If standard output cannot be written, fmt::print() has thrown this error, so the answer of
@@ -120,11 +120,11 @@ int RunProgram(int argc, char** argv) {
     if (std::ferror(stdout) != 0) {
       NoteLostAnswer(error.code().value());
     } else {
-      TellFailure(error.what(), as_json);
+      PrintFailure(error.what(), as_json);
     }
     return kExitWrong;
   } catch (const std::exception& error) {
-    TellFailure(error.what(), as_json);
+    PrintFailure(error.what(), as_json);
     return kExitWrong;
   }
   return exit_code;

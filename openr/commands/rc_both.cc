@@ -42,7 +42,7 @@ struct Partner {
   Json refusal;  // answer for --json if the robot has refused the request; else null
 };
 
-void Act(Partner* robot, const RcFlags& flags, const RcAction& action) {
+void PerformOne(Partner* robot, const RcFlags& flags, const RcAction& action) {
   const RcRobotLabel label(robot->address);
   try {
     action(robot->connection.get(), flags);
@@ -110,8 +110,8 @@ int PerformAtBoth(const RcFlags& flags, const RcAction& action) {
     robot.connection =
         std::make_unique<remote::Connection>(remote::ParseAddress(robot.address), OptionsOf(flags));
   }
-  std::thread second([&] { Act(&robots[1], flags, action); });
-  Act(&robots[0], flags, action);
+  std::thread second([&] { PerformOne(&robots[1], flags, action); });
+  PerformOne(&robots[0], flags, action);
   second.join();
   int exit_code = kExitGood;
   for (const Partner& robot : robots) {

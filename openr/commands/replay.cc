@@ -173,7 +173,7 @@ int Replay(ReplayFlags flags) {
                            replayer.count() == 1 ? "was" : "were")
                    .c_str(),
                stderr);
-    TellHandled(*ending);
+    PrintHandledMessage(*ending);
   });
   const int64_t until_us = flags.until_us.value_or(INT64_MAX);
   const int terminal = flags.json ? -1 : STDERR_FILENO;

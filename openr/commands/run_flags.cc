@@ -162,7 +162,7 @@ void DescribeNetwork(CLI::App* command, RunFlags* flags) {
 
 // Returns the reason why a run with the flags `flags` cannot take the picture that `plan`, a value
 // of --snapshot, asks for; "" if it can.
-std::string Misfit(const PictureRequest& plan, const RunFlags& flags) {
+std::string PictureProblem(const PictureRequest& plan, const RunFlags& flags) {
   if (plan.robot >= flags.simulation.robots) return fmt::format("there is no robot {}", plan.robot);
   if (flags.for_us && plan.time_us > *flags.for_us) {
     return fmt::format("t={} is after the end of the run (--for {}); t=end is its end",
@@ -182,7 +182,7 @@ std::vector<PictureRequest> PictureRequests(const RunFlags& flags) {
     PictureRequest plan;
     plan.file = flags.snapshot_files[i];
     std::string problem = ParsePictureRequest(flags.snapshots[i], &plan);
-    if (problem.empty()) problem = Misfit(plan, flags);
+    if (problem.empty()) problem = PictureProblem(plan, flags);
     if (!problem.empty()) throw CLI::ValidationError("--snapshot", problem);
     plans.push_back(std::move(plan));
   }

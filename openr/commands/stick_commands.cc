@@ -92,23 +92,23 @@ void AskAll(WlanConfig* config) {
       "as well: openr help stick wlan");
 }
 
-void TellNote(const std::string& text) {
+void PrintNote(const std::string& text) {
   const std::string begin = Coloured(Colour::kNote, "openr: note:", HasColours(STDERR_FILENO));
   fmt::print(stderr, "{} {}\n", begin, text);
 }
 
 // Prints a note on standard error if the flags leave WEP on with the key of Sony's file, which is
 // probably not the key of the user's network.
-void TellDefaultKey(const WlanFlags& flags) {
+void WarnOfDefaultKey(const WlanFlags& flags) {
   if (!flags.is_given || flags.has_key || !flags.config.wep_enable) return;
-  TellNote(
+  PrintNote(
       fmt::format("WEP is on with the key of Sony's file, {}; --wep-key gives another one, "
                   "--no-wep is for a network without encryption",
                   flags.config.wep_key));
 }
 
 // Prints warnings on standard error about wireless settings in the file that make no sense.
-void TellSense(const std::string& file, const std::string& text) {
+void WarnOfWlanSettings(const std::string& file, const std::string& text) {
   fmt::print(stderr, "{}", Render(CheckWlanSettings(file, ParseWlanConfig(file, text))));
 }
 
@@ -127,7 +127,7 @@ int WriteWlan(WlanCommand command) {
   if (!command.stick.empty() && FindEntry(command.stick, "OPEN-R").empty())
     ThrowNoStick(command.stick);
   if (!command.wlan.is_given) AskAll(&command.wlan.config);
-  TellDefaultKey(command.wlan);
+  WarnOfDefaultKey(command.wlan);
   const std::string text = WlanText(command.wlan.config);
   if (command.stick.empty() && command.output.empty()) {
     PrintAnswer(text);
@@ -139,7 +139,7 @@ int WriteWlan(WlanCommand command) {
   } else if (const std::string problem = WriteFile(file, text); !problem.empty()) {
     throw std::runtime_error(problem);
   }
-  TellSense(file, text);
+  WarnOfWlanSettings(file, text);
   PrintAnswer(fmt::format("wrote {}\n", file));
   return kExitGood;
 }
@@ -209,11 +209,11 @@ int MakeNew(NewCommand command) {
                     name));
   }
   if (command.stick.images.empty())
-    TellNote(
+    PrintNote(
         "no IMAGE is named, so the stick has no object of yours; name your .BIN files in "
         "the order to load them");
-  TellDefaultKey(command.wlan);
-  if (command.wlan.is_given) TellSense("WLANCONF.TXT", command.stick.wlan);
+  WarnOfDefaultKey(command.wlan);
+  if (command.wlan.is_given) WarnOfWlanSettings("WLANCONF.TXT", command.stick.wlan);
   const std::string openr = ShellWord(ProgramCall());
   PrintAnswer(fmt::format("\nwhat a robot needs beyond that:\n{0} stick check {1} --robot {2}\n",
                           openr, word, command.robot));

@@ -15,7 +15,7 @@ RobotCommand LimitCommand(RcCommand command, int joint, Sint32 value, const std:
 
 JointCommands::JointCommands(const RobotConstants* robot) : robot_(robot) {
   for (int j = 0; j < robot->numJoints; ++j) {
-    Sent sent;
+    SentCommand sent;
     // Begins with the limits that a robot has after its start, so that the first change is noticed.
     sent.speed = robot->joints[j].maxSpeedCdeg;
     sent.acceleration = robot->defaultAccelerationCdeg;
@@ -49,7 +49,7 @@ std::vector<RobotCommand> JointCommands::Changes(const BatchMoverCommand& now, b
 
 void JointCommands::AddPosition(int joint, const BatchJoint& now, bool is_playing,
                                 std::vector<RobotCommand>* commands) {
-  Sent& sent = sent_[static_cast<size_t>(joint)];
+  SentCommand& sent = sent_[static_cast<size_t>(joint)];
   const std::string name = robot_->joints[joint].name;
   const auto index = static_cast<uint8_t>(joint);
   if ((now.flags & batchMOTOR_OFF) != 0) {

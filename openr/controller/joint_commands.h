@@ -39,7 +39,7 @@ class JointCommands {
   void Forget(int joint) { sent_[static_cast<size_t>(joint)].position.reset(); }
 
  private:
-  struct Sent {
+  struct SentCommand {
     // The commanded position of the joint that was sent last, in 0.01 degree; nullopt: none was
     // sent.
     std::optional<Sint32> position;
@@ -52,7 +52,7 @@ class JointCommands {
                    std::vector<RobotCommand>* commands);
 
   const RobotConstants* const robot_;
-  std::vector<Sent> sent_;
+  std::vector<SentCommand> sent_;
 };
 
 }  // namespace openr_host

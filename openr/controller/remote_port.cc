@@ -147,7 +147,8 @@ void RemotePort::StoreSensors(const remote::Sensors& sensors, uint32_t frame) {
   if (!playing_.empty() && !IsAfter(frame, play_frame_)) return;
   state_ = sensors.state == 0xff ? -1 : sensors.state;
   const int key_frame = sensors.keyFrame.empty() ? -1 : sensors.keyFrame[0];
-  if (!playing_.empty()) TellMotion(key_frame, state_ == moverACCEPTING_COMMANDS && key_frame < 0);
+  if (!playing_.empty())
+    StoreMotionState(key_frame, state_ == moverACCEPTING_COMMANDS && key_frame < 0);
   for (const auto& [joint, why] : busy_) {
     if (state_ > moverACCEPTING_COMMANDS) {
       // Marks the position of the joint as not sent, so that Changes() returns it again when the
@@ -160,7 +161,7 @@ void RemotePort::StoreSensors(const remote::Sensors& sensors, uint32_t frame) {
   busy_.clear();
 }
 
-void RemotePort::TellMotion(int key_frame, bool is_over) {
+void RemotePort::StoreMotionState(int key_frame, bool is_over) {
   SetValueMessage message{};
   message.state = state_;
   message.keyFrame = key_frame;
@@ -280,7 +281,7 @@ void RemotePort::SendMover(const MoverCommand& command) {
   };
   if (Guarded(play, &refusal)) return;
   Say(fmt::format("mtn_play: {} was refused: {}", playing_, refusal));
-  TellMotion(-1, true);
+  StoreMotionState(-1, true);
 }
 
 // ---- Functions that read files: motions of the controller's folder or of the robot's stick

@@ -89,7 +89,7 @@ class RemotePort : public ControllerPort {
 
   void HandleEvent(const openr::remote::Event& event);
   void StoreSensors(const openr::remote::Sensors& sensors, uint32_t frame);
-  void TellMotion(int key_frame, bool is_over);
+  void StoreMotionState(int key_frame, bool is_over);
   void HandleAnswers(bool waits);
   void CopyNewPicture();
   void ShowLife();

@@ -165,7 +165,7 @@ void McapLog::AddImages(int64_t now_us) {
     const bool is_early =
         camera.last_us >= 0 && now_us - camera.last_us < options_.image_distance_us;
     const bool is_off = simulation_->system().robot(static_cast<int>(i)).powered_off;
-    if (camera.is_broken || is_early || is_off || !robot->ImageIsDue()) continue;
+    if (camera.is_broken || is_early || is_off || !robot->HasNewImage()) continue;
     if (const std::string problem = robot->CopyPicture(&picture_); !problem.empty()) {
       camera.is_broken = true;
       AddText(findings_, now_us, kLogError, "camera", problem);

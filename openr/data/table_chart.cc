@@ -106,7 +106,7 @@ class ChartMaker {
                                            panels_.size(), kPanelsMax));
     }
     LayOut();
-    for (const Chosen& chosen : panels_) AddPanel(chosen);
+    for (const ChosenPanel& chosen : panels_) AddPanel(chosen);
     const bool is_empty =
         std::all_of(chart_.panels.begin(), chart_.panels.end(), [](const chart::Panel& panel) {
           return std::all_of(panel.curves.begin(), panel.curves.end(),
@@ -118,7 +118,7 @@ class ChartMaker {
 
  private:
   // A panel of the chart, and the quantities that are drawn in this panel.
-  struct Chosen {
+  struct ChosenPanel {
     std::string title;
     std::vector<const Series*> series;
   };
@@ -167,8 +167,9 @@ class ChartMaker {
   // Adds a quantity to the panel of the chart with the title `title`, if such a panel exists among
   // the panels from number `first` on.  Else adds it to a new panel.
   void Add(const std::string& title, const Series* series, size_t first = 0) {
-    const auto panel = std::find_if(panels_.begin() + static_cast<ptrdiff_t>(first), panels_.end(),
-                                    [&](const Chosen& chosen) { return chosen.title == title; });
+    const auto panel =
+        std::find_if(panels_.begin() + static_cast<ptrdiff_t>(first), panels_.end(),
+                     [&](const ChosenPanel& chosen) { return chosen.title == title; });
     if (panel == panels_.end()) {
       panels_.push_back({title, {series}});
     } else {
@@ -185,7 +186,7 @@ class ChartMaker {
     chart_.plot_height = panels_.size() == 1 ? 300 : 150;
   }
 
-  void AddPanel(const Chosen& chosen) {
+  void AddPanel(const ChosenPanel& chosen) {
     const std::string& name = chosen.series.front()->name;
     const QuantityUnit unit = AngleGroupOf(name) != nullptr ? kAngle : UnitOfQuantity(name);
     chart::Panel panel{chosen.title, unit.text, {}, unit.span_min};
@@ -208,7 +209,7 @@ class ChartMaker {
 
   const Table& table_;
   const PlotRequest& request_;
-  std::vector<Chosen> panels_;
+  std::vector<ChosenPanel> panels_;
   Chart chart_;
 };
 

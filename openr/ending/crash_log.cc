@@ -117,7 +117,7 @@ void AddName(int signal, const siginfo_t& info, const void* context, SignalText*
 // the warning, and masks this kind of error, so that the instruction runs again without a signal.
 // Returns false if the error must end the run: a division of integers by 0 or, with --strict, a
 // NaN.
-bool GoesOnInSignal(const siginfo_t& info, void* context) {
+bool ContinueInSignal(const siginfo_t& info, void* context) {
 #if defined(__x86_64__)
   const unsigned kind = KindOf(info);
   if (kind == 0 || t_current.object == nullptr) return false;
@@ -166,7 +166,7 @@ class RecordFile {
 
   // Prints on standard error that the crash record was written to its file, or why it was not
   // written.  Returns true if it was written.
-  bool Tell() const {
+  bool PrintWriteResult() const {
     if (name_ == nullptr) return false;
     SignalText note;
     if (error_ == 0) {
@@ -265,14 +265,14 @@ void WriteRecordInSignal(Ending* ending, RobotException* exception, const void* 
   WriteRobotRecord(*exception, *ending->object,
                    [&file](const SignalText& text) { file.Write(text); });
   stack.AddPlace(&ending->finding);
-  if (file.Tell() && g_place->has_value())
+  if (file.PrintWriteResult() && g_place->has_value())
     ending->finding.Add("; record: ").Add(*name).Add(**g_place);
 }
 
 // Handles SIGSEGV, SIGBUS, SIGFPE and SIGILL: ends the process with a crash record if an object was
 // running.
 void OnCrashSignal(int signal, siginfo_t* info, void* context) {
-  if (signal == SIGFPE && GoesOnInSignal(*info, context)) return;
+  if (signal == SIGFPE && ContinueInSignal(*info, context)) return;
   Ending ending;
   SignalText& text = ending.record;
   SignalText name;
@@ -389,7 +389,7 @@ CrashLog::~CrashLog() {
 void CrashLog::RemoveOldRecords(const std::string& file) {
   // Ignores errors when it removes the file of an old crash record.  A file that does not exist
   // need not be removed.  If the file cannot be removed, writing the new crash record to it will
-  // most likely fail too, and RecordFile::Tell() reports that.
+  // most likely fail too, and RecordFile::PrintWriteResult() reports that.
   std::error_code error;
   std::filesystem::remove(file, error);
 }

@@ -21,7 +21,7 @@ const char* LastPart(const char* path) {
   return slash == nullptr ? path : slash + 1;
 }
 
-struct Walk {
+struct StackWalk {
   uintptr_t* addresses;
   size_t max;
   size_t count = 0;
@@ -29,7 +29,7 @@ struct Walk {
 };
 
 _Unwind_Reason_Code StoreFrame(_Unwind_Context* context, void* data) {
-  Walk* const walk = static_cast<Walk*>(data);
+  StackWalk* const walk = static_cast<StackWalk*>(data);
   int is_interrupted = 0;
   const uintptr_t address = _Unwind_GetIPInfo(context, &is_interrupted);
   walk->is_outside = walk->is_outside || is_interrupted != 0;
@@ -44,7 +44,7 @@ _Unwind_Reason_Code StoreFrame(_Unwind_Context* context, void* data) {
 // Finds the caller when the process crashed because it called an address without code, such as a
 // null pointer to a function.  The unwinder cannot find the caller then, but the return address is
 // on top of the stack.  Returns an address inside of the call instruction.
-uintptr_t CallerOfNothing([[maybe_unused]] const void* context) {
+uintptr_t CallerOfNullCall([[maybe_unused]] const void* context) {
 #if defined(__x86_64__)
   const auto* const machine = &static_cast<const ucontext_t*>(context)->uc_mcontext;
   return *reinterpret_cast<const uintptr_t*>(machine->gregs[REG_RSP]) - 1;
@@ -57,10 +57,10 @@ uintptr_t CallerOfNothing([[maybe_unused]] const void* context) {
 
 CrashStack::CrashStack(const Object& object, const void* context) {
   uintptr_t addresses[kFramesMax];
-  Walk walk{static_cast<uintptr_t*>(addresses), kFramesMax};
+  StackWalk walk{static_cast<uintptr_t*>(addresses), kFramesMax};
   _Unwind_Backtrace(&StoreFrame, &walk);
   for (size_t i = 0; i < walk.count; ++i) Add(addresses[i], object);
-  if (count_ == 1) Add(CallerOfNothing(context), object);
+  if (count_ == 1) Add(CallerOfNullCall(context), object);
   size_t last_own = count_;
   while (last_own > 0 && !frames_[last_own - 1].is_own) --last_own;
   if (last_own > 0) count_ = last_own;

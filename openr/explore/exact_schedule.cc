@@ -83,7 +83,7 @@ void ExactSchedule::BeginEvent(ObjectId target, size_t node) {
   used_ = {BitOf(target), 0};
 }
 
-void ExactSchedule::SawDelivery(const Message& message) {
+void ExactSchedule::OnDelivery(const Message& message) {
   // Recognises a message that came without a choice, because its receiver was the only candidate.
   const bool was_chosen = has_event_ && !is_begun_ && event_target_ == message.target;
   if (!was_chosen) {
@@ -106,7 +106,7 @@ void ExactSchedule::FinishEvent() {
                 [this](const auto& sleeper) { return !reduce_ || sleeper.second.Meets(used_); });
 }
 
-void ExactSchedule::SawPost(const Message& message) { used_.queues |= BitOf(message.target); }
+void ExactSchedule::OnPost(const Message& message) { used_.queues |= BitOf(message.target); }
 
 void ExactSchedule::AddMemoryOf(ObjectId id) {
   if (id != kNoObject) used_.memory |= BitOf(id);
@@ -120,7 +120,7 @@ void ExactSchedule::AddHeld(const Object& object) {
   }
 }
 
-Json ExactSchedule::Tell() {
+Json ExactSchedule::Result() {
   FinishEvent();
   Json nodes = Json::array();
   for (const Node& node : nodes_) {

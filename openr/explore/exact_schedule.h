@@ -62,7 +62,7 @@ class ExactSchedule : public ExploreSchedule {
   // receiver was the only candidate and the delivery to it sleeps, because the run would then
   // repeat an order of an earlier run.  Called for every message before the handler of the receiver
   // runs.
-  void SawDelivery(const Message& message);
+  void OnDelivery(const Message& message);
 
   // Returns whether this run was cut, that is, stopped early.  A run is cut when every delivery
   // that could come next is asleep and so would only repeat an order of an earlier run.
@@ -73,14 +73,14 @@ class ExactSchedule : public ExploreSchedule {
   // has the objects that the chosen delivery concerned.  "sleep" has the SleepSet before the
   // choice.  For choices that the search made, "sleep" is empty, because the search already knows
   // the SleepSet.
-  nlohmann::ordered_json Tell();
+  nlohmann::ordered_json Result();
 
  protected:
   size_t PickOf(const Deviation& spot, const std::vector<ObjectId>& candidates) override;
   int64_t PickDelayUs(const Deviation&, bool) override { return 0; }
   int64_t PickCostUs(const Deviation&, int64_t) override { return 0; }
   int64_t PickFrame(const Deviation&, int64_t) override { return 0; }
-  void SawPost(const Message& message) override;
+  void OnPost(const Message& message) override;
 
  private:
   static constexpr size_t kNone = SIZE_MAX;

@@ -71,7 +71,7 @@ bool ExploreSchedule::IsNetwork(ObjectId id) {
 // Three kinds of messages are never delayed (docs/exploring.md): answers to Call(), messages to
 // which the sender has given a delay, and messages to system objects.
 int64_t ExploreSchedule::ExtraDelayUs(const Message& message, int64_t now_us, int64_t delay_us) {
-  SawPost(message);
+  OnPost(message);
   if (message.is_reply || delay_us != 0 || system_.object(message.target)->is_system) return 0;
   const bool of_its_own = message.sender == kNoObject || message.sender == message.target;
   const bool from_network = !of_its_own && IsNetwork(message.sender);

@@ -82,7 +82,7 @@ class ExploreSchedule : public Schedule {
   virtual std::vector<Deviation> PickFaults(int /*robots*/, int64_t /*for_us*/) { return {}; }
   // Called for every message when it is posted, that is, sent.  Derived classes override it if
   // their choices depend on the senders and receivers of messages.
-  virtual void SawPost(const Message&) {}
+  virtual void OnPost(const Message&) {}
 
   const System& system() const { return system_; }
 

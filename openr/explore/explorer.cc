@@ -70,7 +70,7 @@ class Sum {
     if (plan_.progress) plan_.progress(runs_);
   }
 
-  Json Tell(ExplorerProcesses* pool) const {
+  Json Result(ExplorerProcesses* pool) const {
     Json sum = {{"runs", runs_},
                 {"broken", broken_},
                 {"ended_by", ended_by_},
@@ -125,7 +125,7 @@ Json ExploreSeeds(const ExplorePlan& plan) {
         return Json{{"seed", next_seed++}};
       },
       [&](size_t number, Json answer) { sorter.Put(number, std::move(answer)); });
-  return sum.Tell(&pool);
+  return sum.Result(&pool);
 }
 
 Json VerifySeeds(const ExplorePlan& plan) {
@@ -133,14 +133,14 @@ Json VerifySeeds(const ExplorePlan& plan) {
   Sum sum(plan);
   // Counts the seeds for which the field `mark` of the run's answer, such as "differs", is true,
   // and keeps the first kSeedsNamed of these seeds.
-  struct Marked {
+  struct MarkedSeeds {
     uint64_t count = 0;
     Json seeds = Json::array();
     void Add(const Json& answer, const char* mark) {
       if (answer[mark] && ++count <= kSeedsNamed) seeds.push_back(answer["seed"]);
     }
   };
-  Marked different, dependent, not_compared;
+  MarkedSeeds different, dependent, not_compared;
   AnswerSorter sorter([&](const Json& answer) {
     if (sum.wants_more()) {
       different.Add(answer, "differs");
@@ -156,7 +156,7 @@ Json VerifySeeds(const ExplorePlan& plan) {
         return Json{{"seed", next_seed++}, {"twice", true}};
       },
       [&](size_t number, Json answer) { sorter.Put(number, std::move(answer)); });
-  Json result = sum.Tell(&pool);
+  Json result = sum.Result(&pool);
   result["differences"] = different.count;
   result["different_seeds"] = std::move(different.seeds);
   result["address_dependent"] = dependent.count;

@@ -66,15 +66,15 @@ class PlanRun {
   Json Run() {
     SetSchedule(&prepared_, plan_.at("seed").get<uint64_t>(), schedule_.get(), until_us_);
     const int sink = system_.trace().AddSink(
-        [this](const TraceRecord& record, const Message& message) { Saw(record, message); });
+        [this](const TraceRecord& record, const Message& message) { OnDelivery(record, message); });
     system_.Boot();
     while (system_.now_us() < until_us_ && !system_.powered_off() && broken_.is_null()) {
       RunTo(std::min(system_.now_us() + slice_us_, until_us_));
       if (WasCut()) break;
-      Look();
+      CheckProperties();
     }
     system_.trace().RemoveSink(sink);
-    if (broken_.is_null() && !WasCut()) LookAtEnd();
+    if (broken_.is_null() && !WasCut()) CheckPropertiesAtEnd();
     return Answer();
   }
 
@@ -86,10 +86,10 @@ class PlanRun {
     std::string content;  // content of the message, from ContentOf(), cut to kDecodedBytesMax bytes
   };
 
-  void Saw(const TraceRecord& record, const Message& message) {
+  void OnDelivery(const TraceRecord& record, const Message& message) {
     last_message_ = record.number;
     if (IsActivity(system_, message)) view_.last_activity_us = record.time_us;
-    if (exact_ != nullptr) exact_->SawDelivery(message);
+    if (exact_ != nullptr) exact_->OnDelivery(message);
     if (tail_max_ == 0) return;
     tail_.push_back({record, ContentOf(message).substr(0, kDecodedBytesMax)});
     if (tail_.size() > tail_max_) tail_.pop_front();
@@ -105,7 +105,7 @@ class PlanRun {
     }
   }
 
-  void Look() {
+  void CheckProperties() {
     if (properties_.empty()) return;
     for (size_t i = 0; i < standing_.size(); ++i) {
       standing_[i].Sample(prepared_.robots[i]->body().state(), system_.now_us());
@@ -115,7 +115,7 @@ class PlanRun {
     }
   }
 
-  void LookAtEnd() {
+  void CheckPropertiesAtEnd() {
     for (const auto& property : properties_) {
       if (broken_.is_null()) Break(property->name(), property->CheckEnd(view_));
     }
@@ -154,17 +154,17 @@ class PlanRun {
   Json Answer() {
     Json answer = {{"seed", plan_.at("seed")},
                    {"time_us", system_.now_us()},
-                   {"ended_by", WhatEndedIt()},
+                   {"ended_by", EndKindName()},
                    {"messages", system_.message_count()},
                    {"state", fmt::format("{:016x}", system_.state_hash())},
                    {"trace", fmt::format("{:016x}", system_.trace_hash())}};
     CountFindings(&answer);
     AddBroken(&answer);
-    if (exact_ != nullptr) answer["exact"] = exact_->Tell();
+    if (exact_ != nullptr) answer["exact"] = exact_->Result();
     return answer;
   }
 
-  const char* WhatEndedIt() const {
+  const char* EndKindName() const {
     if (system_.end()) return EndName(system_.end()->kind);
     return broken_.is_null() ? EndName(EndKind::kTime) : "property";
   }

@@ -37,7 +37,7 @@ struct RunOptions {
 //   "deviations"  if a property is broken or the plan asks for them
 //   "waits"       if a property is broken: a text for each object that waits for something
 //   "tail"        the last messages, a text for each
-//   "exact"       the result for the search (ExactSchedule::Tell())
+//   "exact"       the result for the search (ExactSchedule::Result())
 // Throws std::runtime_error when the plan does not fit the prepared run.
 //
 // `prepared` can be used only once, because the robot cannot boot again.  Each deviation is also

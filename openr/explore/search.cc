@@ -41,7 +41,7 @@ class Search {
       AddRun(pool_.RunOne(NextPlan()));
       if (failure_ && plan_.stop_at_first) stopped_ = "at the first broken property";
     } while (stopped_.empty() && Backtrack());
-    return Tell();
+    return Result();
   }
 
  private:
@@ -122,7 +122,7 @@ class Search {
     return covered;
   }
 
-  Json Tell() {
+  Json Result() {
     Json result = {{"runs", runs_},         {"orders", orders_},
                    {"cut", cut_},           {"broken", broken_},
                    {"ended_by", ended_by_}, {"complete", stopped_.empty()},

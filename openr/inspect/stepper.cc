@@ -285,7 +285,7 @@ class Stepper {
 
   // Handles the commands that take a number: step, back and delete.  `verb` is the first word of
   // the line, `rest` the text after it.  Returns false if `verb` is another command.
-  bool ObeyWithNumber(const std::string& verb, const std::string& rest) {
+  bool HandleNumberCommand(const std::string& verb, const std::string& rest) {
     const bool steps = verb == "step" || verb == "s", backs = verb == "back" || verb == "b";
     if (!steps && !backs && verb != "delete") return false;
     const auto number = rest.empty() ? std::optional<uint64_t>(1) : NumberIn(rest);
@@ -311,7 +311,7 @@ class Stepper {
     words >> verb;
     std::getline(words >> std::ws, rest);
     rest.erase(rest.find_last_not_of(" \t\r") + 1);
-    if (ObeyWithNumber(verb, rest)) return true;
+    if (HandleNumberCommand(verb, rest)) return true;
     if (verb == "goto" || verb == "g") {
       Goto(rest);
     } else if (verb == "run" || verb == "r") {

@@ -342,7 +342,7 @@ const TraceEntry* TraceReader::Peek() {
     ended_ = true;
     return nullptr;
   }
-  Learn(*next_);
+  StoreEntry(*next_);
   if (next_->kind == TraceEntry::Kind::kEnd) {
     ended_ = true;
     if (!block_->AtEnd() || at_ < bytes_.size()) Damaged("there are bytes after the end");
@@ -357,7 +357,7 @@ TraceEntry TraceReader::Take() {
   return entry;
 }
 
-void TraceReader::Learn(const TraceEntry& entry) {
+void TraceReader::StoreEntry(const TraceEntry& entry) {
   if (entry.kind == TraceEntry::Kind::kMessage) last_ = entry.record;
   if (entry.kind == TraceEntry::Kind::kEnded) why_ended_ = {entry.name, entry.payload};
   if (entry.kind == TraceEntry::Kind::kObject) objects_[entry.id] = {entry.robot, entry.name};

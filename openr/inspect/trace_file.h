@@ -269,7 +269,7 @@ class TraceReader {
   bool NextBlock();
   void Damaged(const std::string& what);
   std::string PlaceText() const;
-  void Learn(const TraceEntry& entry);
+  void StoreEntry(const TraceEntry& entry);
 
   const std::string file_;
   RecordingBytes bytes_;

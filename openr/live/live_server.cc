@@ -160,13 +160,13 @@ nlohmann::ordered_json LiveServer::BeginWatch(Client* client, const nlohmann::js
   }
   client->watches = std::move(watches);
   client->cursor = {};
-  TellWatchedEvents();
+  SendWatchedEvents();
   return {{"watching", !client->watches.empty()}};
 }
 
 // Tells `events_` whether any client watches the event "graph", because messages are kept only for
 // such clients.
-void LiveServer::TellWatchedEvents() {
+void LiveServer::SendWatchedEvents() {
   if (events_ == nullptr) return;
   const auto is_graph = [](const Watch& watch) {
     return std::string_view(LiveEvents::Kinds()[watch.kind].name) == "graph";
@@ -237,7 +237,7 @@ void LiveServer::ServeAll() {
     if (couplings_ != nullptr) couplings_->End(client.number);
     return true;
   });
-  if (clients_.size() != count) TellWatchedEvents();
+  if (clients_.size() != count) SendWatchedEvents();
 }
 
 void LiveServer::Serve() {

@@ -52,14 +52,14 @@ class Curve {
 
 // The straight line that best describes the positions in motion B as a function of the positions in
 // motion A.
-struct Fit {
+struct FittedLine {
   double gain = 0;
   // Fraction of the variance of motion B that the straight line (offset and gain) does not explain,
   // 0 to 1.
   double unexplained = 1;
 };
 
-Fit FitLine(const std::vector<double>& a, const std::vector<double>& b) {
+FittedLine FitLine(const std::vector<double>& a, const std::vector<double>& b) {
   const auto n = static_cast<double>(a.size());
   double sum_a = 0, sum_b = 0;
   for (size_t i = 0; i < a.size(); ++i) {

@@ -63,7 +63,7 @@ int LagMeter::LiveliestJoint(int64_t from_ms) const {
 // Returns how badly the follower's positions since `from_ms` fit the leader's positions `lag_ms`
 // earlier: the variance of the difference of the positions, divided by the variance of the leader's
 // positions.  A constant difference counts as a perfect fit.
-double LagMeter::Misfit(int joint, int64_t lag_ms, int64_t from_ms) const {
+double LagMeter::RelativeError(int joint, int64_t lag_ms, int64_t from_ms) const {
   const auto j = static_cast<size_t>(joint);
   double n = 0, sum = 0, squares = 0, leader_sum = 0, leader_squares = 0;
   size_t after = 1;
@@ -95,7 +95,7 @@ std::optional<int64_t> LagMeter::LagMs() const {
   if (joint < 0) return std::nullopt;
   std::vector<double> misfits;
   for (int64_t lag_ms = 0; lag_ms <= kLagMaxMs; lag_ms += kStepMs)
-    misfits.push_back(Misfit(joint, lag_ms, from_ms));
+    misfits.push_back(RelativeError(joint, lag_ms, from_ms));
   const double best = *std::min_element(misfits.begin(), misfits.end());
   if (best > kMisfitMax) return std::nullopt;
   // Takes the smallest lag at which the misfit of the two movements has a good minimum, because a

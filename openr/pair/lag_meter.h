@@ -44,7 +44,7 @@ class LagMeter {
 
   static void Add(Series* series, int64_t time_ms, const std::vector<int32_t>& joints);
   int LiveliestJoint(int64_t from_ms) const;
-  double Misfit(int joint, int64_t lag_ms, int64_t from_ms) const;
+  double RelativeError(int joint, int64_t lag_ms, int64_t from_ms) const;
 
   Series leader_, follower_;
 };

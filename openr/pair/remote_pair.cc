@@ -98,7 +98,7 @@ bool PairControl::is_ended() const {
   return is_ended_;
 }
 
-void PairControl::Heard() const {
+void PairControl::ClearDescriptor() const {
   eventfd_t count = 0;
   eventfd_read(descriptor_, &count);
 }
@@ -214,7 +214,7 @@ void RemotePair::Wait(const PairControl& control) {
                      {sides_[kSecond].robot->descriptor(), POLLIN, 0},
                      {control.descriptor(), POLLIN, 0}};
   poll(waited, 3, kTellMs / 2);
-  control.Heard();
+  control.ClearDescriptor();
   now_ms_ = WallClockMs();
 }
 

@@ -75,10 +75,10 @@ class PairControl {
 
   PairSettings settings() const;
   bool is_ended() const;
-  // Returns a descriptor that becomes readable when SetSettings() or End() is called.  Heard()
-  // resets it.
+  // Returns a descriptor that becomes readable when SetSettings() or End() is called.
+  // ClearDescriptor() resets it.
   int descriptor() const { return descriptor_; }
-  void Heard() const;
+  void ClearDescriptor() const;
 
  private:
   const int descriptor_;

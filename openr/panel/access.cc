@@ -48,7 +48,7 @@ std::string Access::Url(const std::string& token) const {
                      token);
 }
 
-bool Access::IsOurs(std::string_view host) const {
+bool Access::IsPanelAddress(std::string_view host) const {
   if (!host.ends_with(port_)) return false;
   const std::string name(host.substr(0, host.size() - port_.size()));
   // Accepts "localhost" and no other name, because the name of another site can be made to lead to
@@ -60,11 +60,11 @@ bool Access::IsOurs(std::string_view host) const {
 }
 
 std::string Access::SocketSource(const std::string& host) const {
-  return IsOurs(host) ? "ws://" + host : "";
+  return IsPanelAddress(host) ? "ws://" + host : "";
 }
 
 std::string Access::FileRefusal(const WebRequest& request) const {
-  if (IsOurs(request.host)) return "";
+  if (IsPanelAddress(request.host)) return "";
   return address_ == kAnyAddress
              ? fmt::format(
                    "this is the panel of openr; open it by an address of this computer, as "

@@ -41,7 +41,7 @@ class Access {
   std::string SocketRefusal(const WebRequest& request) const;
 
  private:
-  bool IsOurs(std::string_view host) const;
+  bool IsPanelAddress(std::string_view host) const;
 
   const std::string token_;
   const std::string address_;

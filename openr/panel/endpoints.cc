@@ -61,7 +61,7 @@ remote::Address AddressInRun(const LiveRun& run, size_t robot) {
   return {"127.0.0.1", static_cast<uint16_t>(ports[robot])};
 }
 
-void CheckElsewhere(const LiveRun& run, const remote::Address& address) {
+void RefuseOwnRobots(const LiveRun& run, const remote::Address& address) {
   const std::vector<int> ports = RemotePorts(run);
   if (std::find(ports.begin(), ports.end(), address.port) == ports.end()) return;
   if (!IsLoopback(address.host)) return;

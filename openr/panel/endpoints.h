@@ -24,6 +24,6 @@ std::vector<int> RemotePorts(const LiveRun& run);
 remote::Address AddressInRun(const LiveRun& run, size_t robot);
 
 // Throws std::runtime_error if `address` is the address of a robot of `run`.
-void CheckElsewhere(const LiveRun& run, const remote::Address& address);
+void RefuseOwnRobots(const LiveRun& run, const remote::Address& address);
 
 }  // namespace openr_host

@@ -180,7 +180,7 @@ void SendAnswer(const PairBridge::Work& work, OrderedJson answer) {
 std::string ServePair(PairBridge::Work* work) {
   bool is_connected = false;
   try {
-    CheckElsewhere(work->run, work->second);
+    RefuseOwnRobots(work->run, work->second);
     RemotePair pair(AddressInRun(work->run, work->robot), work->second, work->options);
     // The page may have left during the seconds that connecting takes.
     if (work->control.is_ended()) return "";

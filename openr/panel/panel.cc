@@ -206,13 +206,13 @@ class Panel : public WebService {
   SpareDescriptor spare_;
   Listener listener_, signal_listener_, run_listener_;
   // The remote control of one robot, which is forwarded to other computers (--listen).
-  struct Forwarded {
+  struct ForwardedRobot {
     uint16_t port;
     RcForwarder forwarder;
     Listener listener;
   };
   // A deque, because its elements stay where they are: loop_ keeps the addresses of the listeners.
-  std::deque<Forwarded> forwarded_;
+  std::deque<ForwardedRobot> forwarded_;
   std::unique_ptr<WebLoop> loop_;
 };
 
@@ -283,11 +283,11 @@ void Panel::ForwardRemoteControl(int robot) {
   uint16_t port =
       forwarded_.empty() ? listen_.rc_port : static_cast<uint16_t>(forwarded_.back().port + 1);
   const int descriptor = Listen(listen_.address, &port);
-  struct Last {
+  struct LastAddress {
     std::mutex mutex;
     std::optional<remote::Address> address;
   };
-  const auto find = [own_run = own_run_, robot, last = std::make_shared<Last>()] {
+  const auto find = [own_run = own_run_, robot, last = std::make_shared<LastAddress>()] {
     std::optional<LiveRun> run;
     try {
       run = FindRun(own_run);

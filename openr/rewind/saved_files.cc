@@ -160,7 +160,7 @@ nlohmann::json SavedStick::ToJson() const {
 SavedStick SavedStick::Of(const nlohmann::json& json) {
   SavedStick stick;
   for (const nlohmann::json& each : json) {
-    Saved& saved = stick.files_[each.at(0)];
+    SavedFile& saved = stick.files_[each.at(0)];
     saved.is_folder = each.at(1);
     if (each.at(2).is_binary()) {
       const auto& bytes = each.at(2).get_binary();

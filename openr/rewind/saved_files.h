@@ -34,11 +34,12 @@ class SavedStick {
   static SavedStick Of(const nlohmann::json& json);
 
  private:
-  struct Saved {
+  struct SavedFile {
     bool is_folder = false;
     std::optional<std::string> content;  // content of the file; nullopt: the file did not exist
   };
-  std::map<std::string, Saved> files_;  // the saved files; key: path below the folder of the stick
+  // The saved files; key: path below the folder of the stick.
+  std::map<std::string, SavedFile> files_;
 };
 
 // Returns the files that objects have written on `stick`, with their present content.

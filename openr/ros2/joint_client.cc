@@ -30,7 +30,7 @@ NetworkEvent EventOf(NetworkEvent::Kind kind, NetHandle handle) {
 
 }  // namespace
 
-void JointClient::Want(const std::map<int, JointTarget>& targets) {
+void JointClient::SetTargets(const std::map<int, JointTarget>& targets) {
   for (const auto& [joint, target] : targets) {
     JointTarget& wanted = wanted_[joint];
     // Keeps the limit of speed that the waiting target of the joint has if its new target gives no

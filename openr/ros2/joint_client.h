@@ -35,7 +35,7 @@ class JointClient : public PassingNetwork {
   // Stores joint targets for the next Poll().  The key of a target is the number that the robot
   // gives the joint.  While the robot has not answered earlier requests, a new target replaces the
   // stored target of the same joint.
-  void Want(const std::map<int, JointTarget>& targets);
+  void SetTargets(const std::map<int, JointTarget>& targets);
 
   // Returns whether stored joint targets still wait until the robot takes them.
   bool IsWaiting() const { return !wanted_.empty(); }

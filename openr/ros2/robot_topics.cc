@@ -233,7 +233,7 @@ void RobotTopics::PublishDiagnostics(int64_t time_us) {
 }
 
 std::string RobotTopics::PublishImage(int64_t time_us) {
-  if (!image_.HasReaders() || !robot_->ImageIsDue()) return "";
+  if (!image_.HasReaders() || !robot_->HasNewImage()) return "";
   std::string problem = robot_->CopyPicture(&picture_);
   if (!problem.empty()) return "camera: " + problem;
   image_.Publish(time_us, picture_.width, picture_.height, picture_.rgb);

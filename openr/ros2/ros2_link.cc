@@ -98,7 +98,7 @@ void Ros2Link::ApplyCommands(Robot* robot) {
     std::map<int, JointTarget> targets;
     const std::string problem = ReadJointCommand(*command, robot->robot->model(), &targets);
     if (!problem.empty()) robot->complaints->Add(fmt::format("{}: refused: {}", topic, problem));
-    robot->client->Want(targets);
+    robot->client->SetTargets(targets);
   }
   robot->frames_waiting = is_waiting ? robot->frames_waiting + 1 : 0;
   if (robot->frames_waiting == kPatienceFrames) {
@@ -131,7 +131,7 @@ void Ros2Link::ApplyInputs(Robot* robot) {
 }
 
 void Ros2Link::End() {
-  for (const Robot& robot : robots_) robot.complaints->SayHowManyMore();
+  for (const Robot& robot : robots_) robot.complaints->PrintLeftOutCount();
 }
 
 void Ros2Complaints::Add(const std::string& what) {
@@ -145,7 +145,7 @@ void Ros2Complaints::Add(const std::string& what) {
   if (said_.size() == kMax) say_(fmt::format("ROS 2: no more of this is said of /{}", robot_));
 }
 
-void Ros2Complaints::SayHowManyMore() const {
+void Ros2Complaints::PrintLeftOutCount() const {
   if (unsaid_count_ == 0) return;
   say_(fmt::format("ROS 2: /{}: {} not said", robot_,
                    Counted(static_cast<uint64_t>(unsaid_count_), "more complaint") +

@@ -37,7 +37,7 @@ class Ros2Complaints {
   void Add(const std::string& what);
   // Prints how many messages to the user were left out because kMax messages had been printed.
   // Called at the end of the run.
-  void SayHowManyMore() const;
+  void PrintLeftOutCount() const;
 
  private:
   const std::string robot_;

@@ -188,7 +188,7 @@ void NoteTheEnding(const Ending& ending, Simulation* simulation) {
   system.robot_table().NoteRunEnd(EndOf(ending));
 }
 
-void TellHandled(const Ending& ending) {
+void PrintHandledMessage(const Ending& ending) {
   if (ending.object == nullptr || ending.object->handler.running == nullptr) return;
   const Message& message = *ending.object->handler.running;
   const std::string said = DecodeHandled(*ending.object->system, message);

@@ -47,6 +47,6 @@ void NoteTheEnding(const Ending& ending, Simulation* simulation);
 // 24: boot".  Prints nothing if no message was handled.  Must be called by an EndingAction: the
 // function allocates memory in a signal handler, which may crash, and only a crash of an
 // EndingAction is handled (ending.h).
-void TellHandled(const Ending& ending);
+void PrintHandledMessage(const Ending& ending);
 
 }  // namespace openr_host

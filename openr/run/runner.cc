@@ -142,7 +142,7 @@ void Runner::AnnounceBoots() {
   System& system = simulation_->system();
   for (size_t i = 0; i < announced_.size(); ++i) {
     const int robot = static_cast<int>(i);
-    Announced& announced = announced_[i];
+    PrintedFacts& announced = announced_[i];
     const std::string name = announced_.size() == 1 ? "the robot" : fmt::format("robot {}", i);
     const bool has_booted =
         std::exchange(announced.boots, system.robot(robot).boots) != system.robot(robot).boots;

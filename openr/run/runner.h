@@ -79,7 +79,7 @@ class Runner {
 
  private:
   // The facts about a robot that were printed last, so that only changes are printed.
-  struct Announced {
+  struct PrintedFacts {
     uint16_t port = 0;    // port of its remote control; 0: none
     int boots = 1;        // number of boots of the robot
     bool is_off = false;  // true: the robot was off and waited for its boot timer
@@ -113,7 +113,7 @@ class Runner {
   std::vector<StandingMonitor> standing_;
   std::vector<bool> taken_;  // for each picture: true if it was taken
   // The facts that were printed last about each robot; the index is the number of the robot.
-  std::vector<Announced> announced_;
+  std::vector<PrintedFacts> announced_;
   int activity_sink_ = 0;
   int64_t last_activity_us_ = 0;
   int64_t paused_us_ = -1;  // virtual time when the pause button was pressed; -1: not pressed

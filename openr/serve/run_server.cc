@@ -123,7 +123,7 @@ ServedRun& RunServer::BootedRun() {
 // Throws std::runtime_error if the run is finished, because then no command can make it go on.
 // Does not throw if all robots are off, because the answer to a command then says how the run
 // ended.
-void RunServer::CheckGoesOn() {
+void RunServer::CheckHasNotEnded() {
   if (BootedRun().is_finished())
     throw std::runtime_error("the run is finished; it can be read but cannot go on");
 }
@@ -141,7 +141,7 @@ void RunServer::BeginGuards(int64_t handler_limit_us) {
   ending_answer_ = std::make_unique<EndingAnswer>(-1);
   WatchCrashes();
   watchdog_ = std::make_unique<Watchdog>(handler_limit_us);
-  ending_action_ = std::make_unique<EndingAction>([this](Ending* ending) { TellEnding(ending); });
+  ending_action_ = std::make_unique<EndingAction>([this](Ending* ending) { ReportEnding(ending); });
 }
 
 void RunServer::WatchCrashes() {
@@ -152,7 +152,7 @@ void RunServer::WatchCrashes() {
 
 // Answers the present request when the process ends (docs/endings.md), because the program that
 // drives the run waits for its answer.  Called in a signal handler.
-void RunServer::TellEnding(Ending* ending) {
+void RunServer::ReportEnding(Ending* ending) {
   const RunEnd end = EndOf(*ending);
   const nlohmann::ordered_json answer = {{"error", std::string(ending->record.text())},
                                          {"kind", "ended"},
@@ -161,7 +161,7 @@ void RunServer::TellEnding(Ending* ending) {
   ending->answered = true;
 }
 
-// Sends a second message after the message that TellEnding() sends.  The second message has what
+// Sends a second message after the message that ReportEnding() sends.  The second message has what
 // the commands findings, console and report would answer now, because the program that drives the
 // run cannot ask a process that ends.  Called in a signal handler.
 void RunServer::SendFinalState(const Ending& ending) {
@@ -176,7 +176,7 @@ void RunServer::SendFinalState(const Ending& ending) {
   } catch (const std::exception&) {
     return;  // the pipe is closed, so the program gets no second message
   }
-  TellHandled(ending);  // called last, because a crash in this call must not prevent Send()
+  PrintHandledMessage(ending);  // called last, because a crash in this call must not prevent Send()
 }
 
 }  // namespace openr_host

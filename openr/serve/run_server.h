@@ -55,10 +55,10 @@ class RunServer {
   Answer Time();
   ServedRun& run();
   ServedRun& BootedRun();
-  void CheckGoesOn();
+  void CheckHasNotEnded();
   void BeginGuards(int64_t handler_limit_us);
   void WatchCrashes();
-  void TellEnding(Ending* ending);
+  void ReportEnding(Ending* ending);
   void SendFinalState(const Ending& ending);
   int64_t LimitOf(const Request& request);
   Answer BecomeCopy(int socket, const std::string& record,

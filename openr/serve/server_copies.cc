@@ -45,13 +45,13 @@ class ReadyPipe {
 
   // Tells the original process the problem that keeps the copy, its fork, from going on; "" means
   // that the fork is ready.
-  void Tell(const std::string& problem) const {
+  void Send(const std::string& problem) const {
     const std::string text = problem + '\n';
     [[maybe_unused]] const ssize_t count = write(ends_[1], text.data(), text.size());
   }
-  // Waits in the original process for the text that the copy, its fork, gives to Tell().  Returns
+  // Waits in the original process for the text that the copy, its fork, gives to Send().  Returns
   // this text.
-  std::string Hear() {
+  std::string Receive() {
     close(std::exchange(ends_[1], -1));
     std::string text;
     for (char part[512];;) {
@@ -70,7 +70,7 @@ class ReadyPipe {
 }  // namespace
 
 RunServer::Answer RunServer::DoConnect(const Request& request) {
-  CheckGoesOn();
+  CheckHasNotEnded();
   if (!run_->ForkProblem().empty())
     throw std::runtime_error("connect is for network='inside'; this run has sockets of the host");
   const int port = IntegerOf(request.json, "port");
@@ -81,13 +81,13 @@ RunServer::Answer RunServer::DoConnect(const Request& request) {
 }
 
 RunServer::Answer RunServer::DoSend(const Request& request) {
-  CheckGoesOn();
+  CheckHasNotEnded();
   run_->clients().Send(IntegerOf(request.json, "connection"), request.bytes);
   return Time();
 }
 
 RunServer::Answer RunServer::DoReceive(const Request& request) {
-  CheckGoesOn();
+  CheckHasNotEnded();
   const int connection = IntegerOf(request.json, "connection");
   const auto count = static_cast<size_t>(IntegerOf(request.json, "count"));
   RobotClients& clients = run_->clients();
@@ -127,9 +127,9 @@ RunServer::Answer RunServer::DoFork(const Request& request) {
     ReadyPipe ready;
     const pid_t copy = CopyProcess(Flushed::kOwn, Orphan::kGoesOn);
     if (copy < 0) throw std::runtime_error(std::strerror(errno));
-    if (copy == 0) return BecomeCopy(socket, record, [&](const std::string& t) { ready.Tell(t); });
+    if (copy == 0) return BecomeCopy(socket, record, [&](const std::string& t) { ready.Send(t); });
     // Waits until the copy has files of its own, because both processes share the files until then.
-    const std::string problem = ready.Hear();
+    const std::string problem = ready.Receive();
     if (!problem.empty()) throw std::runtime_error("this run cannot be copied: " + problem);
     close(socket);
     return {{{"process", copy}}, ""};
@@ -221,7 +221,7 @@ RunServer::Answer RunServer::DoFinish(const Request&) {
 
 // Does the work of a command that clients of a run's socket can send, too (docs/inputs.md).
 RunServer::Answer RunServer::DoLive(const Request& request) {
-  if (request.json.at("do") == "input") CheckGoesOn();
+  if (request.json.at("do") == "input") CheckHasNotEnded();
   OrderedJson answer = AnswerLive(run().live(), request.json);
   if (answer.contains("error")) answer["kind"] = "refused";
   return {std::move(answer), ""};

@@ -167,7 +167,7 @@ void Simulation::AddRobot(const SimulationOptions& options, int index) {
     return options.network_filter ? options.network_filter(robot, std::move(network))
                                   : std::move(network);
   };
-  if (index == 0) NoteALowBattery(options.battery);
+  if (index == 0) NoteLowBattery(options.battery);
   const int robot =
       parts_.emplace_back(AssembleRobot(system_.get(), model_, std::move(parts))).number;
   robots_.push_back(parts_.back().virtual_robot);
@@ -199,7 +199,7 @@ bool Simulation::Load(int robot, const StandIns& stand_ins) {
 
 // Adds a note to the report if the battery is almost empty at boot.  Users expect that such a
 // battery ends the run, but objects hear only of a battery that becomes low during the run.
-void Simulation::NoteALowBattery(const std::string& text) {
+void Simulation::NoteLowBattery(const std::string& text) {
   Battery battery;
   ParseBattery(text, &battery);
   if (!battery.is_low_at_boot()) return;

@@ -127,7 +127,7 @@ class Simulation {
   void AddRobot(const SimulationOptions& options, int index);
   std::unique_ptr<Body> BodyOf(const std::string& kind, int robot) const;
   bool Load(int robot, const StandIns& stand_ins);
-  void NoteALowBattery(const std::string& text);
+  void NoteLowBattery(const std::string& text);
   std::vector<AddressPair> AddressesOf(const SimulationOptions& options, MemoryStick* stick,
                                        int index);
 

@@ -113,7 +113,7 @@ int64_t CameraDevice::ImagesBefore(int64_t frame) const {
   return static_cast<int64_t>(static_cast<double>(frame) * kFrame_s * model_.frames_per_s + 1e-6);
 }
 
-CameraShot CameraDevice::ShotBefore(int64_t frame, const Body& body) const {
+CameraShot CameraDevice::LastShot(int64_t frame, const Body& body) const {
   CameraShot shot;
   shot.number = earlier_images_ + ImagesBefore(frame);
   shot.frame = frame - 1;
@@ -169,7 +169,7 @@ void CameraDevice::FillInfos(longword frame_number, OFbkImageVectorData* vector)
 }
 
 RCRegion* CameraDevice::MakeVector(int64_t frame, const Body& body, std::string* problem) {
-  const CameraShot shot = ShotBefore(frame, body);
+  const CameraShot shot = LastShot(frame, body);
   // Allocates the memory of the picture here and not in the constructor, because most robots never
   // take an image.
   picture_.rgb.resize(PictureBytes(model_));
@@ -186,7 +186,7 @@ std::string CameraDevice::CopyPicture(int64_t frame, const Body& body, Picture* 
   picture->width = model_.width_px;
   picture->height = model_.height_px;
   picture->rgb.resize(PictureBytes(model_));
-  std::string problem = source_->Capture(ShotBefore(frame, body), picture);
+  std::string problem = source_->Capture(LastShot(frame, body), picture);
   if (!problem.empty()) return problem;
   for (size_t i = 0; i < picture->rgb.size(); i += exposure_.size()) {
     for (size_t colour = 0; colour < exposure_.size(); ++colour)
@@ -199,7 +199,7 @@ std::string CameraDevice::CopyColours(int64_t frame, const Body& body, Picture* 
   if (tables_.empty()) return "no object has set a colour table (OPENR::SetCdtVectorData)";
   Picture picture = picture_;
   picture.rgb.resize(PictureBytes(model_));
-  std::string problem = source_->Capture(ShotBefore(frame, body), &picture);
+  std::string problem = source_->Capture(LastShot(frame, body), &picture);
   if (!problem.empty()) return problem;
   // Makes the vector in a local buffer and not in a region, because a region must belong to the
   // object that runs, and no object runs when somebody outside of the run asks for a picture.

@@ -83,7 +83,7 @@ class CameraDevice {
     bool auto_white_balance = false;
   };
 
-  CameraShot ShotBefore(int64_t frame, const Body& body) const;
+  CameraShot LastShot(int64_t frame, const Body& body) const;
   void ChooseExposure();
   RCRegion* FreeVector();
   size_t DataBytes() const;

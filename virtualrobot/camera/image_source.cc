@@ -29,7 +29,7 @@ void Fill(Picture* picture, int x0, int y0, int x1, int y1, const Colour& colour
   }
 }
 
-Picture Still(int width, int height) {
+Picture FixedPart(int width, int height) {
   Picture picture{
       width, height,
       std::vector<uint8_t>(static_cast<size_t>(width) * static_cast<size_t>(height) * 3)};
@@ -73,7 +73,7 @@ void DrawNumber(int64_t number, Picture* picture) {
 
 std::string TestPattern::Capture(const CameraShot& shot, Picture* picture) {
   if (still_.width != picture->width || still_.height != picture->height)
-    still_ = Still(picture->width, picture->height);
+    still_ = FixedPart(picture->width, picture->height);
   picture->rgb = still_.rgb;
   DrawBall(shot.number, picture);
   DrawNumber(shot.number, picture);

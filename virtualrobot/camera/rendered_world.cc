@@ -25,9 +25,9 @@ static_assert(kSides <= Face::kCornersMax);
 
 // Unit vectors across a cylinder that is drawn with kSides flat sides: from its axis to each
 // corner, and to the middle of the side that follows this corner.
-struct Round {
+struct CylinderSides {
   std::array<Vector3d, kSides> corners, middles;
-  Round() {
+  CylinderSides() {
     for (int i = 0; i < kSides; ++i) {
       const double angle = 2 * kPi * i / kSides, half = kPi / kSides;
       corners[static_cast<size_t>(i)] = Vector3d(DetCos(angle), DetSin(angle), 0);
@@ -36,8 +36,8 @@ struct Round {
   }
 };
 
-const Round& TheRound() {
-  static const Round round;
+const CylinderSides& SharedSides() {
+  static const CylinderSides round;
   return round;
 }
 
@@ -74,7 +74,7 @@ class WorldPainter {
       add(-half.x(), -half.y());
       add(half.x(), -half.y());
     } else {
-      for (const Vector3d& corner : TheRound().corners)
+      for (const Vector3d& corner : SharedSides().corners)
         add(corner.x() * half.x(), corner.y() * half.x());
     }
     canvas_->DrawPaint(face, RgbOf(thing.colour, BrightnessOf(Vector3d::UnitZ())));
@@ -112,7 +112,7 @@ class WorldPainter {
 
   void DrawCylinder(const WorldThing& thing) {
     const double radius_m = thing.size_m.x() / 2, half_m = thing.size_m.z() / 2;
-    const Round& round = TheRound();
+    const CylinderSides& round = SharedSides();
     Face top, bottom;
     for (const Vector3d& corner : round.corners) {
       const Vector3d middle = thing.centre_m + thing.R_WT * (corner * radius_m);

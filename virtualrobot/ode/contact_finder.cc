@@ -40,7 +40,7 @@ void PlaceGeom(dGeomID geom, const WorldThing& thing) {
 
 }  // namespace
 
-bool ContactFinder::Room::IsApartFrom(const Room& other) const {
+bool ContactFinder::Room::IsSeparateFrom(const Room& other) const {
   bool apart = false;
   for (int i = 0; i < 6; i += 2)
     apart = apart || edges[i] > other.edges[i + 1] || edges[i + 1] < other.edges[i];
@@ -158,7 +158,7 @@ void ContactFinder::FindOfThing(size_t thing) {
   FindOnFloor(things_[thing]);
   for (size_t other = 0; other < things_.size(); ++other) {
     const bool is_earlier = other <= thing && things_[other].body != nullptr;
-    if (!is_earlier && !things_[thing].room.IsApartFrom(things_[other].room))
+    if (!is_earlier && !things_[thing].room.IsSeparateFrom(things_[other].room))
       FindOn(things_[thing], things_[other]);
   }
 }
@@ -166,7 +166,7 @@ void ContactFinder::FindOfThing(size_t thing) {
 void ContactFinder::FindOfRobot(size_t robot) {
   near_.clear();
   for (const Shape& thing : things_) {
-    if (!robots_[robot].room.IsApartFrom(thing.room)) near_.push_back(&thing);
+    if (!robots_[robot].room.IsSeparateFrom(thing.room)) near_.push_back(&thing);
   }
   for (const std::vector<Shape>* const shapes : {&robots_[robot].boxes, &robots_[robot].balls}) {
     for (const Shape& shape : *shapes) {
@@ -180,13 +180,13 @@ void ContactFinder::FindOfRobot(size_t robot) {
 // robots.  A pair of boxes of two robots is tested only once, for the robot with the lower number.
 void ContactFinder::FindOnOthers(const Shape& shape, size_t robot) {
   for (const Shape* const thing : near_) {
-    if (!shape.room.IsApartFrom(thing->room)) FindOn(shape, *thing);
+    if (!shape.room.IsSeparateFrom(thing->room)) FindOn(shape, *thing);
   }
   for (size_t other = 0; other < robots_.size(); ++other) {
     if (other == robot || (shape.paw < 0 && other < robot)) continue;
-    if (robots_[robot].room.IsApartFrom(robots_[other].room)) continue;
+    if (robots_[robot].room.IsSeparateFrom(robots_[other].room)) continue;
     for (const Shape& box : robots_[other].boxes) {
-      if (!shape.room.IsApartFrom(box.room)) FindOn(shape, box);
+      if (!shape.room.IsSeparateFrom(box.room)) FindOn(shape, box);
     }
   }
 }

@@ -57,7 +57,7 @@ class ContactFinder {
   // then z, in ODE's order.
   struct Room {
     dReal edges[6];
-    bool IsApartFrom(const Room& other) const;
+    bool IsSeparateFrom(const Room& other) const;
   };
 
   // A shape that can touch others: a box or a ball of a robot, or a thing.

@@ -14,7 +14,7 @@ namespace {
 
 // Returns the reason why the speaker does not play the sound of `info`; "" when the speaker plays
 // it.
-std::string Objection(const OSoundInfo& info, const Primitive* primitive) {
+std::string PlayProblem(const OSoundInfo& info, const Primitive* primitive) {
   if (primitive == nullptr || primitive->type != oprimitiveSPEAKER || !primitive->opened()) {
     return fmt::format("names primitive {:#x}, which {}", info.primitiveID,
                        primitive == nullptr                   ? "the robot does not have"
@@ -30,7 +30,7 @@ std::string Objection(const OSoundInfo& info, const Primitive* primitive) {
 
 // Returns a warning if `info` names a rate, sample size or number of channels that differs from the
 // speaker's settings; otherwise "".
-std::string Mismatch(const OSoundInfo& info, const SoundType& type) {
+std::string FormatWarning(const OSoundInfo& info, const SoundType& type) {
   // Accepts a field that is 0, because the program did not set it.
   const auto says = [](word said, int set) { return said != 0 && said != set; };
   if (!says(info.samplingRate, type.rate_hz()) &&
@@ -80,12 +80,12 @@ void SoundQueue::ReadSound(const SentVector& vector, int index, longword frame_n
                     "ignored",
                     info.dataSize, bytes));
   }
-  std::string problem = Objection(info, robot_.primitives.Find(info.primitiveID));
+  std::string problem = PlayProblem(info, robot_.primitives.Find(info.primitiveID));
   const bool audible = problem.empty();
   if (!audible) {
     problem += "; it is silent and takes its time";
   } else {
-    problem = Mismatch(info, type);
+    problem = FormatWarning(info, type);
   }
   if (!problem.empty()) problems->push_back("sound vector: it " + problem);
   Sound sound;
@@ -153,7 +153,7 @@ bool SoundQueue::Fill(int64_t frame, SoundFrame* samples, std::vector<SoundProbl
   for (int filled = 0; filled < kSoundSamplesPerFrame;) {
     if (!playing_.region) {
       if (waiting_.empty()) break;
-      const Sent& head = waiting_.front();
+      const QueuedVector& head = waiting_.front();
       const bool may_start =
           turn_.MayStart(SyncKeyOf(*head.region), robot_.sync_keys, &waiting_problems);
       for (std::string& text : waiting_problems)
@@ -185,7 +185,7 @@ void SoundQueue::Clear() {
 
 void SoundQueue::HashState(Hasher* hasher) const {
   hasher->Add(static_cast<uint64_t>(waiting_.size()));
-  for (const Sent& sent : waiting_) hasher->Add(sent.region->MemID());
+  for (const QueuedVector& sent : waiting_) hasher->Add(sent.region->MemID());
   hasher->Add(turn_.announced());
   hasher->Add(playing_.region ? playing_.region->MemID() : 0);
   for (const Sound& sound : sounds_) {

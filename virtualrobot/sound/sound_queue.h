@@ -64,7 +64,7 @@ class SoundQueue {
   void HashState(Hasher* hasher) const;
 
  private:
-  struct Sent {
+  struct QueuedVector {
     RegionReference region;
     SubjectID subject;
   };
@@ -87,14 +87,14 @@ class SoundQueue {
   int Copy(int from, SoundFrame* samples);
 
   RobotParts& robot_;
-  std::deque<Sent> waiting_;
-  VectorTurn turn_;  // tells when the first vector in waiting_ may start
-  Sent playing_;     // the vector that plays; its region is empty when none plays
+  std::deque<QueuedVector> waiting_;
+  VectorTurn turn_;       // tells when the first vector in waiting_ may start
+  QueuedVector playing_;  // the vector that plays; its region is empty when none plays
   int64_t start_ = 0;
   std::vector<Sound> sounds_;
   size_t sound_ = 0;      // index of the sound that plays
   int64_t position_ = 0;  // index of the next sample of the sound that plays
-  std::deque<Sent> finished_;
+  std::deque<QueuedVector> finished_;
 };
 
 }  // namespace openr_host

@@ -90,7 +90,7 @@ TEST(Ros2ComplaintsTest, EachOnceAndTheRestIsCounted) {
   ASSERT_EQ(said.size(), 21u);
   EXPECT_EQ(said[0], "ROS 2: text 0 (said once)");
   EXPECT_EQ(said[20], "ROS 2: no more of this is said of /aibo");
-  complaints.SayHowManyMore();
+  complaints.PrintLeftOutCount();
   EXPECT_EQ(said.back(), "ROS 2: /aibo: 6 more complaints were not said");
 }
 
@@ -98,7 +98,7 @@ TEST(Ros2ComplaintsTest, WithoutComplaintsNothingIsPrinted) {
   std::vector<std::string> said;
   Ros2Complaints complaints("aibo", [&](const std::string& line) { said.push_back(line); });
   complaints.Add("text");
-  complaints.SayHowManyMore();
+  complaints.PrintLeftOutCount();
   EXPECT_EQ(said.size(), 1u);
 }
 

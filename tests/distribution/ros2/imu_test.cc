@@ -56,7 +56,7 @@ class Ros2ImuTest : public testing::Test {
     for (const char* const leg : {"LF_j3", "LH_j3", "RF_j3", "RH_j3"})
       targets[model.FindJoint(leg)] = {0.3, 0};
     for (const char* const leg : kBent[turn % 4]) targets[model.FindJoint(leg)] = {1.2, 0};
-    client_->Want(targets);
+    client_->SetTargets(targets);
   }
 
   // Runs one frame and keeps what an accelerometer in the body measures: the change of its velocity

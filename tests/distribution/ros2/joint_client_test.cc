@@ -84,7 +84,7 @@ TEST_F(JointClientTest, WithoutACommandThereIsNoConnection) {
 }
 
 TEST_F(JointClientTest, ACommandConnectsAndComesAsPackets) {
-  client_.Want({{1, {0.5, 2}}, {4, {-0.1, 0}}});
+  client_.SetTargets({{1, {0.5, 2}}, {4, {-0.1, 0}}});
   const std::vector<NetworkEvent> events = client_.Poll();
   ASSERT_EQ(events.size(), 1u);
   EXPECT_EQ(events[0].kind, Kind::kAccepted);
@@ -99,18 +99,18 @@ TEST_F(JointClientTest, APlaceThatSomebodyElseHasTakenIsNotUsed) {
   accepted.kind = Kind::kAccepted;
   accepted.handle = kFirst;
   outside_ = {accepted};
-  client_.Want({{1, {0.5, 0}}});
+  client_.SetTargets({{1, {0.5, 0}}});
   const std::vector<NetworkEvent> events = client_.Poll();
   ASSERT_EQ(events.size(), 2u);
   EXPECT_EQ(events[1].handle, kSecond);
 }
 
 TEST_F(JointClientTest, TheNewestOfEachJointWaitsForTheAnswer) {
-  client_.Want({{1, {0.1, 0}}});
+  client_.SetTargets({{1, {0.1, 0}}});
   client_.Poll();
   EXPECT_EQ(Read(kFirst), Packet(rcMOVE, 1, 573));
-  client_.Want({{1, {0.2, 0}}, {2, {0.2, 0}}});
-  client_.Want({{1, {0.3, 0}}});
+  client_.SetTargets({{1, {0.2, 0}}, {2, {0.2, 0}}});
+  client_.SetTargets({{1, {0.3, 0}}});
   EXPECT_EQ(Read(kFirst), "");
   EXPECT_TRUE(client_.IsWaiting());
   Answer(kFirst, rcOK);
@@ -119,17 +119,17 @@ TEST_F(JointClientTest, TheNewestOfEachJointWaitsForTheAnswer) {
 }
 
 TEST_F(JointClientTest, ASpeedHoldsForWhatComesAfterIt) {
-  client_.Want({{1, {0.1, 2.0}}});
-  client_.Want({{1, {0.2, 0}}});
+  client_.SetTargets({{1, {0.1, 2.0}}});
+  client_.SetTargets({{1, {0.2, 0}}});
   client_.Poll();
   EXPECT_EQ(Read(kFirst), Packet(rcSPEED, 1, 11459) + Packet(rcMOVE, 1, 1146));
 }
 
 TEST_F(JointClientTest, AnAbandonedCommandIsNotSentLater) {
-  client_.Want({{1, {0.1, 0}}});
+  client_.SetTargets({{1, {0.1, 0}}});
   client_.Poll();
   EXPECT_EQ(Read(kFirst), Packet(rcMOVE, 1, 573));
-  client_.Want({{1, {0.2, 0}}});
+  client_.SetTargets({{1, {0.2, 0}}});
   client_.GiveUp();
   EXPECT_FALSE(client_.IsWaiting());
   Answer(kFirst, rcOK);
@@ -137,7 +137,7 @@ TEST_F(JointClientTest, AnAbandonedCommandIsNotSentLater) {
 }
 
 TEST_F(JointClientTest, BytesOfAnswersAreTaken) {
-  client_.Want({{1, {0.1, 0}}});
+  client_.SetTargets({{1, {0.1, 0}}});
   client_.Poll();
   Answer(kFirst, rcOK);
   const std::vector<NetworkEvent> events = client_.Poll();
@@ -147,7 +147,7 @@ TEST_F(JointClientTest, BytesOfAnswersAreTaken) {
 }
 
 TEST_F(JointClientTest, ReadsMayBeSmall) {
-  client_.Want({{1, {0.1, 0}}});
+  client_.SetTargets({{1, {0.1, 0}}});
   client_.Poll();
   std::string read;
   for (int i = 0; i < 5; ++i) {
@@ -158,14 +158,14 @@ TEST_F(JointClientTest, ReadsMayBeSmall) {
 }
 
 TEST_F(JointClientTest, ARefusalIsHeard) {
-  client_.Want({{1, {0.1, 0}}});
+  client_.SetTargets({{1, {0.1, 0}}});
   client_.Poll();
   Answer(kFirst, rcerrorBUSY, "a motion plays");
   EXPECT_THAT(refusals_, ElementsAre("a motion plays"));
 }
 
 TEST_F(JointClientTest, AnInvalidAnswerEndsTheConnection) {
-  client_.Want({{1, {0.1, 0}}});
+  client_.SetTargets({{1, {0.1, 0}}});
   client_.Poll();
   client_.Receive(kFirst, 100);
   client_.Send(kFirst, "220 ftp ready\r\n", 15);
@@ -176,30 +176,30 @@ TEST_F(JointClientTest, AnInvalidAnswerEndsTheConnection) {
 }
 
 TEST_F(JointClientTest, AfterTheRobotHasClosedItConnectsAnew) {
-  client_.Want({{1, {0.1, 0}}});
+  client_.SetTargets({{1, {0.1, 0}}});
   client_.Poll();
   client_.Close(kFirst);
   const std::vector<NetworkEvent> closed = client_.Poll();
   ASSERT_EQ(closed.size(), 1u);
   EXPECT_EQ(closed[0].kind, Kind::kClosed);
   client_.Drop(kFirst, false);
-  client_.Want({{1, {0.2, 0}}});
+  client_.SetTargets({{1, {0.2, 0}}});
   client_.Poll();
   EXPECT_EQ(Read(kSecond), Packet(rcMOVE, 1, 1146));
 }
 
 TEST_F(JointClientTest, AForkForgetsTheSocketsOfTheHost) {
-  client_.Want({{1, {0.1, 0}}});
+  client_.SetTargets({{1, {0.1, 0}}});
   client_.Poll();
   EXPECT_EQ(forgotten_, 0);
   client_.Forget();
   EXPECT_EQ(forgotten_, 1);
-  client_.Want({{1, {0.1, 0}}});
+  client_.SetTargets({{1, {0.1, 0}}});
   EXPECT_TRUE(client_.Poll().empty());  // no Accept() waits any more
 }
 
 TEST_F(JointClientTest, PositionsBeyondAllJointsAreCut) {
-  client_.Want({{1, {1e300, 1e300}}});
+  client_.SetTargets({{1, {1e300, 1e300}}});
   client_.Poll();
   EXPECT_EQ(Read(kFirst), Packet(rcSPEED, 1, 5729578) + Packet(rcMOVE, 1, 36000));
 }

@@ -217,7 +217,7 @@ TEST_F(ImageTest, ASourceWithoutAPictureIsReportedAndTheStreamGoesOn) {
 TEST_F(ImageTest, SomebodyOutsideSeesTheSameWithItsSettings) {
   Boot();
   RunToFrame(10);
-  EXPECT_TRUE(robot->ImageIsDue());
+  EXPECT_TRUE(robot->HasNewImage());
   As([&] {
     OPrimitiveControl_CameraParam gain(ocamparamGAIN_HIGH);
     OPENR::ControlPrimitive(mover->Open(kCamera), oprmreqCAM_SET_GAIN, &gain, sizeof gain, nullptr,
@@ -235,7 +235,7 @@ TEST_F(ImageTest, SomebodyOutsideSeesTheSameWithItsSettings) {
   EXPECT_EQ(source->shots.back().frame, 9);
   EXPECT_EQ(system.state_hash(), before);
   RunToFrame(11);
-  EXPECT_FALSE(robot->ImageIsDue());
+  EXPECT_FALSE(robot->HasNewImage());
   source->problem = "a.png: cannot be read";
   EXPECT_EQ(robot->CopyPicture(&picture), "a.png: cannot be read");
   EXPECT_EQ(robot->CopyColours(&picture),
