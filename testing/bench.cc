@@ -88,14 +88,15 @@ Bench::Bench(BenchOptions options, Place place)
       hub_(std::make_shared<openr_host::LoopbackHub>()),
       system_(MakeSystem(options_, &console_)),
       schedule_(system_.get(), options_.seed),
-      doors_(system_.get(),
-             [this](const SeenMessage& message, const Place& place) { PostAgain(message, place); }),
+      gate_(system_.get(),
+            [this](const SeenMessage& message, const Place& place) { PostAgain(message, place); }),
       command_(CommandOf(options_.seed)) {
   story_teller_ =
       std::make_unique<StoryTeller>([this] { return Story(); }, options_.handler_limit.count());
   system_->set_schedule(&schedule_);
-  system_->dispatcher().set_gate(&doors_);
-  system_->trace().AddSink([this](const TraceRecord&, const Message& message) { See(message); });
+  system_->dispatcher().set_gate(&gate_);
+  system_->trace().AddSink(
+      [this](const TraceRecord&, const Message& message) { HandleMessage(message); });
   AddDog();
   if (!options_.stick.empty()) LoadStick();
 }

@@ -38,7 +38,6 @@
 #include "testing/bench_schedule.h"
 #include "testing/bench_stick.h"
 #include "testing/control.h"
-#include "testing/doors.h"
 #include "testing/expectations.h"
 #include "testing/history.h"
 #include "testing/message_spec.h"
@@ -46,6 +45,7 @@
 #include "testing/probe.h"
 #include "testing/story_teller.h"
 #include "testing/tcp_client.h"
+#include "testing/test_gate.h"
 
 namespace openr_host {
 class IpStack;
@@ -404,7 +404,7 @@ class Bench {
   bool Miss(const Place& place, const std::string& what);
   // Returns whether Boot() was called; if not, reports a failure.
   bool IsRunning(const Place& place);
-  void See(const openr_host::Message& message);
+  void HandleMessage(const openr_host::Message& message);
 
   // Checks that the objects and services that `spec` names exist.  Otherwise reports a failure and
   // calls `on_wrong`, which may be null.  Before Boot() some services are not known yet, so a call
@@ -440,7 +440,7 @@ class Bench {
   std::string console_;
   std::unique_ptr<openr_host::System> system_;
   BenchSchedule schedule_;
-  Doors doors_;
+  TestGate gate_;
   openr_host::VirtualRobot* dog_ = nullptr;
   openr_host::IpStack* ip_stack_ = nullptr;
   std::vector<TcpClient*> clients_;

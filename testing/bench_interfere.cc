@@ -158,7 +158,7 @@ void Bench::Reorder(std::vector<std::string> objects, Place place) {
 }
 
 HeldMessages& Bench::Hold(const MessageSpec& spec, Place place) {
-  HeldMessages& held = doors_.Hold(spec, place);
+  HeldMessages& held = gate_.Hold(spec, place);
   // If a name in `spec` is wrong, no message can fit.  Optional() then keeps the test from failing
   // a second time because no message was held.
   CheckNames(spec, place, [&held] { held.Optional(); });
@@ -166,14 +166,14 @@ HeldMessages& Bench::Hold(const MessageSpec& spec, Place place) {
 }
 
 DroppedMessages& Bench::Drop(const MessageSpec& spec, int count, Place place) {
-  DroppedMessages& dropped = doors_.Drop(spec, count, place);
+  DroppedMessages& dropped = gate_.Drop(spec, count, place);
   CheckNames(spec, place, [&dropped] { dropped.Optional(); });
   return dropped;
 }
 
 RepeatedMessage& Bench::Repeat(const MessageSpec& spec, uint64_t nth, Place place) {
   if (nth < 1) throw std::invalid_argument("Repeat: messages are counted from 1");
-  RepeatedMessage& repeated = doors_.Repeat(spec, nth, place);
+  RepeatedMessage& repeated = gate_.Repeat(spec, nth, place);
   CheckNames(spec, place, [&repeated] { repeated.Optional(); });
   return repeated;
 }

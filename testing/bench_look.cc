@@ -54,7 +54,7 @@ std::string Bench::Story() const {
   const std::vector<std::string> waits = DescribeWaits(*system_);
   if (!waits.empty()) text += "Who waits:\n";
   for (const std::string& line : waits) text += "  " + line + "\n";
-  const std::string held = doors_.Text();
+  const std::string held = gate_.Text();
   if (!held.empty()) text += "Behind doors of the test:\n" + held;
   text += "To see it again: " + command_;
   if (history_.last_number() != 0) {

@@ -80,11 +80,11 @@ bool Bench::ReportFindings(const Place& place) {
   return good;
 }
 
-void Bench::See(const Message& message) {
+void Bench::HandleMessage(const Message& message) {
   const SeenMessage seen(*system_, message);
   history_.Add(seen);
-  expectations_.See(seen,
-                    [this](const Place& place, const std::string& text) { Miss(place, text); });
+  expectations_.Check(seen,
+                      [this](const Place& place, const std::string& text) { Miss(place, text); });
   if (goal_ && goal_->Matches(seen)) goal_reached_ = true;
   if (seen.number() == goal_number_) goal_reached_ = true;
   for (const auto& see : see_) see(seen);
@@ -191,7 +191,7 @@ bool Bench::PhysicsStep(Place place) {
 void Bench::Verify() {
   const ReportAt miss = [this](const Place& place, const std::string& text) { Miss(place, text); };
   expectations_.Verify(miss);
-  doors_.Verify(miss);
+  gate_.Verify(miss);
   schedule_.Verify(miss);
   ReportFindings(place_);
   for (const ExpectedFinding& expected : std::exchange(expected_findings_, {})) {

@@ -19,7 +19,7 @@ void Expectations::set_strict(bool strict, const Place& place) {
   strict_ = strict ? std::optional(place) : std::nullopt;
 }
 
-void Expectations::See(const SeenMessage& message, const Report& report) {
+void Expectations::Check(const SeenMessage& message, const Report& report) {
   for (Disallowed& disallowed : disallowed_) {
     if (disallowed.reported || !disallowed.spec.Matches(message)) continue;
     disallowed.reported = true;
@@ -31,7 +31,7 @@ void Expectations::See(const SeenMessage& message, const Report& report) {
     return;
   }
   Compare(message);
-  if (strict_ && message.kind() == MessageKind::kNotify) SeeUnexpected(message, report);
+  if (strict_ && message.kind() == MessageKind::kNotify) CheckUnexpected(message, report);
 }
 
 void Expectations::Compare(const SeenMessage& message) {
@@ -48,7 +48,7 @@ void Expectations::Compare(const SeenMessage& message) {
   }
 }
 
-void Expectations::SeeUnexpected(const SeenMessage& message, const Report& report) {
+void Expectations::CheckUnexpected(const SeenMessage& message, const Report& report) {
   if (std::any_of(allowed_.begin(), allowed_.end(),
                   [&](const MessageSpec& spec) { return spec.Matches(message); })) {
     return;

@@ -30,7 +30,7 @@ class Expectations {
 
   // Compares a message with the expectations.  Called for every message, just before its handler
   // runs.
-  void See(const SeenMessage& message, const Report& report);
+  void Check(const SeenMessage& message, const Report& report);
 
   // Returns whether all expected messages have come.
   bool met() const { return expected_.empty(); }
@@ -58,7 +58,7 @@ class Expectations {
   // can name it: in `early` if it fits but came before its turn, in `other` if only its payload
   // does not fit.
   void Compare(const SeenMessage& message);
-  void SeeUnexpected(const SeenMessage& message, const Report& report);
+  void CheckUnexpected(const SeenMessage& message, const Report& report);
 
   std::deque<Expected> expected_;
   std::vector<MessageSpec> allowed_;

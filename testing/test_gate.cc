@@ -1,4 +1,4 @@
-#include "testing/doors.h"
+#include "testing/test_gate.h"
 
 #include <OPENR/ObjcommMessages.h>
 #include <OPENR/RCRegion.h>
@@ -73,8 +73,8 @@ std::string HeldMessages::Text() const {
   return fmt::format("{} held: {}", messages_.size(), spec_.Text());
 }
 
-OwnedMessage Doors::Admit(OwnedMessage message) {
-  if (Lose(*message)) return nullptr;
+OwnedMessage TestGate::Admit(OwnedMessage message) {
+  if (DropIfAsked(*message)) return nullptr;
   for (HeldMessages& held : held_) {
     if (held.HoldBack(&message)) return nullptr;
   }
@@ -82,7 +82,7 @@ OwnedMessage Doors::Admit(OwnedMessage message) {
   return message;
 }
 
-void Doors::RepeatIfAsked(const Message& message) {
+void TestGate::RepeatIfAsked(const Message& message) {
   for (RepeatedMessage& repeated : repeated_) {
     if (repeated.happened()) continue;
     const SeenMessage seen(*system_, message);
@@ -94,7 +94,7 @@ void Doors::RepeatIfAsked(const Message& message) {
   }
 }
 
-bool Doors::Lose(const Message& message) {
+bool TestGate::DropIfAsked(const Message& message) {
   for (DroppedMessages& dropped : dropped_) {
     if (dropped.left_ == 0) continue;
     const SeenMessage seen(*system_, message);
@@ -110,7 +110,7 @@ bool Doors::Lose(const Message& message) {
   return false;
 }
 
-void Doors::Verify(const ReportAt& report) {
+void TestGate::Verify(const ReportAt& report) {
   for (HeldMessages& held : held_) {
     if (held.has_held_ || std::exchange(held.is_optional_, true)) continue;
     report(held.place_,
@@ -129,7 +129,7 @@ void Doors::Verify(const ReportAt& report) {
   }
 }
 
-std::string Doors::Text() const {
+std::string TestGate::Text() const {
   std::string text;
   for (const HeldMessages& held : held_) {
     if (held.count() > 0) text += "  " + held.Text() + "\n";

@@ -1,4 +1,4 @@
-// Doors: a test uses them to hold back or drop messages between two objects.
+// TestGate: a test uses it to hold back, drop or repeat messages between two objects.
 #pragma once
 
 #include <cstdint>
@@ -44,7 +44,7 @@ class HeldMessages {
   std::string Text() const;
 
  private:
-  friend class Doors;
+  friend class TestGate;
   // Moves `*message` into `messages_`, which holds it back, and returns true.  Returns false and
   // leaves the message alone if it does not match `spec_`, if Release() or ReleaseInOrder() was
   // called, or if ReleaseOne() has released this message.
@@ -73,7 +73,7 @@ class DroppedMessages {
   const std::vector<std::string>& texts() const { return texts_; }
 
  private:
-  friend class Doors;
+  friend class TestGate;
   const MessageSpec spec_;
   const Place place_;
   bool is_optional_ = false;
@@ -96,7 +96,7 @@ class RepeatedMessage {
   const std::string& text() const { return text_; }
 
  private:
-  friend class Doors;
+  friend class TestGate;
   const MessageSpec spec_;
   const uint64_t nth_;
   const Place place_;
@@ -105,12 +105,12 @@ class RepeatedMessage {
   std::string text_;
 };
 
-class Doors : public openr_host::Gate {
+class TestGate : public openr_host::Gate {
  public:
   // A function that posts a message with the same sender, receiver and data once more.
   using PostAgain = std::function<void(const SeenMessage& message, const Place& place)>;
 
-  Doors(openr_host::System* system, PostAgain post_again)
+  TestGate(openr_host::System* system, PostAgain post_again)
       : system_(system), post_again_(std::move(post_again)) {}
 
   HeldMessages& Hold(MessageSpec spec, const Place& place) {
@@ -137,7 +137,7 @@ class Doors : public openr_host::Gate {
  private:
   // Drops `message` if a call of Drop() has asked for it: counts the message, and releases the
   // regions (shared memory) with the data of the message.  Returns whether the message was dropped.
-  bool Lose(const openr_host::Message& message);
+  bool DropIfAsked(const openr_host::Message& message);
 
   // Posts a message with the same data again for each call of Repeat() that has asked to repeat
   // `message`.
