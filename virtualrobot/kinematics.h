@@ -14,17 +14,6 @@
 
 namespace openr_host {
 
-// Returns the rotation by `angle_rad` about the unit vector `axis`.
-Eigen::Matrix3d AxisRotation(const Eigen::Vector3d& axis, double angle_rad);
-
-// Returns the rotation R_WB for roll (about x), pitch (about y) and yaw (about z), applied in this
-// order: Rz(yaw) Ry(pitch) Rx(roll).  When the robot's nose points down, pitch is positive.
-Eigen::Matrix3d RotationFromRpy(const Eigen::Vector3d& rpy_rad);
-
-// Returns roll, pitch and yaw of the rotation `R`.  For |pitch| < pi/2, this is the inverse of
-// RotationFromRpy().
-Eigen::Vector3d RpyOf(const Eigen::Matrix3d& R);
-
 // Returns the pose X_BL of each part, in the order of RobotModel::bodies.  X_BL maps a point of the
 // part, given as in the model file (in B at zero angles), to its place in B at `angles_rad`.
 // REQUIRES: one angle per joint.

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "runtime/base/assert.h"
+#include "virtualrobot/base/rotation.h"
 #include "virtualrobot/det_math.h"
 
 namespace openr_host {

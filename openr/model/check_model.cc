@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "virtualrobot/base/rotation.h"
 #include "virtualrobot/body_mover.h"
 #include "virtualrobot/det_math.h"
 #include "virtualrobot/kinematics.h"

@@ -11,6 +11,7 @@
 
 #include "MtnFile.h"
 #include "tests/graph/graph.h"
+#include "virtualrobot/base/rotation.h"
 #include "virtualrobot/kinematics.h"
 
 namespace openr_host {

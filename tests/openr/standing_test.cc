@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/install_paths.h"
+#include "virtualrobot/base/rotation.h"
 #include "virtualrobot/kinematics.h"
 
 namespace openr_host {

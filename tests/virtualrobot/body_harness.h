@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runtime/base/hasher.h"
+#include "virtualrobot/base/rotation.h"
 #include "virtualrobot/body.h"
 #include "virtualrobot/body_mover.h"
 #include "virtualrobot/det_math.h"

@@ -6,6 +6,7 @@
 
 #include "runtime/base/rng.h"
 #include "tests/virtualrobot/body_harness.h"
+#include "virtualrobot/base/rotation.h"
 #include "virtualrobot/stiff_robot.h"
 
 namespace openr_host {

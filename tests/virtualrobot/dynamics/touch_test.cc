@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "virtualrobot/base/rotation.h"
 #include "virtualrobot/det_math.h"
-#include "virtualrobot/kinematics.h"
 
 namespace openr_host {
 namespace {
