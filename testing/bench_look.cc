@@ -8,8 +8,8 @@
 #include "runtime/base/spelling.h"
 #include "runtime/core/stalls.h"
 #include "testing/bench.h"
+#include "virtualrobot/base/det_math.h"
 #include "virtualrobot/base/rotation.h"
-#include "virtualrobot/det_math.h"
 #include "virtualrobot/virtual_robot.h"
 
 namespace openr::testing {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "runtime/base/assert.h"
-#include "virtualrobot/det_math.h"
+#include "virtualrobot/base/det_math.h"
 
 namespace openr_host {
 

@@ -11,7 +11,7 @@
 #include "runtime/base/hasher.h"
 #include "runtime/base/spelling.h"
 #include "runtime/core/system.h"
-#include "virtualrobot/input_words.h"
+#include "virtualrobot/base/input_words.h"
 #include "virtualrobot/robot_parts.h"
 
 namespace openr_host {

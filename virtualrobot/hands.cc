@@ -10,8 +10,8 @@
 #include "runtime/base/hasher.h"
 #include "runtime/base/spelling.h"
 #include "runtime/core/system.h"
-#include "virtualrobot/det_math.h"
-#include "virtualrobot/input_words.h"
+#include "virtualrobot/base/det_math.h"
+#include "virtualrobot/base/input_words.h"
 #include "virtualrobot/robot_parts.h"
 
 namespace openr_host {

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "runtime/base/read_file.h"
+#include "virtualrobot/base/det_math.h"
+#include "virtualrobot/base/json_reader.h"
 #include "virtualrobot/base/rotation.h"
-#include "virtualrobot/det_math.h"
 #include "virtualrobot/height_grid.h"
-#include "virtualrobot/json_reader.h"
 #include "virtualrobot/world.h"
 
 namespace openr_host {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "runtime/base/hasher.h"
-#include "virtualrobot/det_math.h"
+#include "virtualrobot/base/det_math.h"
 #include "virtualrobot/servo.h"
 
 namespace openr_host {

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "runtime/base/assert.h"
+#include "virtualrobot/base/det_math.h"
 #include "virtualrobot/base/rotation.h"
-#include "virtualrobot/det_math.h"
 
 namespace openr_host {
 namespace {

@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "openr/chart/chart.h"
-#include "virtualrobot/det_math.h"
+#include "virtualrobot/base/det_math.h"
 
 namespace openr_host::chart {
 namespace {

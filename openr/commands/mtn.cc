@@ -22,7 +22,7 @@
 #include "openr/commands/mtn_files.h"
 #include "openr/motion/mtn_csv.h"
 #include "runtime/base/read_file.h"
-#include "virtualrobot/det_math.h"
+#include "virtualrobot/base/det_math.h"
 
 namespace openr_host {
 namespace {

@@ -18,7 +18,7 @@
 #include "runtime/core/api.h"
 #include "runtime/core/system.h"
 #include "runtime/ipstack/ant_message.h"
-#include "virtualrobot/det_math.h"
+#include "virtualrobot/base/det_math.h"
 #include "virtualrobot/primitive_locator.h"
 #include "virtualrobot/virtual_robot.h"
 

@@ -11,8 +11,8 @@
 
 #include "runtime/base/spelling.h"
 #include "runtime/core/system.h"
+#include "virtualrobot/base/det_math.h"
 #include "virtualrobot/base/rotation.h"
-#include "virtualrobot/det_math.h"
 
 namespace openr_host {
 namespace {

@@ -11,7 +11,7 @@
 #include "openr/inspect/trace_text.h"
 #include "runtime/core/stalls.h"
 #include "runtime/core/system.h"
-#include "virtualrobot/det_math.h"
+#include "virtualrobot/base/det_math.h"
 
 namespace openr_host {
 

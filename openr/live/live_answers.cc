@@ -26,7 +26,7 @@
 #include "runtime/core/connection_state.h"
 #include "runtime/core/stalls.h"
 #include "runtime/core/system.h"
-#include "virtualrobot/det_math.h"
+#include "virtualrobot/base/det_math.h"
 
 namespace openr_host {
 namespace {

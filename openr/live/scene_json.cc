@@ -12,7 +12,7 @@
 #include "openr/render/robot_scene.h"
 #include "openr/render/robot_shapes.h"
 #include "runtime/core/system.h"
-#include "virtualrobot/det_math.h"
+#include "virtualrobot/base/det_math.h"
 
 namespace openr_host {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <memory>
 
+#include "virtualrobot/base/det_math.h"
 #include "virtualrobot/base/rotation.h"
 #include "virtualrobot/body_mover.h"
-#include "virtualrobot/det_math.h"
 #include "virtualrobot/kinematics.h"
 
 namespace openr_host {

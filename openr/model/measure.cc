@@ -4,8 +4,8 @@
 #include <cmath>
 #include <memory>
 
+#include "virtualrobot/base/det_math.h"
 #include "virtualrobot/body_mover.h"
-#include "virtualrobot/det_math.h"
 #include "virtualrobot/energy.h"
 #include "virtualrobot/virtual_robot.h"
 

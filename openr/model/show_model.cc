@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "virtualrobot/det_math.h"
+#include "virtualrobot/base/det_math.h"
 
 namespace openr_host {
 namespace {

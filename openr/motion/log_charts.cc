@@ -4,7 +4,7 @@
 
 #include "RobotDescription.h"
 #include "openr/motion/mtn_csv.h"
-#include "virtualrobot/det_math.h"
+#include "virtualrobot/base/det_math.h"
 
 namespace openr_host {
 namespace {

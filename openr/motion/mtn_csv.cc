@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "virtualrobot/det_math.h"
+#include "virtualrobot/base/det_math.h"
 
 namespace openr_host {
 namespace {

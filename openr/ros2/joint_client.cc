@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "RemoteProtocol.h"
-#include "virtualrobot/det_math.h"
+#include "virtualrobot/base/det_math.h"
 
 namespace openr_host {
 namespace {

@@ -16,8 +16,8 @@
 #include "runtime/core/api.h"
 #include "runtime/core/current.h"
 #include "runtime/core/system.h"
+#include "virtualrobot/base/det_math.h"
 #include "virtualrobot/base/rotation.h"
-#include "virtualrobot/det_math.h"
 
 namespace openr_host {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "openr/simulation/simulation.h"
 #include "runtime/base/spelling.h"
-#include "virtualrobot/det_math.h"
+#include "virtualrobot/base/det_math.h"
 #include "virtualrobot/kinematics.h"
 
 namespace openr_host {

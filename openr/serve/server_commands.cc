@@ -16,7 +16,7 @@
 #include "openr/simulation/sanitizer_start.h"
 #include "runtime/config/diagnostic.h"
 #include "runtime/core/system.h"
-#include "virtualrobot/det_math.h"
+#include "virtualrobot/base/det_math.h"
 
 namespace openr_host {
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "virtualrobot/base/det_math.h"
 #include "virtualrobot/body.h"
-#include "virtualrobot/det_math.h"
 #include "virtualrobot/model/robot_model.h"
 
 namespace openr_host {

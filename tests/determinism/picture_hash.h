@@ -6,9 +6,9 @@
 #include <string>
 
 #include "runtime/base/hasher.h"
+#include "virtualrobot/base/det_math.h"
 #include "virtualrobot/base/rotation.h"
 #include "virtualrobot/camera/rendered_world.h"
-#include "virtualrobot/det_math.h"
 
 namespace openr_host {
 

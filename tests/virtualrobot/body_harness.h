@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "runtime/base/hasher.h"
+#include "virtualrobot/base/det_math.h"
 #include "virtualrobot/base/rotation.h"
 #include "virtualrobot/body.h"
 #include "virtualrobot/body_mover.h"
-#include "virtualrobot/det_math.h"
 #include "virtualrobot/kinematics.h"
 
 namespace openr_host {

@@ -1,4 +1,4 @@
-#include "virtualrobot/json_reader.h"
+#include "virtualrobot/base/json_reader.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "virtualrobot/det_math.h"
+#include "virtualrobot/base/det_math.h"
 
 namespace openr_host::genmodel {
 namespace {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "virtualrobot/det_math.h"
+#include "virtualrobot/base/det_math.h"
 #include "virtualrobot/model/robot_model.h"
 
 namespace openr_host::motions {

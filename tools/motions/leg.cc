@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "virtualrobot/det_math.h"
+#include "virtualrobot/base/det_math.h"
 
 namespace openr_host::motions {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "virtualrobot/det_math.h"
+#include "virtualrobot/base/det_math.h"
 
 namespace openr_host::motions {
 namespace {

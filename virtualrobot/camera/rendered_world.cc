@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "runtime/base/assert.h"
+#include "virtualrobot/base/det_math.h"
 #include "virtualrobot/body.h"
-#include "virtualrobot/det_math.h"
 #include "virtualrobot/height_grid.h"
 #include "virtualrobot/robot_things.h"
 

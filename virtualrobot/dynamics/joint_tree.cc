@@ -5,8 +5,8 @@
 
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
+#include "virtualrobot/base/det_math.h"
 #include "virtualrobot/base/rotation.h"
-#include "virtualrobot/det_math.h"
 
 namespace openr_host {
 namespace {

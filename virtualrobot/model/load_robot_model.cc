@@ -6,8 +6,8 @@
 
 #include "runtime/base/hasher.h"
 #include "runtime/base/read_file.h"
-#include "virtualrobot/det_math.h"
-#include "virtualrobot/json_reader.h"
+#include "virtualrobot/base/det_math.h"
+#include "virtualrobot/base/json_reader.h"
 #include "virtualrobot/model/robot_model.h"
 
 namespace openr_host {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "virtualrobot/base/det_math.h"
 #include "virtualrobot/base/rotation.h"
-#include "virtualrobot/det_math.h"
 
 namespace openr_host {
 namespace {

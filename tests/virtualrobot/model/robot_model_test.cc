@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "tests/virtualrobot/body_harness.h"
-#include "virtualrobot/det_math.h"
+#include "virtualrobot/base/det_math.h"
 
 namespace openr_host {
 namespace {

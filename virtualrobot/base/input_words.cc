@@ -1,4 +1,4 @@
-#include "virtualrobot/input_words.h"
+#include "virtualrobot/base/input_words.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "virtualrobot/det_math.h"
+#include "virtualrobot/base/det_math.h"
 
 #include <cstdint>
 
