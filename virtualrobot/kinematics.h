@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "virtualrobot/model/robot_model.h"
-#include "virtualrobot/world.h"
+#include "virtualrobot/worlds/world.h"
 
 namespace openr_host {
 

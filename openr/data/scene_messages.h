@@ -6,7 +6,7 @@
 #include <string>
 
 #include "virtualrobot/model/robot_model.h"
-#include "virtualrobot/world.h"
+#include "virtualrobot/worlds/world.h"
 
 namespace openr_host {
 

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <string_view>
 
-#include "virtualrobot/height_grid.h"
+#include "virtualrobot/worlds/height_grid.h"
 
 namespace openr_host {
 namespace {

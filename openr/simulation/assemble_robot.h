@@ -9,7 +9,7 @@
 #include "runtime/stick/memory_stick.h"
 #include "virtualrobot/body.h"
 #include "virtualrobot/virtual_robot.h"
-#include "virtualrobot/world.h"
+#include "virtualrobot/worlds/world.h"
 
 namespace openr_host {
 

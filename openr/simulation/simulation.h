@@ -15,7 +15,7 @@
 #include "runtime/core/load_stick.h"
 #include "virtualrobot/model/robot_model.h"
 #include "virtualrobot/virtual_robot.h"
-#include "virtualrobot/world.h"
+#include "virtualrobot/worlds/world.h"
 
 namespace openr_host {
 

@@ -3,7 +3,7 @@
 
 #include "runtime/base/hasher.h"
 #include "tests/virtualrobot/body_harness.h"
-#include "virtualrobot/world.h"
+#include "virtualrobot/worlds/world.h"
 
 namespace openr_host {
 namespace {

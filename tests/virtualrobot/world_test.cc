@@ -1,4 +1,4 @@
-#include "virtualrobot/world.h"
+#include "virtualrobot/worlds/world.h"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include "runtime/base/assert.h"
 #include "virtualrobot/base/det_math.h"
 #include "virtualrobot/body.h"
-#include "virtualrobot/height_grid.h"
 #include "virtualrobot/robot_things.h"
+#include "virtualrobot/worlds/height_grid.h"
 
 namespace openr_host {
 namespace {

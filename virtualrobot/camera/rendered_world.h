@@ -8,7 +8,7 @@
 #include "virtualrobot/camera/canvas.h"
 #include "virtualrobot/camera/image_source.h"
 #include "virtualrobot/model/robot_model.h"
-#include "virtualrobot/world.h"
+#include "virtualrobot/worlds/world.h"
 
 namespace openr_host {
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "runtime/base/assert.h"
-#include "virtualrobot/height_grid.h"
+#include "virtualrobot/worlds/height_grid.h"
 
 namespace openr_host {
 namespace {

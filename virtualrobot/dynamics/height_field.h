@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "virtualrobot/dynamics/touch.h"
-#include "virtualrobot/world.h"
+#include "virtualrobot/worlds/world.h"
 
 namespace openr_host {
 

@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "virtualrobot/world.h"
+#include "virtualrobot/worlds/world.h"
 
 namespace openr_host {
 

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 
 #include "virtualrobot/model/robot_model.h"
-#include "virtualrobot/world.h"
+#include "virtualrobot/worlds/world.h"
 
 namespace openr_host {
 

@@ -1,5 +1,5 @@
 // The fuzz target world: world files.
-#include "virtualrobot/world.h"
+#include "virtualrobot/worlds/world.h"
 
 #include <stdexcept>
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/virtualrobot/body_harness.h"
-#include "virtualrobot/height_grid.h"
+#include "virtualrobot/worlds/height_grid.h"
 
 namespace openr_host {
 namespace {

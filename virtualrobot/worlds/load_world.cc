@@ -11,8 +11,8 @@
 #include "virtualrobot/base/det_math.h"
 #include "virtualrobot/base/json_reader.h"
 #include "virtualrobot/base/rotation.h"
-#include "virtualrobot/height_grid.h"
-#include "virtualrobot/world.h"
+#include "virtualrobot/worlds/height_grid.h"
+#include "virtualrobot/worlds/world.h"
 
 namespace openr_host {
 namespace {

@@ -1,4 +1,4 @@
-#include "virtualrobot/world.h"
+#include "virtualrobot/worlds/world.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "runtime/base/hasher.h"
-#include "virtualrobot/height_grid.h"
+#include "virtualrobot/worlds/height_grid.h"
 
 namespace openr_host {
 namespace {

@@ -9,7 +9,7 @@
 #include <array>
 #include <vector>
 
-#include "virtualrobot/world.h"
+#include "virtualrobot/worlds/world.h"
 
 namespace openr_host {
 

@@ -1,4 +1,4 @@
-#include "virtualrobot/height_grid.h"
+#include "virtualrobot/worlds/height_grid.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
