@@ -25,7 +25,7 @@
 #include "runtime/core/load_stick.h"
 #include "runtime/gateway/tcp_gateway.h"
 #include "runtime/ipstack/ip_stack.h"
-#include "virtualrobot/body.h"
+#include "virtualrobot/body/body.h"
 #include "virtualrobot/virtual_robot.h"
 
 namespace openr::testing {

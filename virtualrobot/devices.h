@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "runtime/core/message.h"
-#include "virtualrobot/body.h"
+#include "virtualrobot/body/body.h"
 #include "virtualrobot/model/robot_model.h"
 
 namespace openr_host {

@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-#include "virtualrobot/body.h"
+#include "virtualrobot/body/body.h"
 #include "virtualrobot/devices.h"
 
 namespace openr_host {

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "virtualrobot/body.h"
+#include "virtualrobot/body/body.h"
 #include "virtualrobot/command_vector.h"
 #include "virtualrobot/devices.h"
 

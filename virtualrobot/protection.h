@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "virtualrobot/body.h"
+#include "virtualrobot/body/body.h"
 #include "virtualrobot/energy.h"
 #include "virtualrobot/model/robot_model.h"
 

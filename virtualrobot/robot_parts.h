@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "virtualrobot/body.h"
+#include "virtualrobot/body/body.h"
 #include "virtualrobot/camera/camera.h"
 #include "virtualrobot/camera/image_source.h"
 #include "virtualrobot/devices.h"

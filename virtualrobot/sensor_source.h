@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "runtime/base/rng.h"
-#include "virtualrobot/body.h"
+#include "virtualrobot/body/body.h"
 #include "virtualrobot/devices.h"
 #include "virtualrobot/model/robot_model.h"
 #include "virtualrobot/optional_bytes.h"

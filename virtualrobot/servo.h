@@ -10,7 +10,7 @@
 // number here.
 #pragma once
 
-#include "virtualrobot/body.h"
+#include "virtualrobot/body/body.h"
 
 namespace openr_host {
 

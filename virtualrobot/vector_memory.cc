@@ -7,7 +7,7 @@
 
 #include "runtime/base/assert.h"
 #include "runtime/core/system.h"
-#include "virtualrobot/body.h"
+#include "virtualrobot/body/body.h"
 
 namespace openr_host {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "virtualrobot/base/det_math.h"
 #include "virtualrobot/base/rotation.h"
-#include "virtualrobot/body_mover.h"
-#include "virtualrobot/kinematics.h"
+#include "virtualrobot/body/body_mover.h"
+#include "virtualrobot/body/kinematics.h"
 
 namespace openr_host {
 namespace {

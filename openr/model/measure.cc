@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "virtualrobot/base/det_math.h"
-#include "virtualrobot/body_mover.h"
+#include "virtualrobot/body/body_mover.h"
 #include "virtualrobot/energy.h"
 #include "virtualrobot/virtual_robot.h"
 

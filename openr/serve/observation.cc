@@ -11,7 +11,7 @@
 #include "openr/simulation/simulation.h"
 #include "runtime/base/spelling.h"
 #include "virtualrobot/base/det_math.h"
-#include "virtualrobot/kinematics.h"
+#include "virtualrobot/body/kinematics.h"
 
 namespace openr_host {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "runtime/ipstack/ip_stack.h"
 #include "runtime/stick/memory_stick.h"
-#include "virtualrobot/body.h"
+#include "virtualrobot/body/body.h"
 #include "virtualrobot/virtual_robot.h"
 #include "virtualrobot/worlds/world.h"
 

@@ -24,7 +24,7 @@
 #include "runtime/ipstack/ip_stack.h"
 #include "runtime/stick/memory_stick.h"
 #include "virtualrobot/battery.h"
-#include "virtualrobot/body.h"
+#include "virtualrobot/body/body.h"
 
 namespace openr_host {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "virtualrobot/kinematics.h"
+#include "virtualrobot/body/kinematics.h"
 
 namespace openr_host {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "virtualrobot/base/det_math.h"
-#include "virtualrobot/body.h"
+#include "virtualrobot/body/body.h"
 #include "virtualrobot/model/robot_model.h"
 
 namespace openr_host {

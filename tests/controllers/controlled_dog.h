@@ -12,7 +12,7 @@
 
 #include "runtime/base/temp_folder.h"
 #include "tests/graph/pilot.h"
-#include "virtualrobot/body.h"
+#include "virtualrobot/body/body.h"
 #include "virtualrobot/virtual_robot.h"
 
 namespace openr_host {

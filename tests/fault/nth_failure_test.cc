@@ -16,7 +16,7 @@
 #include "runtime/core/system.h"
 #include "runtime/ipstack/ip_stack.h"
 #include "runtime/stick/memory_stick.h"
-#include "virtualrobot/body.h"
+#include "virtualrobot/body/body.h"
 #include "virtualrobot/virtual_robot.h"
 
 namespace openr_host {

@@ -12,7 +12,7 @@
 #include "MtnFile.h"
 #include "tests/graph/graph.h"
 #include "virtualrobot/base/rotation.h"
-#include "virtualrobot/kinematics.h"
+#include "virtualrobot/body/kinematics.h"
 
 namespace openr_host {
 namespace {

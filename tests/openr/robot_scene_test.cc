@@ -7,7 +7,7 @@
 #include "cli/install_paths.h"
 #include "openr/render/mesh.h"
 #include "openr/render/robot_shapes.h"
-#include "virtualrobot/kinematics.h"
+#include "virtualrobot/body/kinematics.h"
 
 namespace openr_host {
 namespace {

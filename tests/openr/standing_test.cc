@@ -4,7 +4,7 @@
 
 #include "cli/install_paths.h"
 #include "virtualrobot/base/rotation.h"
-#include "virtualrobot/kinematics.h"
+#include "virtualrobot/body/kinematics.h"
 
 namespace openr_host {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "runtime/base/temp_folder.h"
-#include "virtualrobot/body.h"
+#include "virtualrobot/body/body.h"
 #include "virtualrobot/virtual_robot.h"
 
 namespace openr::testing {

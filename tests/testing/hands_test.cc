@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "virtualrobot/body.h"
+#include "virtualrobot/body/body.h"
 #include "virtualrobot/virtual_robot.h"
 
 namespace openr::testing {

@@ -1,4 +1,4 @@
-// A body under test: moves it by set points (virtualrobot/body_mover.h) and looks at it.
+// A body under test: moves it by set points (virtualrobot/body/body_mover.h) and looks at it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,9 +11,9 @@
 #include "runtime/base/hasher.h"
 #include "virtualrobot/base/det_math.h"
 #include "virtualrobot/base/rotation.h"
-#include "virtualrobot/body.h"
-#include "virtualrobot/body_mover.h"
-#include "virtualrobot/kinematics.h"
+#include "virtualrobot/body/body.h"
+#include "virtualrobot/body/body_mover.h"
+#include "virtualrobot/body/kinematics.h"
 
 namespace openr_host {
 

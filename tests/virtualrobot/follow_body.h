@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "runtime/base/hasher.h"
-#include "virtualrobot/body.h"
+#include "virtualrobot/body/body.h"
 
 namespace openr_host {
 

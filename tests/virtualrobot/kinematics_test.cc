@@ -1,4 +1,4 @@
-#include "virtualrobot/kinematics.h"
+#include "virtualrobot/body/kinematics.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "runtime/base/rng.h"
 #include "tests/virtualrobot/body_harness.h"
 #include "virtualrobot/base/rotation.h"
-#include "virtualrobot/stiff_robot.h"
+#include "virtualrobot/body/stiff_robot.h"
 
 namespace openr_host {
 namespace {

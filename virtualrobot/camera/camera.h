@@ -10,7 +10,7 @@
 #include <memory>
 #include <string>
 
-#include "virtualrobot/body.h"
+#include "virtualrobot/body/body.h"
 #include "virtualrobot/camera/colour_tables.h"
 #include "virtualrobot/camera/image_layers.h"
 #include "virtualrobot/camera/image_source.h"

@@ -6,8 +6,8 @@
 
 #include "runtime/base/assert.h"
 #include "virtualrobot/base/det_math.h"
-#include "virtualrobot/body.h"
-#include "virtualrobot/robot_things.h"
+#include "virtualrobot/body/body.h"
+#include "virtualrobot/body/robot_things.h"
 #include "virtualrobot/worlds/height_grid.h"
 
 namespace openr_host {

@@ -12,7 +12,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "virtualrobot/body.h"
+#include "virtualrobot/body/body.h"
 #include "virtualrobot/dynamics/touch.h"
 
 namespace openr_host {

@@ -9,9 +9,9 @@
 
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
-#include "virtualrobot/kinematics.h"
+#include "virtualrobot/body/kinematics.h"
+#include "virtualrobot/body/robot_things.h"
 #include "virtualrobot/ode/ode_bodies.h"
-#include "virtualrobot/robot_things.h"
 
 namespace openr_host {
 namespace {

@@ -10,9 +10,9 @@
 #include <optional>
 #include <vector>
 
-#include "virtualrobot/body.h"
+#include "virtualrobot/body/body.h"
+#include "virtualrobot/body/kinematics.h"
 #include "virtualrobot/dynamics/joint_tree.h"
-#include "virtualrobot/kinematics.h"
 #include "virtualrobot/ode/physics_world.h"
 #include "virtualrobot/servo.h"
 

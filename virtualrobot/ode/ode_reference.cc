@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "runtime/base/upper_registers.h"
-#include "virtualrobot/kinematics.h"
+#include "virtualrobot/body/kinematics.h"
 #include "virtualrobot/ode/contact_finder.h"
 #include "virtualrobot/ode/ode_bodies.h"
 #include "virtualrobot/ode/ode_body.h"

@@ -12,7 +12,7 @@
 #include <memory>
 #include <vector>
 
-#include "virtualrobot/body.h"
+#include "virtualrobot/body/body.h"
 #include "virtualrobot/servo.h"
 
 struct dxWorld;

@@ -7,7 +7,7 @@
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "runtime/base/upper_registers.h"
-#include "virtualrobot/body.h"
+#include "virtualrobot/body/body.h"
 #include "virtualrobot/ode/contact_finder.h"
 #include "virtualrobot/ode/ode_bodies.h"
 #include "virtualrobot/ode/ode_body.h"

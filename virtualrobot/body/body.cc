@@ -1,4 +1,4 @@
-#include "virtualrobot/body.h"
+#include "virtualrobot/body/body.h"
 
 namespace openr_host {
 

@@ -14,8 +14,8 @@
 #include <optional>
 #include <vector>
 
-#include "virtualrobot/body.h"
-#include "virtualrobot/stiff_robot.h"
+#include "virtualrobot/body/body.h"
+#include "virtualrobot/body/stiff_robot.h"
 
 namespace openr_host {
 

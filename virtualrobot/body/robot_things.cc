@@ -1,4 +1,4 @@
-#include "virtualrobot/robot_things.h"
+#include "virtualrobot/body/robot_things.h"
 
 #include "runtime/base/assert.h"
 

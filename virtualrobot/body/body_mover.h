@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "virtualrobot/body.h"
+#include "virtualrobot/body/body.h"
 
 namespace openr_host {
 

@@ -1,4 +1,4 @@
-#include "virtualrobot/hull.h"
+#include "virtualrobot/body/hull.h"
 
 #include <cmath>
 #include <limits>

@@ -1,7 +1,7 @@
-#include "virtualrobot/kinematics.h"
+#include "virtualrobot/body/kinematics.h"
 
 #include "virtualrobot/base/rotation.h"
-#include "virtualrobot/stiff_robot.h"
+#include "virtualrobot/body/stiff_robot.h"
 
 namespace openr_host {
 namespace {

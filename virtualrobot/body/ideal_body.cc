@@ -1,4 +1,4 @@
-#include "virtualrobot/ideal_body.h"
+#include "virtualrobot/body/ideal_body.h"
 
 #include <algorithm>
 

@@ -4,8 +4,8 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "virtualrobot/hull.h"
-#include "virtualrobot/kinematics.h"
+#include "virtualrobot/body/hull.h"
+#include "virtualrobot/body/kinematics.h"
 #include "virtualrobot/model/robot_model.h"
 
 namespace openr_host {

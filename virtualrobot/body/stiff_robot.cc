@@ -1,4 +1,4 @@
-#include "virtualrobot/stiff_robot.h"
+#include "virtualrobot/body/stiff_robot.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "virtualrobot/body_mover.h"
+#include "virtualrobot/body/body_mover.h"
 
 #include <algorithm>
 #include <cmath>
