@@ -26,7 +26,7 @@ MODEL = json.loads((ROOT / "virtualrobot/model/ers210.json").read_text())
 JOINTS = [row for row in MODEL["joints"]["rows"] if "mtn" in row]
 
 FRAME_S = 0.008
-DRIVE_FULL = 255        # virtualrobot/servo.h
+DRIVE_FULL = 255        # virtualrobot/dynamics/servo.h
 AD_STEPS = 1023
 NO_LOAD_RATIO = 2.0
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "runtime/base/hasher.h"
-#include "virtualrobot/servo.h"
+#include "virtualrobot/dynamics/servo.h"
 
 namespace openr_host {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "runtime/base/hasher.h"
 #include "virtualrobot/base/det_math.h"
-#include "virtualrobot/servo.h"
+#include "virtualrobot/dynamics/servo.h"
 
 namespace openr_host {
 namespace {

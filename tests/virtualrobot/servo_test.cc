@@ -1,4 +1,4 @@
-#include "virtualrobot/servo.h"
+#include "virtualrobot/dynamics/servo.h"
 
 #include <gtest/gtest.h>
 

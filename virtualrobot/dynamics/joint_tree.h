@@ -22,7 +22,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "virtualrobot/servo.h"
+#include "virtualrobot/dynamics/servo.h"
 
 namespace openr_host {
 

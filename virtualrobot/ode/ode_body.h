@@ -13,8 +13,8 @@
 #include "virtualrobot/body/body.h"
 #include "virtualrobot/body/kinematics.h"
 #include "virtualrobot/dynamics/joint_tree.h"
+#include "virtualrobot/dynamics/servo.h"
 #include "virtualrobot/ode/physics_world.h"
-#include "virtualrobot/servo.h"
 
 namespace openr_host {
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "virtualrobot/body/body.h"
-#include "virtualrobot/servo.h"
+#include "virtualrobot/dynamics/servo.h"
 
 struct dxWorld;
 struct dxBody;

@@ -13,7 +13,7 @@
 
 #include "virtualrobot/dynamics/contact_forces.h"
 #include "virtualrobot/dynamics/joint_tree.h"
-#include "virtualrobot/servo.h"
+#include "virtualrobot/dynamics/servo.h"
 #include "virtualrobot/worlds/world.h"
 
 // ODE's world and body.  They are declared here because only virtualrobot/ode includes ODE's
