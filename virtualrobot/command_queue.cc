@@ -7,8 +7,8 @@
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "runtime/core/api.h"
-#include "virtualrobot/frame_number.h"
 #include "virtualrobot/robot_parts.h"
+#include "virtualrobot/vectors/frame_number.h"
 
 namespace openr_host {
 

@@ -19,8 +19,8 @@
 #include <vector>
 
 #include "virtualrobot/command_vector.h"
-#include "virtualrobot/region_reference.h"
-#include "virtualrobot/vector_turn.h"
+#include "virtualrobot/vectors/region_reference.h"
+#include "virtualrobot/vectors/vector_turn.h"
 
 namespace openr_host {
 

@@ -10,7 +10,7 @@
 
 #include "virtualrobot/devices.h"
 #include "virtualrobot/primitive_table.h"
-#include "virtualrobot/vector_memory.h"
+#include "virtualrobot/vectors/vector_memory.h"
 
 namespace openr_host {
 

@@ -18,7 +18,6 @@
 #include "virtualrobot/hands.h"
 #include "virtualrobot/joint_targets.h"
 #include "virtualrobot/joint_watch.h"
-#include "virtualrobot/optional_bytes.h"
 #include "virtualrobot/power.h"
 #include "virtualrobot/primitive_table.h"
 #include "virtualrobot/protection.h"
@@ -29,7 +28,8 @@
 #include "virtualrobot/sound/sound_sink.h"
 #include "virtualrobot/sound/sound_source.h"
 #include "virtualrobot/sound/speaker.h"
-#include "virtualrobot/sync_keys.h"
+#include "virtualrobot/vectors/optional_bytes.h"
+#include "virtualrobot/vectors/sync_keys.h"
 
 namespace openr_host {
 

@@ -7,7 +7,7 @@
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "runtime/core/robot.h"
-#include "virtualrobot/frame_number.h"
+#include "virtualrobot/vectors/frame_number.h"
 
 namespace openr_host {
 namespace {

@@ -15,9 +15,9 @@
 #include "virtualrobot/body/body.h"
 #include "virtualrobot/devices.h"
 #include "virtualrobot/model/robot_model.h"
-#include "virtualrobot/optional_bytes.h"
 #include "virtualrobot/primitive_table.h"
-#include "virtualrobot/vector_memory.h"
+#include "virtualrobot/vectors/optional_bytes.h"
+#include "virtualrobot/vectors/vector_memory.h"
 
 namespace openr_host {
 

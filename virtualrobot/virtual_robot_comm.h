@@ -9,7 +9,7 @@
 #include "runtime/core/code_object.h"
 #include "virtualrobot/command_queue.h"
 #include "virtualrobot/protection.h"
-#include "virtualrobot/region_reference.h"
+#include "virtualrobot/vectors/region_reference.h"
 
 namespace openr_host {
 

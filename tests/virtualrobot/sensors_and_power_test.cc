@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/virtualrobot/comm_fixture.h"
-#include "virtualrobot/frame_number.h"
+#include "virtualrobot/vectors/frame_number.h"
 
 namespace openr_host {
 namespace {

@@ -15,7 +15,7 @@
 #include "virtualrobot/camera/image_layers.h"
 #include "virtualrobot/camera/image_source.h"
 #include "virtualrobot/primitive_table.h"
-#include "virtualrobot/vector_memory.h"
+#include "virtualrobot/vectors/vector_memory.h"
 
 namespace openr_host {
 

@@ -2,8 +2,8 @@
 
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
-#include "virtualrobot/frame_number.h"
 #include "virtualrobot/sound/sound_sink.h"
+#include "virtualrobot/vectors/frame_number.h"
 
 namespace openr_host {
 

@@ -9,7 +9,7 @@
 
 #include "virtualrobot/primitive_table.h"
 #include "virtualrobot/sound/sound_source.h"
-#include "virtualrobot/vector_memory.h"
+#include "virtualrobot/vectors/vector_memory.h"
 
 namespace openr_host {
 

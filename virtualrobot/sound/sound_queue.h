@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "virtualrobot/region_reference.h"
 #include "virtualrobot/sound/speaker.h"
-#include "virtualrobot/vector_memory.h"
-#include "virtualrobot/vector_turn.h"
+#include "virtualrobot/vectors/region_reference.h"
+#include "virtualrobot/vectors/vector_memory.h"
+#include "virtualrobot/vectors/vector_turn.h"
 
 namespace openr_host {
 

@@ -1,4 +1,4 @@
-#include "virtualrobot/optional_bytes.h"
+#include "virtualrobot/vectors/optional_bytes.h"
 
 #include <fmt/format.h>
 

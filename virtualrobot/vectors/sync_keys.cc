@@ -1,4 +1,4 @@
-#include "virtualrobot/sync_keys.h"
+#include "virtualrobot/vectors/sync_keys.h"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "virtualrobot/sync_keys.h"
+#include "virtualrobot/vectors/sync_keys.h"
 
 namespace openr_host {
 

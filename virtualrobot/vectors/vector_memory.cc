@@ -1,4 +1,4 @@
-#include "virtualrobot/vector_memory.h"
+#include "virtualrobot/vectors/vector_memory.h"
 
 #include <fmt/format.h>
 
