@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "virtualrobot/command_vector.h"
+#include "virtualrobot/devices/command_vector.h"
 #include "virtualrobot/vectors/region_reference.h"
 #include "virtualrobot/vectors/vector_turn.h"
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "virtualrobot/body/body.h"
-#include "virtualrobot/devices.h"
+#include "virtualrobot/devices/devices.h"
 
 namespace openr_host {
 

@@ -19,7 +19,7 @@
 #include "runtime/core/system.h"
 #include "runtime/ipstack/ant_message.h"
 #include "virtualrobot/base/det_math.h"
-#include "virtualrobot/primitive_locator.h"
+#include "virtualrobot/devices/primitive_locator.h"
 #include "virtualrobot/virtual_robot.h"
 
 namespace openr_host {

@@ -22,9 +22,9 @@
 #include "openr/simulation/simulation.h"
 #include "runtime/core/system.h"
 #include "runtime/ipstack/ant_message.h"
+#include "virtualrobot/devices/primitive_locator.h"
+#include "virtualrobot/devices/primitive_table.h"
 #include "virtualrobot/model/robot_model.h"
-#include "virtualrobot/primitive_locator.h"
-#include "virtualrobot/primitive_table.h"
 
 namespace openr_host {
 namespace {

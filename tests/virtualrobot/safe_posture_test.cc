@@ -1,6 +1,6 @@
 // Joints whose commander has crashed: they hold, then go to the sleeping posture, unless another
 // object commands them.
-#include "virtualrobot/safe_posture.h"
+#include "virtualrobot/devices/safe_posture.h"
 
 #include <gtest/gtest.h>
 

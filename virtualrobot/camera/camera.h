@@ -14,7 +14,7 @@
 #include "virtualrobot/camera/colour_tables.h"
 #include "virtualrobot/camera/image_layers.h"
 #include "virtualrobot/camera/image_source.h"
-#include "virtualrobot/primitive_table.h"
+#include "virtualrobot/devices/primitive_table.h"
 #include "virtualrobot/vectors/vector_memory.h"
 
 namespace openr_host {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "virtualrobot/primitive_table.h"
+#include "virtualrobot/devices/primitive_table.h"
 #include "virtualrobot/sound/sound_source.h"
 #include "virtualrobot/vectors/vector_memory.h"
 

@@ -1,11 +1,11 @@
-#include "virtualrobot/primitive_table.h"
+#include "virtualrobot/devices/primitive_table.h"
 
 #include <fmt/format.h>
 
 #include <utility>
 
 #include "runtime/base/hasher.h"
-#include "virtualrobot/primitive_locator.h"
+#include "virtualrobot/devices/primitive_locator.h"
 
 namespace openr_host {
 namespace {

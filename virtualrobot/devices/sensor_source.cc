@@ -1,4 +1,4 @@
-#include "virtualrobot/sensor_source.h"
+#include "virtualrobot/devices/sensor_source.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "virtualrobot/devices.h"
+#include "virtualrobot/devices/devices.h"
 
 #include <algorithm>
 

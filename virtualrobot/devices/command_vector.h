@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "virtualrobot/devices.h"
-#include "virtualrobot/primitive_table.h"
+#include "virtualrobot/devices/devices.h"
+#include "virtualrobot/devices/primitive_table.h"
 #include "virtualrobot/vectors/vector_memory.h"
 
 namespace openr_host {

@@ -1,4 +1,4 @@
-#include "virtualrobot/safe_posture.h"
+#include "virtualrobot/devices/safe_posture.h"
 
 #include <algorithm>
 #include <cmath>

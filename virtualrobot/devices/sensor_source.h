@@ -13,9 +13,9 @@
 
 #include "runtime/base/rng.h"
 #include "virtualrobot/body/body.h"
-#include "virtualrobot/devices.h"
+#include "virtualrobot/devices/devices.h"
+#include "virtualrobot/devices/primitive_table.h"
 #include "virtualrobot/model/robot_model.h"
-#include "virtualrobot/primitive_table.h"
 #include "virtualrobot/vectors/optional_bytes.h"
 #include "virtualrobot/vectors/vector_memory.h"
 

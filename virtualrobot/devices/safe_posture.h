@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "runtime/core/message.h"
-#include "virtualrobot/devices.h"
+#include "virtualrobot/devices/devices.h"
 
 namespace openr_host {
 

@@ -1,4 +1,4 @@
-#include "virtualrobot/command_vector.h"
+#include "virtualrobot/devices/command_vector.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "virtualrobot/joint_watch.h"
+#include "virtualrobot/devices/joint_watch.h"
 
 #include <fmt/format.h>
 

@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "virtualrobot/body/body.h"
-#include "virtualrobot/command_vector.h"
-#include "virtualrobot/devices.h"
+#include "virtualrobot/devices/command_vector.h"
+#include "virtualrobot/devices/devices.h"
 
 namespace openr_host {
 
