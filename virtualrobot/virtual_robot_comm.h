@@ -8,7 +8,7 @@
 
 #include "runtime/core/code_object.h"
 #include "virtualrobot/command_queue.h"
-#include "virtualrobot/protection.h"
+#include "virtualrobot/power/protection.h"
 #include "virtualrobot/vectors/region_reference.h"
 
 namespace openr_host {

@@ -6,7 +6,7 @@
 
 #include "virtualrobot/base/det_math.h"
 #include "virtualrobot/body/body_mover.h"
-#include "virtualrobot/energy.h"
+#include "virtualrobot/power/energy.h"
 #include "virtualrobot/virtual_robot.h"
 
 namespace openr_host {

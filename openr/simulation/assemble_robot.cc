@@ -5,7 +5,7 @@
 
 #include "runtime/base/assert.h"
 #include "runtime/core/system.h"
-#include "virtualrobot/battery.h"
+#include "virtualrobot/power/battery.h"
 
 namespace openr_host {
 

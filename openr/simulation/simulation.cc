@@ -23,8 +23,8 @@
 #include "runtime/gateway/tcp_gateway.h"
 #include "runtime/ipstack/ip_stack.h"
 #include "runtime/stick/memory_stick.h"
-#include "virtualrobot/battery.h"
 #include "virtualrobot/body/body.h"
+#include "virtualrobot/power/battery.h"
 
 namespace openr_host {
 namespace {

@@ -1,4 +1,4 @@
-#include "virtualrobot/battery.h"
+#include "virtualrobot/power/battery.h"
 
 #include <gmock/gmock.h>
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "virtualrobot/body/body.h"
-#include "virtualrobot/energy.h"
 #include "virtualrobot/model/robot_model.h"
+#include "virtualrobot/power/energy.h"
 
 namespace openr_host {
 

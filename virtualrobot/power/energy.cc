@@ -1,4 +1,4 @@
-#include "virtualrobot/energy.h"
+#include "virtualrobot/power/energy.h"
 
 #include <algorithm>
 #include <cmath>

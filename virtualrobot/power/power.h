@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "virtualrobot/battery.h"
+#include "virtualrobot/power/battery.h"
 
 namespace openr_host {
 

@@ -1,4 +1,4 @@
-#include "virtualrobot/power.h"
+#include "virtualrobot/power/power.h"
 
 #include <OPENR/OPENRMessages.h>
 
@@ -11,7 +11,7 @@
 #include "runtime/base/hasher.h"
 #include "runtime/core/api.h"
 #include "runtime/core/system.h"
-#include "virtualrobot/energy.h"
+#include "virtualrobot/power/energy.h"
 
 namespace openr_host {
 namespace {

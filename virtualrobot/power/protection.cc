@@ -1,4 +1,4 @@
-#include "virtualrobot/protection.h"
+#include "virtualrobot/power/protection.h"
 
 #include <fmt/format.h>
 
