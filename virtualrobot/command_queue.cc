@@ -7,7 +7,7 @@
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "runtime/core/api.h"
-#include "virtualrobot/robot_parts.h"
+#include "virtualrobot/robot/robot_parts.h"
 #include "virtualrobot/vectors/frame_number.h"
 
 namespace openr_host {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "runtime/core/robot_services.h"
-#include "virtualrobot/robot_parts.h"
+#include "virtualrobot/robot/robot_parts.h"
 
 namespace openr_host {
 

@@ -19,7 +19,7 @@
 #include "openr/commands/input_words.h"
 #include "openr/decode/decode_message.h"
 #include "openr/live/live_client.h"
-#include "virtualrobot/faults.h"
+#include "virtualrobot/robot/faults.h"
 
 namespace openr_host {
 namespace {

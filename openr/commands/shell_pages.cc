@@ -21,8 +21,8 @@
 #include "openr/commands/completion_script.h"
 #include "openr/commands/input_words.h"
 #include "openr/commands/man_page.h"
-#include "virtualrobot/faults.h"
 #include "virtualrobot/model/robot_model.h"
+#include "virtualrobot/robot/faults.h"
 
 namespace openr_host {
 namespace {

@@ -4,7 +4,7 @@
 // are the arguments.  An input takes effect at a frame boundary, like all that comes
 // from outside.  A recording stores the lines with their times, so a replay gives the same lines at
 // the same times.  The runtime defines some kinds (system_inputs.h), a virtual robot defines the
-// kinds of its body (virtualrobot/hands.h).  docs/inputs.md lists all kinds.
+// kinds of its body (virtualrobot/robot/hands.h).  docs/inputs.md lists all kinds.
 #pragma once
 
 #include <concepts>

@@ -1,5 +1,5 @@
 // Tests of the input "target", which gives servos their set points.
-#include "virtualrobot/joint_targets.h"
+#include "virtualrobot/robot/joint_targets.h"
 
 #include "tests/virtualrobot/comm_fixture.h"
 

@@ -7,7 +7,7 @@
 #include "runtime/core/api.h"
 #include "runtime/core/system.h"
 #include "virtualrobot/listeners.h"
-#include "virtualrobot/robot_parts.h"
+#include "virtualrobot/robot/robot_parts.h"
 
 namespace openr_host {
 

@@ -1,4 +1,4 @@
-#include "virtualrobot/robot_parts.h"
+#include "virtualrobot/robot/robot_parts.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
-#include "virtualrobot/shared_frame.h"
+#include "virtualrobot/robot/shared_frame.h"
 
 #include "runtime/core/system.h"
-#include "virtualrobot/robot_parts.h"
+#include "virtualrobot/robot/robot_parts.h"
 
 namespace openr_host {
 

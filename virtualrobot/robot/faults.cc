@@ -1,4 +1,4 @@
-#include "virtualrobot/faults.h"
+#include "virtualrobot/robot/faults.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "runtime/base/spelling.h"
 #include "runtime/core/system.h"
 #include "virtualrobot/base/input_words.h"
-#include "virtualrobot/robot_parts.h"
+#include "virtualrobot/robot/robot_parts.h"
 
 namespace openr_host {
 namespace {
