@@ -12,8 +12,8 @@
 #include "runtime/core/debugger_locators.h"
 #include "runtime/core/system.h"
 #include "runtime/stick/memory_stick.h"
-#include "virtualrobot/sound/audio_comm.h"
-#include "virtualrobot/virtual_robot_comm.h"
+#include "virtualrobot/comm/audio_comm.h"
+#include "virtualrobot/comm/virtual_robot_comm.h"
 
 namespace openr_host {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "runtime/core/code_object.h"
-#include "virtualrobot/command_queue.h"
+#include "virtualrobot/comm/command_queue.h"
 #include "virtualrobot/power/protection.h"
 #include "virtualrobot/vectors/region_reference.h"
 

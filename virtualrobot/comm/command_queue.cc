@@ -1,4 +1,4 @@
-#include "virtualrobot/command_queue.h"
+#include "virtualrobot/comm/command_queue.h"
 
 #include <fmt/format.h>
 

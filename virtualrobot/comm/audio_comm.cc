@@ -1,4 +1,4 @@
-#include "virtualrobot/sound/audio_comm.h"
+#include "virtualrobot/comm/audio_comm.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 
 #include "runtime/core/api.h"
 #include "runtime/core/system.h"
-#include "virtualrobot/listeners.h"
+#include "virtualrobot/comm/listeners.h"
 #include "virtualrobot/robot/robot_parts.h"
 
 namespace openr_host {

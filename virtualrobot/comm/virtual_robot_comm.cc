@@ -1,4 +1,4 @@
-#include "virtualrobot/virtual_robot_comm.h"
+#include "virtualrobot/comm/virtual_robot_comm.h"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include "runtime/base/hasher.h"
 #include "runtime/core/api.h"
 #include "runtime/core/system.h"
-#include "virtualrobot/listeners.h"
+#include "virtualrobot/comm/audio_comm.h"
+#include "virtualrobot/comm/listeners.h"
 #include "virtualrobot/robot/robot_parts.h"
-#include "virtualrobot/sound/audio_comm.h"
 
 namespace openr_host {
 

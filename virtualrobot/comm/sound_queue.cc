@@ -1,4 +1,4 @@
-#include "virtualrobot/sound/sound_queue.h"
+#include "virtualrobot/comm/sound_queue.h"
 
 #include <fmt/format.h>
 

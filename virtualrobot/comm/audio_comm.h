@@ -7,7 +7,7 @@
 #pragma once
 
 #include "runtime/core/code_object.h"
-#include "virtualrobot/sound/sound_queue.h"
+#include "virtualrobot/comm/sound_queue.h"
 
 namespace openr_host {
 
