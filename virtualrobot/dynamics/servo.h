@@ -4,7 +4,7 @@
 // demands a drive in PWM counts.  The motor turns the drive into torque along a straight
 // torque-speed line.  The slope of this line damps the joint strongly, and a torque that is
 // computed from the speed before a step would make the light links unstable.  So Step() returns the
-// whole line, and the physics (dynamics/) find the torque together with the motion of the body.
+// whole line, and JointTree finds the torque together with the motion of the body.
 //
 // A joint is limp when its servo is off.  docs/body.md gives the source or the reason of every
 // number here.
