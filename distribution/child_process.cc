@@ -30,11 +30,7 @@ ChildProcess::ChildProcess(std::string name, const std::vector<std::string>& com
         fmt::format("process '{}': {} cannot be started: {}", name_, command[0], strerror(error)));
 }
 
-ChildProcess::~ChildProcess() {
-  if (UpdateStatus(false)) return;
-  kill(pid_, SIGKILL);
-  UpdateStatus(true);
-}
+ChildProcess::~ChildProcess() { Kill(); }
 
 bool ChildProcess::UpdateStatus(bool waits) {
   if (!ended_ && waitpid(pid_, &status_, waits ? 0 : WNOHANG) == pid_) ended_ = true;
@@ -53,12 +49,15 @@ std::string ChildProcess::EndText() {
 bool ChildProcess::WaitForEnd(int64_t limit_ms) {
   for (int64_t waited_ms = 0;; waited_ms += 2) {
     if (UpdateStatus(false)) return true;
-    if (waited_ms >= limit_ms) break;
+    if (waited_ms >= limit_ms) return false;
     usleep(2000);
   }
+}
+
+void ChildProcess::Kill() {
+  if (UpdateStatus(false)) return;
   kill(pid_, SIGKILL);
   UpdateStatus(true);
-  return false;
 }
 
 }  // namespace openr_host

@@ -26,9 +26,11 @@ class ChildProcess {
   // (Killed)"; "" while the process runs.
   std::string EndText();
 
-  // Waits for the end of the process, and kills the process if it has not ended after `limit_ms`.
-  // Returns whether the process has ended by itself.
+  // Waits for the end of the process, at most `limit_ms`.  Returns whether the process has ended.
   bool WaitForEnd(int64_t limit_ms);
+
+  // Kills the process if it still runs, and waits for its end.
+  void Kill();
 
  private:
   // Asks the kernel whether the process has ended, and returns the answer.  If `waits` is true,

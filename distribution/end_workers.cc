@@ -4,20 +4,64 @@
 #include <cstddef>
 
 namespace openr_host {
+namespace {
+
+// Deadline: the time until which EndWorkers() waits for all workers together.
+class Deadline {
+ public:
+  // Sets the deadline `limit_ms` after now; `interrupted_ms` is EndLimits::interrupted_ms.
+  Deadline(int64_t limit_ms, int64_t interrupted_ms, const std::function<bool()>& is_interrupted,
+           const std::function<int64_t()>& now_ms)
+      : end_ms_(now_ms() + limit_ms),
+        interrupted_ms_(interrupted_ms),
+        is_interrupted_(is_interrupted),
+        now_ms_(now_ms) {}
+
+  // Calls `wait` until it returns true or no time is left, but at least once.  Gives it the time
+  // that it may wait, which is at most kEndSliceMs.  Returns whether `wait` has returned true.
+  bool Wait(const std::function<bool(int64_t limit_ms)>& wait) {
+    int64_t left_ms = LeftMs();
+    do {
+      if (wait(std::min(left_ms, kEndSliceMs))) return true;
+      left_ms = LeftMs();
+    } while (left_ms > 0);
+    return false;
+  }
+
+ private:
+  // Returns the time that is left, after a look whether the user wants to wait on.
+  int64_t LeftMs() {
+    if (!is_shortened_ && is_interrupted_()) {
+      is_shortened_ = true;
+      end_ms_ = std::min(end_ms_, now_ms_() + interrupted_ms_);
+    }
+    return std::max<int64_t>(0, end_ms_ - now_ms_());
+  }
+
+  int64_t end_ms_;
+  const int64_t interrupted_ms_;
+  const std::function<bool()>& is_interrupted_;
+  const std::function<int64_t()>& now_ms_;
+  bool is_shortened_ = false;  // whether the user has asked not to wait, so end_ms_ was shortened
+};
+
+}  // namespace
 
 void EndWorkers(const std::vector<EndingWorker>& workers, const EndLimits& limits,
+                const std::function<bool()>& is_interrupted,
                 const std::function<int64_t()>& now_ms) {
   std::vector<bool> is_told;
   for (const EndingWorker& worker : workers) is_told.push_back(worker.tell());
-  // Returns what is left until `end_ms`.
-  const auto left_until = [&](int64_t end_ms) { return std::max<int64_t>(0, end_ms - now_ms()); };
-  const int64_t receipt_end_ms = now_ms() + limits.receipt_ms;
+  Deadline receipt_deadline(limits.receipt_ms, limits.interrupted_ms, is_interrupted, now_ms);
   std::vector<bool> is_silent;
   for (size_t i = 0; i < workers.size(); ++i)
-    is_silent.push_back(is_told[i] && !workers[i].await_receipt(left_until(receipt_end_ms)));
-  const int64_t exit_end_ms = now_ms() + limits.exit_ms;
-  for (size_t i = 0; i < workers.size(); ++i)
-    workers[i].await_exit(is_silent[i] ? 0 : left_until(exit_end_ms));
+    is_silent.push_back(is_told[i] && !receipt_deadline.Wait(workers[i].await_receipt));
+  Deadline exit_deadline(limits.exit_ms, limits.interrupted_ms, is_interrupted, now_ms);
+  for (size_t i = 0; i < workers.size(); ++i) {
+    const bool has_ended =
+        is_silent[i] ? workers[i].await_exit(0) : exit_deadline.Wait(workers[i].await_exit);
+    if (!has_ended) workers[i].kill();
+  }
 }
 
 }  // namespace openr_host

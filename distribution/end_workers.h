@@ -15,15 +15,23 @@ struct EndingWorker {
   // Waits until the worker has received what tell() has sent, at most `limit_ms`.  Returns whether
   // the worker has received it.
   std::function<bool(int64_t limit_ms)> await_receipt;
-  // Waits until the process of the worker has ended, at most `limit_ms`, and kills this process if
-  // it has not ended then.
-  std::function<void(int64_t limit_ms)> await_exit;
+  // Waits until the process of the worker has ended, at most `limit_ms`.  Returns whether the
+  // process has ended.
+  std::function<bool(int64_t limit_ms)> await_exit;
+  // Kills the process of the worker, which has not ended.
+  std::function<void()> kill;
 };
 
 struct EndLimits {
   int64_t receipt_ms;  // time for all workers together to receive that the run is over
   int64_t exit_ms;     // time for all workers together to end after that
+  // Replaces both times above as soon as the user does not want to wait; a wait that has begun
+  // lasts at most this time from then on.
+  int64_t interrupted_ms;
 };
+
+// The longest wait of EndWorkers() during which it does not look whether the user wants to wait on.
+constexpr int64_t kEndSliceMs = 100;
 
 // Tells all `workers` that the run is over.  Then waits until they have received this, and then
 // until their processes have ended.  A worker that has not received it does not know that it has to
@@ -31,8 +39,11 @@ struct EndLimits {
 //
 // Several worker processes may be suspended (SIGSTOP), so that they receive nothing until they go
 // on, or may run handlers that never end.  So all workers are told before the first wait, and each
-// wait has only the time that the waits before it have left.  `now_ms` is the clock.
+// wait has only the time that the waits before it have left.  `is_interrupted` returns whether the
+// user does not want to wait; its result may become true during a wait, so a long wait is made in
+// slices of kEndSliceMs.  `now_ms` is the clock.
 void EndWorkers(const std::vector<EndingWorker>& workers, const EndLimits& limits,
+                const std::function<bool()>& is_interrupted,
                 const std::function<int64_t()>& now_ms);
 
 }  // namespace openr_host

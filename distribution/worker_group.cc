@@ -27,7 +27,8 @@ constexpr int64_t kHealthIntervalNs = 10'000'000;
 // worker on a busy machine may get no processor time for seconds.
 constexpr int64_t kEndFlushMs = 5'000;
 constexpr int64_t kExitWaitMs = 5'000;  // time for all workers to end after they were told to end
-// Replaces both times above after a second Ctrl-C, when the user does not want to wait.
+// Replaces both times above after a second Ctrl-C, when the user does not want to wait.  The second
+// Ctrl-C may also come during one of these waits.
 constexpr int64_t kInterruptedWaitMs = 500;
 
 // Returns the options of the bus.  Only in a free run does the bus keep many sent samples.  In a
@@ -414,24 +415,30 @@ void WorkerGroup::End() {
                        [member](int64_t limit_ms) {
                          return member->process->connection().AwaitReceipt(limit_ms);
                        },
-                       [this, member](int64_t limit_ms) { AwaitExit(*member, limit_ms); }});
+                       [member](int64_t limit_ms) { return AwaitExit(*member, limit_ms); },
+                       [this, member] { KillAtEnd(*member); }});
   }
-  const EndLimits limits = IsInterrupted() ? EndLimits{kInterruptedWaitMs, kInterruptedWaitMs}
-                                           : EndLimits{kEndFlushMs, kExitWaitMs};
-  EndWorkers(workers, limits, WallClockMs);
+  EndWorkers(
+      workers, {kEndFlushMs, kExitWaitMs, kInterruptedWaitMs}, [this] { return IsInterrupted(); },
+      WallClockMs);
 }
 
-// Waits for the end of a worker's process, and kills the process if it has not ended within
-// `limit_ms`.  Kills a process that has never joined at once, because it was not told that the run
-// is over.  A worker that is lost was not told either, but may be writing the record of its crash.
-void WorkerGroup::AwaitExit(const Member& member, int64_t limit_ms) const {
-  if (member.child == nullptr) return;
-  const int64_t pid = member.process->connection().identity().pid;
-  if (member.child->WaitForEnd(pid != 0 ? limit_ms : 0) || pid == 0) return;
+// Waits for the end of a worker's process, at most `limit_ms`.  Returns whether the process has
+// ended.  Kills a process that has never joined at once, because it was not told that the run is
+// over.  A worker that is lost was not told either, but may be writing the record of its crash.
+bool WorkerGroup::AwaitExit(const Member& member, int64_t limit_ms) {
+  if (member.child == nullptr) return true;
+  if (member.process->connection().identity().pid != 0) return member.child->WaitForEnd(limit_ms);
+  member.child->Kill();
+  return true;
+}
+
+void WorkerGroup::KillAtEnd(const Member& member) const {
+  member.child->Kill();
   options_.say(
       fmt::format("process '{}' (pid {}) did not end with the run and was killed; what its "
                   "objects had not written yet is lost",
-                  member.name, pid));
+                  member.name, member.process->connection().identity().pid));
 }
 
 }  // namespace openr_host

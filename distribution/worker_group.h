@@ -179,7 +179,8 @@ class WorkerGroup {
   bool HandleReceived();
   void HandleLoss(const RemoteObject* about, RemoteObject::Loss loss, const std::string& why);
   void StopRun(const RunEnd& why);
-  void AwaitExit(const Member& member, int64_t limit_ms) const;
+  static bool AwaitExit(const Member& member, int64_t limit_ms);
+  void KillAtEnd(const Member& member) const;
 
   // ---- The restart of a lost worker, in worker_group_restart.cc
   bool MayRestart(const Member& member) const;
