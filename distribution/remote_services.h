@@ -18,6 +18,11 @@ class RemoteServices : public RobotServices {
 
   OPENR_ROBOT_CALLS(OPENR_OVERRIDE_CALL, OPENR_OVERRIDE_CALL)
 
+  // The functions of RobotServices that only the runtime calls, such as TimeOffUs(), are not
+  // overridden, because only the runtime of the master needs what they do: the master has the
+  // devices, their state is in the master's state hash, and no robot boots again in a worker
+  // (Robot::load_again is null).
+
  private:
   // Asks the master to call `kFunction` of the robot's services, and returns the result.
   template <auto kFunction, typename... Arguments>

@@ -37,6 +37,14 @@ ProxyServices::ProxyServices(System* system, ObjectId gateway, uint32_t selector
                              std::unique_ptr<RobotServices> local)
     : system_(system), gateway_(gateway), selector_(selector), local_(std::move(local)) {}
 
+void ProxyServices::Remove(std::unique_ptr<RobotServices>* services) {
+  auto* const proxy = dynamic_cast<ProxyServices*>(services->get());
+  if (proxy == nullptr) return;
+  // Moves the services out before `*services` changes, because that destroys `proxy`.
+  std::unique_ptr<RobotServices> local = std::move(proxy->local_);
+  *services = std::move(local);
+}
+
 bool ProxyServices::Ask(const char* object, uint32_t selector, const std::string& message,
                         size_t reply_size, std::string* reply) {
   if (!CanWait(t_current.object)) {

@@ -5,7 +5,9 @@
 // gets a warning (docs/network.md has the list).
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "runtime/core/message.h"
@@ -23,6 +25,10 @@ class ProxyServices : public ForwardingServices {
   // functions that are not sent to the robot.
   ProxyServices(System* system, ObjectId gateway, uint32_t selector,
                 std::unique_ptr<RobotServices> local);
+
+  // Replaces `*services` by the services of this run's own robot if it is a ProxyServices.  Called
+  // when the robot boots again, because the new gateway makes a new ProxyServices.
+  static void Remove(std::unique_ptr<RobotServices>* services);
 
   OStatus OpenPrimitive(const char* locator, OPrimitiveID* id) override;
   OStatus ClosePrimitive(OPrimitiveID id) override;
@@ -46,6 +52,12 @@ class ProxyServices : public ForwardingServices {
   OStatus GetPowerStatus(OPowerStatus* status) override;
   OStatus ObservePowerStatus(const OPowerStatus& notify, const OServiceEntry& entry) override;
   OStatus UnobservePowerStatus(const OServiceEntry& entry) override;
+
+  // The functions that the runtime calls are those of this run's own robot, which Shutdown() shuts
+  // down, and which boots again if a boot timer runs.
+  std::optional<int64_t> TimeOffUs() const override { return local_->TimeOffUs(); }
+  void SwitchOff() override { local_->SwitchOff(); }
+  void RunFrameWhileOff() override { local_->RunFrameWhileOff(); }
   void Reseed(uint64_t seed) override { local_->Reseed(seed); }
   void HashState(Hasher* hasher) const override { local_->HashState(hasher); }
 
@@ -68,7 +80,7 @@ class ProxyServices : public ForwardingServices {
   System* const system_;
   const ObjectId gateway_;
   const uint32_t selector_;
-  const std::unique_ptr<RobotServices> local_;
+  std::unique_ptr<RobotServices> local_;  // never null, but in Remove()
 };
 
 }  // namespace openr_host

@@ -1,6 +1,7 @@
 // Makes bytes of the gateway's protocol for tests, without the code under test.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <string>
@@ -18,6 +19,12 @@ inline std::string Words(std::initializer_list<uint32_t> words) {
 inline std::string OneItem(const std::string& text) {
   const auto size = static_cast<uint32_t>(text.size());
   return Words({8 + size, 1, size}) + text;
+}
+
+// Returns `text` with zeros behind it, in all `size` bytes.
+inline std::string Padded(std::string text, size_t size) {
+  text.resize(size, '\0');
+  return text;
 }
 
 inline const std::string kReadyWord = Words({3});

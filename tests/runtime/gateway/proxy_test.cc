@@ -1,15 +1,16 @@
-// OPEN-R calls from a PC to the robot: the wire of core.md, 5.4, byte for byte, and two runs of
-// ours that call each other.
+// OPEN-R calls from a PC to the robot (core.md, 5.4): two runs of ours that call each other, and a
+// run that answers the bytes of a PC that is not ours.
 #include <OPENR/OPENRAPI.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 
+#include "runtime/base/hasher.h"
 #include "runtime/base/temp_folder.h"
 #include "runtime/core/robot_services.h"
 #include "runtime/gateway/proxy_client.h"
-#include "runtime/gateway/proxy_wire.h"
 #include "runtime/gateway/system_messages.h"
 #include "runtime/gateway/tcp_gateway.h"
 #include "runtime/stick/memory_stick.h"
@@ -21,66 +22,6 @@ namespace {
 
 constexpr uint16_t kProxyPort = 59001;
 constexpr char kHead[] = "PRM:/r1/c1-Joint2:j1";
-
-std::string Item(const std::string& item) {
-  const auto size = static_cast<uint32_t>(item.size());
-  return Words({8 + size, 1, size}) + item;
-}
-std::string Padded(std::string text, size_t size) {
-  text.resize(size, '\0');
-  return text;
-}
-std::string Problem(const std::string& item) {
-  ProxyFrame frame;
-  return DecodeProxyFrame(item, &frame);
-}
-
-// ---- the wire
-
-TEST(ProxyWireTest, EachCommandHasTheWordsOfTheReference) {
-  EXPECT_EQ(EncodeProxyFrame({.command = ProxyCommand::kFind, .name = "OVirtualRobot"}),
-            Item(Words({1}) + Padded("OVirtualRobot", 64)));
-  EXPECT_EQ(EncodeProxyFrame({.command = ProxyCommand::kFindReply, .error = 12, .oid = 7}),
-            Item(Words({2, 12, 7})));
-  EXPECT_EQ(
-      EncodeProxyFrame({.command = ProxyCommand::kSend, .oid = 7, .selector = 4, .bytes = "abc"}),
-      Item(Words({3, 7, 4, 3}) + "abc"));
-  EXPECT_EQ(EncodeProxyFrame({.command = ProxyCommand::kSendReply, .error = 2}),
-            Item(Words({4, 2})));
-  EXPECT_EQ(EncodeProxyFrame({.command = ProxyCommand::kCall,
-                              .oid = 7,
-                              .selector = 4,
-                              .reply_size = 12,
-                              .bytes = "abc"}),
-            Item(Words({5, 7, 4, 3, 12}) + "abc"));
-  EXPECT_EQ(EncodeProxyFrame({.command = ProxyCommand::kCallReply, .bytes = "abc"}),
-            Item(Words({6, 0, 3}) + "abc"));
-}
-
-TEST(ProxyWireTest, WhatIsReadIsWhatWasWritten) {
-  ProxyFrame frame;
-  EXPECT_EQ(DecodeProxyFrame(Words({5, 7, 4, 3, 12}) + "abc", &frame), "");
-  EXPECT_EQ(frame.oid, 7u);
-  EXPECT_EQ(frame.selector, 4u);
-  EXPECT_EQ(frame.reply_size, 12u);
-  EXPECT_EQ(frame.bytes, "abc");
-  EXPECT_EQ(DecodeProxyFrame(Words({1}) + std::string(64, 'x'), &frame), "");
-  EXPECT_EQ(frame.name, std::string(63, 'x'));
-}
-
-TEST(ProxyWireTest, WhatNoSourceKnowsIsRefusedByName) {
-  EXPECT_EQ(Problem(""), "has the command 0, which no source names");
-  EXPECT_EQ(Problem(Words({9})), "has the command 9, which no source names");
-  EXPECT_EQ(Problem(Words({7})),
-            "has the command 7 (SENDWITHRBOX), whose layout is not known and "
-            "which is not carried");
-  EXPECT_EQ(Problem(Words({5, 7, 4})), "ends within the words of CALL");
-  EXPECT_EQ(Problem(Words({5, 7, 4, 0xffffffff, 0}) + "abc"),
-            "has 3 bytes in a CALL that announces 4294967295; 256 is the limit");
-  EXPECT_EQ(Problem(Words({1}) + "short"),
-            "has 5 bytes in a FIND that announces 64; 256 is the "
-            "limit");
-}
 
 // ---- two runs
 
@@ -146,6 +87,20 @@ class PcServices : public RobotServices {
   OStatus GetTimeDifference(sbyte*) override { return 106; }
   OStatus SetVolumeSwitch(OVolumeSwitch) override { return 107; }
   OStatus GetVolumeSwitch(OVolumeSwitch*) override { return 108; }
+  OStatus Shutdown(const OBootCondition& condition) override {
+    off_us = int64_t{condition.bootTime} * 1'000'000;
+    return 109;
+  }
+  std::optional<int64_t> TimeOffUs() const override { return off_us; }
+  void SwitchOff() override { ++times_off; }
+  void RunFrameWhileOff() override { ++frames_off; }
+  void Reseed(uint64_t new_seed) override { seed = new_seed; }
+  void HashState(Hasher* hasher) const override { hasher->Add(seed); }
+
+  std::optional<int64_t> off_us;
+  int times_off = 0;
+  int frames_off = 0;
+  uint64_t seed = 0;
 };
 
 // A program on the PC; `body` runs in its DoInit.
@@ -197,7 +152,9 @@ class ProxyTest : public testing::Test {
   }
   void StartPc(std::function<void()> body) {
     pc = NewSystem(pc_folder, "10.0.1.2");
-    pc->robot(0).services = std::make_unique<PcServices>();
+    auto services = std::make_unique<PcServices>();
+    own = services.get();
+    pc->robot(0).services = std::move(services);
     caller = pc->AddObject<Caller>(0, "caller", std::move(body));
     EXPECT_TRUE(LoadStick(pc.get(), 0, {}, {GatewayImage(pc.get(), 0)}));
     pc->Boot();
@@ -231,6 +188,7 @@ class ProxyTest : public testing::Test {
   Peer peer{hub, 0x0a000103};
   std::unique_ptr<System> robot, pc;
   HeardServices* asked = nullptr;
+  PcServices* own = nullptr;
   Caller* caller = nullptr;
 };
 
@@ -418,20 +376,69 @@ TEST_F(ProxyTest, TheRobotOfThePcsRunAnswersCallsThatNeedNoRobot) {
   EXPECT_EQ(Findings(*pc), "");
 }
 
+TEST_F(ProxyTest, TheRobotOfThePcsRunHasTheStateOfTheRun) {
+  StartPc([] {});
+  RobotServices& services = *pc->robot(0).services;
+  ASSERT_NE(&services, own);
+  services.Reseed(7);
+  EXPECT_EQ(own->seed, 7u);
+  Hasher of_proxy, of_robot;
+  services.HashState(&of_proxy);
+  own->HashState(&of_robot);
+  EXPECT_EQ(of_proxy.Digest(), of_robot.Digest());
+  EXPECT_FALSE(services.TimeOffUs().has_value());
+}
+
+// The gateway, and with it the way to the robot, is made anew at the second boot.
+TEST_F(ProxyTest, ABootTimerBootsTheRobotOfThePcsRunAgain) {
+  const auto ask = [] {
+    OTime time;
+    OPENR::GetTime(&time);
+  };
+  StartPc(ask);
+  pc->robot(0).load_again = [this, ask] {
+    IpStackOptions options;
+    options.address = "10.0.1.2";
+    AddIpStack(pc.get(), 0, std::make_unique<LoopbackNetwork>(hub), options);
+    caller = pc->AddObject<Caller>(0, "caller", ask);
+    return LoadStick(pc.get(), 0, {}, {GatewayImage(pc.get(), 0)});
+  };
+  Frames(10);
+  ASSERT_TRUE(caller->done);
+  EXPECT_EQ(pc->robot(0).services->Shutdown(OBootCondition(obcbBOOT_TIMER, 1, obcbttRELATIVE)),
+            109u);
+  pc->Shutdown(0, {EndKind::kPowerOff, "the test shut the robot down"});
+  Frames(10);
+  ASSERT_TRUE(pc->robot_table().off_robots().Contains(0));
+  EXPECT_EQ(own->times_off, 1);
+  EXPECT_GT(own->frames_off, 0);
+  EXPECT_EQ(pc->robot(0).boots, 1);
+  Frames(200);
+  EXPECT_FALSE(pc->robot_table().off_robots().Contains(0));
+  EXPECT_EQ(pc->robot(0).boots, 2);
+  ASSERT_TRUE(caller->done);
+  // Each of the two boots has made one call and got one warning.
+  uint64_t warnings = 0;
+  for (const Finding& finding : pc->findings().all())
+    if (finding.text.find("OPENR::GetTime() is not carried") != std::string::npos)
+      warnings += finding.count;
+  EXPECT_EQ(warnings, 2u);
+}
+
 // ---- a PC that is not ours
 
 TEST_F(ProxyTest, ARobotAnswersBytesOfTheReference) {
   StartRobot();
-  const std::string found = Answer(Item(Words({1}) + Padded("OVirtualRobot", 64)));
+  const std::string found = Answer(OneItem(Words({1}) + Padded("OVirtualRobot", 64)));
   ASSERT_EQ(found.size(), 24u);
   EXPECT_EQ(found.substr(0, 20), Words({20, 1, 12, 2, 0}));
   const std::string oid = found.substr(20);
   const std::string locator = Padded(kHead, 128);
-  EXPECT_EQ(Answer(Item(Words({5}) + oid + Words({4, 132, 12}) + Words({1024}) + locator)),
-            Item(Words({6, 0, 12}) + Words({1025, 0, 0x77})));
+  EXPECT_EQ(Answer(OneItem(Words({5}) + oid + Words({4, 132, 12}) + Words({1024}) + locator)),
+            OneItem(Words({6, 0, 12}) + Words({1025, 0, 0x77})));
   // Request 8 of the control enables the gain.
   const std::string control = Padded(Words({1027, 0, 8, 0, 0, 0, 4, 0, 0x77}), 224);
-  const std::string enabled = Answer(Item(Words({5}) + oid + Words({9, 224, 224}) + control));
+  const std::string enabled = Answer(OneItem(Words({5}) + oid + Words({9, 224, 224}) + control));
   EXPECT_EQ(enabled.substr(0, 24), Words({244, 1, 236, 6, 0, 224}));
   EXPECT_EQ(enabled.substr(24), control);  // the same message, with status 0
   EXPECT_EQ(asked->heard.back(), "enable 0x77");
@@ -439,20 +446,20 @@ TEST_F(ProxyTest, ARobotAnswersBytesOfTheReference) {
 
 TEST_F(ProxyTest, WhatTheRobotCannotDoIsAnsweredAndSaid) {
   StartRobot();
-  EXPECT_EQ(Answer(Item(Words({1}) + Padded("move\x1b[2JMe", 64))), Item(Words({2, 12, 0})));
+  EXPECT_EQ(Answer(OneItem(Words({1}) + Padded("move\x1b[2JMe", 64))), OneItem(Words({2, 12, 0})));
   EXPECT_NE(Findings(*robot).find("looks for 'move?[2JMe'; OVirtualRobot, OPowerManager and "
                                   "ODesignedRobot can be called"),
             std::string::npos)
       << Findings(*robot);
-  EXPECT_EQ(Answer(Item(Words({5, 0x12345, 4, 0, 8}))), Item(Words({6, 7, 0})));
-  EXPECT_EQ(Answer(Item(Words({5, 0x80000002, 10, 0, 12}))), Item(Words({6, 2, 0})));
+  EXPECT_EQ(Answer(OneItem(Words({5, 0x12345, 4, 0, 8}))), OneItem(Words({6, 7, 0})));
+  EXPECT_EQ(Answer(OneItem(Words({5, 0x80000002, 10, 0, 12}))), OneItem(Words({6, 2, 0})));
   EXPECT_NE(Findings(*robot).find("entry 10 of OPowerManager is not carried"), std::string::npos);
-  EXPECT_EQ(Answer(Item(Words({5, 0x80000001, 4, 3, 12}) + "abc")), Item(Words({6, 2, 0})));
+  EXPECT_EQ(Answer(OneItem(Words({5, 0x80000001, 4, 3, 12}) + "abc")), OneItem(Words({6, 2, 0})));
   EXPECT_NE(Findings(*robot).find("a message of 3 bytes to OVirtualRobot, entry 4"),
             std::string::npos);
   EXPECT_TRUE(asked->heard.empty());
   EXPECT_FALSE(peer.ended);
-  EXPECT_EQ(Answer(Item(Words({7, 1, 2, 3}))), "");
+  EXPECT_EQ(Answer(OneItem(Words({7, 1, 2, 3}))), "");
   EXPECT_TRUE(peer.ended);
   EXPECT_NE(Findings(*robot).find("has the command 7 (SENDWITHRBOX)"), std::string::npos);
 }
