@@ -6,10 +6,8 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/signalfd.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <cstring>
 #include <deque>
 #include <filesystem>
@@ -31,6 +29,7 @@
 #include "openr/panel/page.h"
 #include "openr/panel/rc_forwarder.h"
 #include "openr/panel/runs_lister.h"
+#include "openr/panel/spare_descriptor.h"
 #include "openr/panel/static_files.h"
 #include "openr/panel/web_loop.h"
 
@@ -76,62 +75,6 @@ std::string FirstRun(const PanelOptions& options) {
 
 std::string AddressOf(const ListenOptions& listen) {
   return listen.is_on() ? listen.address : "127.0.0.1";
-}
-
-// SpareDescriptor: a file descriptor that is given up for a moment when this process can open no
-// more descriptors, to close the connection that waits.  Without this, the connection would stay in
-// the queue of the listener, and the event loop would find the listener readable again and again.
-class SpareDescriptor {
- public:
-  SpareDescriptor() { Open(); }
-  ~SpareDescriptor() {
-    if (descriptor_ >= 0) close(descriptor_);
-  }
-  SpareDescriptor(const SpareDescriptor&) = delete;
-  SpareDescriptor& operator=(const SpareDescriptor&) = delete;
-
-  // Opens the spare descriptor again if CloseNext() could not, because another thread had taken the
-  // last descriptor.  Called before connections are accepted, which may need all descriptors that
-  // are free.
-  void OpenAgain() {
-    if (descriptor_ < 0) Open();
-  }
-
-  // Closes the next connection that waits at `listener`.  Returns false if no connection waits, or
-  // if the spare descriptor could not be opened again.
-  bool CloseNext(int listener) {
-    OpenAgain();
-    if (descriptor_ < 0) {
-      // Waits a moment, because the event loop finds the listener readable again at once.
-      poll(nullptr, 0, kNoDescriptorMs);
-      return false;
-    }
-    close(descriptor_);
-    const int connection = accept4(listener, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
-    if (connection >= 0) close(connection);
-    Open();
-    return connection >= 0;
-  }
-
- private:
-  void Open() { descriptor_ = open("/dev/null", O_RDONLY | O_CLOEXEC); }
-
-  int descriptor_;
-};
-
-// Accepts all connections that wait at `listener`, and gives each to `take`.  Always returns true,
-// because a Listener whose function returns false is closed.
-bool AcceptAll(int listener, SpareDescriptor* spare,
-               const std::function<void(int connection)>& take) {
-  spare->OpenAgain();
-  for (;;) {
-    const int connection = accept4(listener, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
-    if (connection >= 0) {
-      take(connection);
-    } else if ((errno != EMFILE && errno != ENFILE) || !spare->CloseNext(listener)) {
-      return true;
-    }
-  }
 }
 
 // A descriptor that calls a function when it can be read, and is closed when the function returns
@@ -203,7 +146,7 @@ class Panel : public WebService {
   RunsLister runs_;
   std::set<OpenPage*> pages_;
   int signals_ = -1;
-  SpareDescriptor spare_;
+  SpareDescriptor spare_{[] { poll(nullptr, 0, kNoDescriptorMs); }};
   Listener listener_, signal_listener_, run_listener_;
   // The remote control of one robot, which is forwarded to other computers (--listen).
   struct ForwardedRobot {

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -38,13 +39,25 @@ std::vector<std::string> WordsOf(const PanelOptions& options) {
 
 }  // namespace
 
+std::string StartThroughCopy(const std::function<int()>& start) {
+  const pid_t copy = CopyProcess(Flushed::kNone, Orphan::kGoesOn);
+  if (copy < 0) return std::strerror(errno);
+  if (copy == 0) _exit(start());  // an errno is less than 256, so it fits into an exit status
+  const int status = WaitForEnd(copy);
+  if (WIFSIGNALED(status)) {
+    return fmt::format("the process that was to start it was killed by signal {} ({})",
+                       WTERMSIG(status), strsignal(WTERMSIG(status)));
+  }
+  return WEXITSTATUS(status) == 0 ? "" : std::strerror(WEXITSTATUS(status));
+}
+
 PanelProcess::PanelProcess(const PanelOptions& options) {
   int ends[2];
-  const auto warn = [](int error) {
-    fmt::print(stderr, "openr: no panel: it cannot be started: {}\n", std::strerror(error));
+  const auto warn = [](const std::string& why) {
+    fmt::print(stderr, "openr: no panel: it cannot be started: {}\n", why);
   };
   if (pipe2(ends, O_CLOEXEC) != 0) {
-    warn(errno);
+    warn(std::strerror(errno));
     return;
   }
   ProgramStart server(WordsOf(options));
@@ -58,20 +71,14 @@ PanelProcess::PanelProcess(const PanelOptions& options) {
   server.CloseFrom(kPipeInServer + 1);
   const std::string program = ProgramFile();
   const std::string running = "/proc/self/exe";  // this program, even if a new build has removed it
-  // Starts the server in a copy of this process that ends at once, so that the server is not a
-  // child of the run.  So the run need not wait for the end of the server, and no zombie is left.
-  // The copy calls only functions that are allowed after fork().
-  const pid_t copy = CopyProcess(Flushed::kNone, Orphan::kGoesOn);
-  if (copy == 0) {
+  const std::string problem = StartThroughCopy([&] {
     pid_t process = 0;
-    int error = server.Start(program, &process);
-    if (error != 0) error = server.Start(running, &process);
-    _exit(error);  // an errno is less than 256, so it fits into an exit status
-  }
-  const int error = copy < 0 ? errno : WEXITSTATUS(WaitForEnd(copy));
+    const int error = server.Start(program, &process);
+    return error == 0 ? 0 : server.Start(running, &process);
+  });
   close(ends[0]);
-  if (error != 0) {
-    warn(error);
+  if (!problem.empty()) {
+    warn(problem);
     close(ends[1]);
     return;
   }

@@ -1,28 +1,37 @@
 // Parts of the panel's server, without a server.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <netinet/in.h>
 #include <pthread.h>
+#include <signal.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <condition_variable>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <future>
+#include <memory>
 #include <mutex>
 #include <set>
 #include <stdexcept>
 #include <system_error>
+#include <vector>
 
 #include "cli/base64.h"
 #include "openr/panel/access.h"
+#include "openr/panel/listen.h"
 #include "openr/panel/page_queue.h"
 #include "openr/panel/pair_bridge.h"
+#include "openr/panel/panel_process.h"
 #include "openr/panel/rc_bridge.h"
 #include "openr/panel/rc_forwarder.h"
 #include "openr/panel/runs_lister.h"
+#include "openr/panel/spare_descriptor.h"
 #include "openr/panel/static_files.h"
 #include "tests/openr/program_run.h"
 
@@ -285,6 +294,75 @@ TEST_F(NoThreadsTest, AClientForWhichThereIsNoThreadIsClosed) {
     close(ends[0]);
   }
   EXPECT_FALSE(RcForwarder::HasThreads());
+}
+
+// While a NoDescriptors exists, this process can open no descriptors.
+class NoDescriptors {
+ public:
+  NoDescriptors() {
+    EXPECT_EQ(getrlimit(RLIMIT_NOFILE, &before_), 0);
+    const rlimit none{0, before_.rlim_max};
+    EXPECT_EQ(setrlimit(RLIMIT_NOFILE, &none), 0);
+  }
+  ~NoDescriptors() { EXPECT_EQ(setrlimit(RLIMIT_NOFILE, &before_), 0); }
+  NoDescriptors(const NoDescriptors&) = delete;
+  NoDescriptors& operator=(const NoDescriptors&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+// Without the pause, the event loop would call AcceptAll() again and again, and take all processor
+// time.
+TEST(SpareDescriptorTest, AcceptingPausesOnlyWhileThereIsNoDescriptor) {
+  uint16_t port = 0;
+  const int listener = Listen("127.0.0.1", &port);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(port);
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  const int client = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  ASSERT_EQ(connect(client, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+
+  int pauses = 0;
+  std::vector<int> taken;
+  const auto accept = [&](SpareDescriptor* spare) {
+    return AcceptAll(listener, spare, [&](int connection) { taken.push_back(connection); });
+  };
+  auto none = std::make_unique<NoDescriptors>();
+  SpareDescriptor spare([&] { ++pauses; });
+  for (int call = 1; call <= 3; ++call) {
+    EXPECT_TRUE(accept(&spare));
+    EXPECT_EQ(pauses, call);
+  }
+  EXPECT_EQ(taken.size(), 0u);
+  none.reset();
+  EXPECT_TRUE(accept(&spare));
+  EXPECT_EQ(pauses, 3);
+  ASSERT_EQ(taken.size(), 1u);
+  close(taken[0]);
+  close(client);
+  close(listener);
+}
+
+TEST(PanelProcessTest, AServerThatCannotBeStartedIsSaid) {
+  testing::internal::CaptureStderr();
+  {
+    const NoDescriptors none;
+    const PanelProcess panel(PanelOptions{.port = 0, .run = "played.1"});
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "openr: no panel: it cannot be started: Too many open files\n");
+}
+
+TEST(PanelProcessTest, ACopyThatFailsToStartTheServerGivesTheReason) {
+  EXPECT_EQ(StartThroughCopy([] { return 0; }), "");
+  EXPECT_EQ(StartThroughCopy([] { return ENOENT; }), "No such file or directory");
+  EXPECT_EQ(StartThroughCopy([] {
+              kill(getpid(), SIGKILL);
+              return 0;
+            }),
+            "the process that was to start it was killed by signal 9 (Killed)");
 }
 
 }  // namespace
