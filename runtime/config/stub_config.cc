@@ -198,15 +198,19 @@ void StubParser::CheckCount(const std::string& file, const Side& side) {
   const std::string& word = side.count_line.word;
   if (count == 0 && found == 0) {
     Error(side.count_line.place, fmt::format("{} is 0{}, and write 1 here", word, dummy));
-  } else if (count != found) {
-    std::string remedy =
-        found < count ? "correct the number or add the missing Service line" : "correct the number";
-    if (ignored_service_line_ > 0) {
-      remedy = fmt::format("line {} was ignored", ignored_service_line_);
-    }
-    Error(side.count_line.place, fmt::format("{} is {}, but the file has {} {}{}; {}", word, count,
-                                             found, side.noun, found == 1 ? "" : "s", remedy));
+    return;
   }
+  std::string remedy;
+  if (found < count) {
+    remedy = "correct the number or add the missing Service line";
+  } else if (found > count) {
+    remedy = "correct the number";
+  } else {
+    return;
+  }
+  if (ignored_service_line_ > 0) remedy = fmt::format("line {} was ignored", ignored_service_line_);
+  Error(side.count_line.place, fmt::format("{} is {}, but the file has {} {}{}; {}", word, count,
+                                           found, side.noun, found == 1 ? "" : "s", remedy));
 }
 
 // Reports an Extra line whose function has the name of another entry, such as Ready0.  The stub

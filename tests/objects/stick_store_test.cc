@@ -1,10 +1,33 @@
 // The files of the stick, and an upload without a client.
+#include <dlfcn.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
 
 #include "FileUpload.h"
 #include "StickStore.h"
 #include "files_fixture.h"
+
+namespace openr_host {
+namespace {
+
+// While this is true, rename() in this program replaces no file, as on some file systems.
+bool g_rename_replaces_nothing = false;
+
+}  // namespace
+}  // namespace openr_host
+
+// Stands in front of the rename() of the C library.
+extern "C" int rename(const char* from, const char* to) noexcept {
+  if (openr_host::g_rename_replaces_nothing && access(to, F_OK) == 0) {
+    errno = EEXIST;
+    return -1;
+  }
+  using Rename = int (*)(const char*, const char*);
+  static const auto next = reinterpret_cast<Rename>(dlsym(RTLD_NEXT, "rename"));
+  return next(from, to);
+}
 
 namespace openr_host {
 namespace {
@@ -38,6 +61,32 @@ TEST_F(StickStoreTest, AFileIsReplacedOnlyByAnotherFile) {
   EXPECT_TRUE(StickStore::Replace(Motion("NEW"), Motion("OLD")));
   EXPECT_EQ(Read(Motion("OLD")), Bytes{2});
   EXPECT_EQ(Files(), std::vector<std::string>{"OLD"});
+}
+
+class StickWithoutReplacementTest : public StickStoreTest {
+ protected:
+  StickWithoutReplacementTest() { g_rename_replaces_nothing = true; }
+  ~StickWithoutReplacementTest() override { g_rename_replaces_nothing = false; }
+};
+
+TEST_F(StickWithoutReplacementTest, AFileIsReplacedByRenamingTheOldOneFirst) {
+  for (const Bytes& old : {Bytes{1}, Bytes{}}) {
+    Write(Motion("OLD.MTN"), old);
+    Write(Motion("OLD.~TN"), {3});  // left by an earlier run
+    Write(Motion("NEW.MTN"), {2});
+    EXPECT_TRUE(StickStore::Replace(Motion("NEW.MTN"), Motion("OLD.MTN")));
+    EXPECT_EQ(Read(Motion("OLD.MTN")), Bytes{2});
+    EXPECT_EQ(Files(), std::vector<std::string>{"OLD.MTN"});
+  }
+}
+
+TEST_F(StickWithoutReplacementTest, AFolderIsNeitherReplacedNorMoved) {
+  Write(Motion("OLD.MTN"), {1});
+  std::filesystem::create_directory(Motion("SUB.MTN"));
+  EXPECT_FALSE(StickStore::Replace(Motion("SUB.MTN"), Motion("OLD.MTN")));
+  EXPECT_FALSE(StickStore::Replace(Motion("OLD.MTN"), Motion("SUB.MTN")));
+  EXPECT_EQ(Read(Motion("OLD.MTN")), Bytes{1});
+  EXPECT_TRUE(std::filesystem::is_directory(Motion("SUB.MTN")));
 }
 
 // rename() between two file systems of the host fails, as does every rename() on a damaged stick.

@@ -25,6 +25,16 @@ TEST(ServiceNameTest, ComposeUndoesParse) {
   EXPECT_EQ(Compose(*ParseServiceName("A.b.char.S", nullptr)), "A.b.char.S");
 }
 
+TEST(ServiceNameTest, NamesThatDifferInTheirDataOnly) {
+  const ServiceName name = *ParseServiceName("A.b.C.S", nullptr);
+  const auto differ = [&name](const char* other) {
+    return DifferInDataOnly(name, *ParseServiceName(other, nullptr));
+  };
+  EXPECT_TRUE(differ("A.b.D.S"));
+  for (const char* const other : {"A.b.C.S", "X.b.D.S", "A.x.D.S", "A.b.D.O"})
+    EXPECT_FALSE(differ(other)) << other;
+}
+
 TEST(ServiceNameTest, CaseCounts) {
   EXPECT_NE(ParseServiceName("A.b.C.S", nullptr), ParseServiceName("A.B.C.S", nullptr));
 }

@@ -80,6 +80,12 @@ TEST_F(DispatcherTest, RunUntilAPredicateStopsAtOnceAndKeepsItsBudget) {
   EXPECT_EQ(system.now_us(), 1030);
 }
 
+TEST_F(DispatcherTest, APredicateThatIsTrueAlreadyLetsNoMessageThrough) {
+  Post(Add("a"), 1);
+  EXPECT_TRUE(system.RunUntil([] { return true; }, 1000));
+  EXPECT_EQ(log, Log{});
+}
+
 TEST_F(DispatcherTest, ACallWaitsForItsAnswerAndBlocksOnlyTheCaller) {
   Recorder* caller = Add("caller");
   Recorder* callee = Add("callee");

@@ -40,6 +40,24 @@ TEST_F(ShmPtrTest, ARegionThatIsGivenBackKeepsItsContent) {
   });
 }
 
+TEST_F(ShmPtrTest, ARegionWithoutASizeReachesToTheEndOfItsMemory) {
+  RunAs(sender, [&] {
+    RCRegion* const whole = new RCRegion(8);
+    RCRegion* const rest = new RCRegion(whole->MemID(), 2, whole->Base() + 2, 0);
+    EXPECT_EQ(rest->Size(), 6u);
+    rest->RemoveReference();
+    whole->RemoveReference();
+  });
+}
+
+TEST_F(ShmPtrTest, ARegionOfAnUnknownIdHasNoAddress) {
+  RunAs(sender, [&] {
+    RCRegion* const region = new RCRegion(MemoryRegionID{0x00ff0ff0}, 2, nullptr, 4);
+    EXPECT_EQ(region->Base(), nullptr);
+    region->RemoveReference();
+  });
+}
+
 TEST_F(ShmPtrTest, WritingToASharedOneCopiesFirst) {
   RunAs(sender, [&] {
     OShmPtr<int> one(size_t{3});

@@ -100,6 +100,16 @@ TEST_F(WatchTest, ANotificationBetweenMakesReadyGood) {
   EXPECT_TRUE(findings().empty());
 }
 
+TEST_F(WatchTest, ANotificationBeginsTheCountOfReadiesAnew) {
+  Boot();
+  AssertReady();
+  Send(1);
+  for (int i = 0; i < 8; ++i) AssertReady();
+  EXPECT_TRUE(findings().empty());
+  AssertReady();
+  EXPECT_EQ(findings().size(), 1u);
+}
+
 // AssertReady() without argument goes to every subject, also to those that are silent.
 TEST_F(WatchTest, ReadyToAllOnceANotificationIsGoodAlsoForSilentSubjects) {
   system->AddObject<SubjectProbe>(0, "silent", "Silent.Out.Number.S");

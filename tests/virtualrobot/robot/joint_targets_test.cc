@@ -46,6 +46,25 @@ TEST_F(JointTargetsTest, AnInputAfterTheFrameHasBegunTakesAsManyFrames) {
   EXPECT_EQ(SetPoints("neck_pan", 5), (std::vector<double>{10, 15, 20, 20, 20}));
 }
 
+// A robot for tests that need several.
+class OneRobot : public JointTargetsTest {
+ public:
+  uint64_t StateAfter(const std::string& input) {
+    Add(input);
+    SetPoints("neck_pan", 1);
+    return system.state_hash();
+  }
+
+ private:
+  void TestBody() override {}
+};
+
+TEST(JointTargetsStateTest, TheStateHashHasTheTimeOfAMovement) {
+  const uint64_t state = OneRobot().StateAfter("target neck_pan 0 in 32ms");
+  EXPECT_EQ(OneRobot().StateAfter("target neck_pan 0 in 32ms"), state);
+  EXPECT_NE(OneRobot().StateAfter("target neck_pan 0 in 40ms"), state);
+}
+
 TEST_F(JointTargetsTest, WithoutADurationTheGoalIsReachedInOneFrame) {
   Add("target neck_pan -20");
   EXPECT_EQ(SetPoints("neck_pan", 2), (std::vector<double>{-20, -20}));
