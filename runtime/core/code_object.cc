@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "runtime/base/assert.h"
+#include "runtime/core/connection_state.h"
 #include "runtime/core/current.h"
 
 namespace openr_host {
@@ -11,30 +12,35 @@ CodeObject::CodeObject() : host_(t_current.object) {
   ASSERT(host_ != nullptr, "objects built in code are made with System::AddObject()");
 }
 
-CodeObject::~CodeObject() = default;
+// Runs also when the constructor of a derived class has thrown, so that the Object never keeps the
+// address of a table that is gone.
+CodeObject::~CodeObject() { host_->code_entries = nullptr; }
 
 void CodeObject::AddSubjectEntries(const std::string& service, OSubject* subject,
-                                   std::unique_ptr<Entry> entry) {
+                                   std::unique_ptr<CodeEntry> entry) {
   const Selector control = AddExtra(service + " (Control)", [subject](void* message) {
     subject->ControlHandler(*static_cast<OControlMessage*>(message));
   });
+  entry->subject_state = host_->subjects.back().get();
   const Selector ready = AddEntry(service + " (Ready)", std::move(entry));
   subject->SetReadyEntry(OServiceEntry(myOID_, ready));
   RegisterServiceEntry(OServiceEntry(myOID_, control), service.c_str());
 }
 
 void CodeObject::AddObserverEntries(const std::string& service, OObserver* observer,
-                                    std::unique_ptr<Entry> entry) {
+                                    std::unique_ptr<CodeEntry> entry) {
   const Selector connect = AddExtra(service + " (Connect)", [observer](void* message) {
     observer->ConnectHandler(*static_cast<OConnectMessage*>(message));
   });
+  entry->observer_state = host_->observers.back().get();
   const Selector notify = AddEntry(service + " (Notify)", std::move(entry));
   observer->SetNotifyEntry(OServiceEntry(myOID_, notify));
   RegisterServiceEntry(OServiceEntry(myOID_, connect), service.c_str());
 }
 
-Selector CodeObject::AddEntry(const std::string& name, std::unique_ptr<Entry> entry) {
+Selector CodeObject::AddEntry(const std::string& name, std::unique_ptr<CodeEntry> entry) {
   entries_.push_back(std::move(entry));
+  host_->code_entries = entries_.data();
   const Selector selector = oentryBASE + static_cast<Selector>(entries_.size()) - 1;
   host_->entry_names[selector] = name;
   return selector;
@@ -62,7 +68,7 @@ bool CodeHost::Dispatch(uint32_t selector, void* payload) {
   if (selector < oentryBASE) [[unlikely]] {
     CallSystemEntry(selector, payload);
   } else {
-    code->entries_[selector - oentryBASE]->Handle(payload);
+    code_entries[selector - oentryBASE]->Handle(payload);
   }
   return true;
 }

@@ -28,6 +28,20 @@
 
 namespace openr_host {
 
+// An entry of a CodeObject, which handles the messages to one selector.  The classes derived from
+// CodeEntry store the function that the CodeObject has given for the entry, so that a message
+// reaches this function by one virtual call.
+class CodeEntry {
+ public:
+  virtual ~CodeEntry() = default;
+  virtual void Handle(void* message) = 0;
+
+  // The record of the subject or observer that handles the messages of this entry; null if there is
+  // none (PrefetchDeliveries()).
+  const SubjectState* subject_state = nullptr;
+  const ObserverState* observer_state = nullptr;
+};
+
 class CodeObject : public OObject {
  public:
   CodeObject();
@@ -70,17 +84,8 @@ class CodeObject : public OObject {
  private:
   friend class CodeHost;
 
-  // An entry of a CodeObject, which handles the messages to one selector.  The classes derived from
-  // Entry store the function that the CodeObject has given for the entry, so that a message reaches
-  // this function by one virtual call.
-  class Entry {
-   public:
-    virtual ~Entry() = default;
-    virtual void Handle(void* message) = 0;
-  };
-
   template <typename Extra>
-  class ExtraEntry final : public Entry {
+  class ExtraEntry final : public CodeEntry {
    public:
     explicit ExtraEntry(Extra extra) : extra_(std::move(extra)) {}
     void Handle(void* message) override { extra_(message); }
@@ -92,7 +97,7 @@ class CodeObject : public OObject {
   // The entry of a subject.  Passes each ready message to `subject`, a member of this class, then
   // calls `ready_`, the function that the object has given to AddSubject().
   template <typename Ready>
-  class ReadyEntry final : public Entry {
+  class ReadyEntry final : public CodeEntry {
    public:
     ReadyEntry(int index, Ready ready) : index_(index), ready_(std::move(ready)) {}
     void Handle(void* message) override {
@@ -110,7 +115,7 @@ class CodeObject : public OObject {
   // The entry of an observer.  Passes each notification to `observer`, a member of this class, then
   // calls `notify_`, the function that the object has given to AddObserver().
   template <typename Notify>
-  class NotifyEntry final : public Entry {
+  class NotifyEntry final : public CodeEntry {
    public:
     NotifyEntry(int index, Notify notify) : index_(index), notify_(std::move(notify)) {}
     void Handle(void* message) override {
@@ -126,18 +131,18 @@ class CodeObject : public OObject {
     Notify notify_;
   };
 
-  Selector AddEntry(const std::string& name, std::unique_ptr<Entry> entry);
+  Selector AddEntry(const std::string& name, std::unique_ptr<CodeEntry> entry);
   // Adds the two entries of a subject: an entry for control events, by which observers are added
   // and removed, and `entry` for readies.
   void AddSubjectEntries(const std::string& service, OSubject* subject,
-                         std::unique_ptr<Entry> entry);
+                         std::unique_ptr<CodeEntry> entry);
   // Adds the two entries of an observer: an entry for connect events, by which the observer is
   // connected to a subject, and `entry` for notifications.
   void AddObserverEntries(const std::string& service, OObserver* observer,
-                          std::unique_ptr<Entry> entry);
+                          std::unique_ptr<CodeEntry> entry);
 
   Object* const host_;
-  std::vector<std::unique_ptr<Entry>> entries_;  // the index is selector - oentryBASE
+  std::vector<std::unique_ptr<CodeEntry>> entries_;  // the index is selector - oentryBASE
   int subject_count_ = 0;
   int observer_count_ = 0;
 };
@@ -177,5 +182,13 @@ class CodeHost final : public Object {
  private:
   void CallSystemEntry(uint32_t selector, void* payload);
 };
+
+// Returns the entry of a CodeObject that `object` runs; null if `object` is no CodeHost or its code
+// has no entry `selector`.
+inline CodeEntry* FindCodeEntry(const Object& object, uint32_t selector) {
+  const uint32_t index = selector - oentryBASE;
+  if (object.code_entries == nullptr || index >= object.entry_count - oentryBASE) return nullptr;
+  return object.code_entries[index].get();
+}
 
 }  // namespace openr_host

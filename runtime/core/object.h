@@ -19,6 +19,7 @@ class RCRegion;
 
 namespace openr_host {
 
+class CodeEntry;
 class Hasher;
 class System;
 struct ObserverState;
@@ -224,8 +225,6 @@ class Object {
 
   // ---- The members of Object that the delivery of every message reads.  They lie on one cache
   // line, because with thousands of objects a delivery spends most of its time waiting for memory.
-  // They come last and leave 8 bytes of the line, so that CodeHost::code, which a delivery to a
-  // CodeHost (a derived class) also reads, lies on this line, too.
 
   // The object has the entries 0 to entry_count - 1.  Whether it has a later entry must be asked
   // with HasEntry().
@@ -242,6 +241,9 @@ class Object {
   DeliveryState::PlainFlag is_plain{delivery};  // whether a delivery only calls the handler
   uint64_t message_count = 0;                   // number of messages delivered to the object
   HandlerState handler;
+  // The entries of a CodeHost (code_object.h): the entry with selector oentryBASE + i is
+  // code_entries[i].  Null for other objects.
+  const std::unique_ptr<CodeEntry>* code_entries = nullptr;
 };
 
 }  // namespace openr_host
