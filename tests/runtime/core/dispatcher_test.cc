@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include "runtime/core/stalls.h"
 #include "tests/runtime/core/recorder.h"
 
@@ -78,6 +80,20 @@ TEST_F(DispatcherTest, RunUntilAPredicateStopsAtOnceAndKeepsItsBudget) {
   EXPECT_EQ(system.now_us(), 30);
   EXPECT_FALSE(system.RunUntil([] { return false; }, 1000));
   EXPECT_EQ(system.now_us(), 1030);
+}
+
+// Its table of entries is gone with its code, so the dispatcher must not use the table any more.
+TEST_F(DispatcherTest, AnObjectWhoseConstructorHasThrownHasNoEntries) {
+  struct Thrower : CodeObject {
+    Thrower() {
+      AddExtra("Extra", [](void*) {});
+      throw std::runtime_error("no");
+    }
+  };
+  EXPECT_THROW(system.AddObject<Thrower>(0, "thrower"), std::runtime_error);
+  const Object* const object = system.object_table().Find(0, "thrower");
+  ASSERT_NE(object, nullptr);
+  EXPECT_EQ(FindCodeEntry(*object, oentryBASE), nullptr);
 }
 
 TEST_F(DispatcherTest, APredicateThatIsTrueAlreadyLetsNoMessageThrough) {
