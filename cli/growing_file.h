@@ -15,8 +15,8 @@ namespace openr_host {
 int OpenGrowingFile(const std::string& file, std::string* problem);
 
 // Opens a growing file as OpenGrowingFile() does, but puts a new file in the place of a regular
-// file, as WriteFile() does, so that a program which reads the old file meanwhile goes on to read
-// the old content.
+// file, as WriteFile() does, so that a program which reads the old file meanwhile goes on
+// reading the old content.
 int OpenNewGrowingFile(const std::string& file, std::string* problem);
 
 // A growing file whose content is complete after each call of Append().

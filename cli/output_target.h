@@ -35,8 +35,8 @@ std::string TemporaryName(const std::filesystem::path& beside, int number);
 bool MayBeInPlace(int error);
 
 // Makes an empty file beside `target`, with the owner and permissions of `target`, and sets `name`
-// to its path.  Returns the descriptor; after an error -1, sets `error` to the errno, and there is
-// no such file.
+// to its path.  Returns the descriptor.  After an error returns -1, sets `error` to the errno, and
+// leaves no file behind.
 int CreateBeside(const OutputTarget& target, std::string* name, int* error);
 
 }  // namespace openr_host

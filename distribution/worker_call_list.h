@@ -59,8 +59,8 @@ struct CallList {
   }
 };
 
-// Makes a comma and a function from each row of OPENR_ROBOT_CALLS.  So the table follows the last
-// function of the list below without a comma before it.
+// Makes a comma and a function from each row of OPENR_ROBOT_CALLS.  The comma comes first, because
+// WorkerCallList below ends with these rows, after a function that has no comma behind it.
 #define OPENR_CALL_ROBOT(name, parameters, arguments, without_devices) , &RobotServices::name
 #define OPENR_CALL_WITH_MEMORY(name, parameters, arguments, without_devices) , &CheckedCalls::name
 

@@ -130,8 +130,8 @@ void CompileRun::UsePreludeIfItHelps(ProcessResult* result) {
 void CompileRun::RepairIfItHelps(ProcessResult* result) {
   RepairSession session;
   if (!session.may_repair()) return;
-  // Compiles the file once more as it is, because another compiler process may have repaired a
-  // header while this process waited for the lock.
+  // Compiles the file once more without the flags of earlier repairs, because another compiler
+  // process may have repaired a header while this process waited for the lock.
   extra_.clear();
   ProcessResult now = Try({});
   if (!now.good()) UsePreludeIfItHelps(&now);

@@ -34,11 +34,11 @@ struct CompletedStick {
 // Puts on `stick` the images that its OBJECT.CFG names and that no rule of a Makefile has put on
 // the stick.  `stick` is in the private copy of the user's folder, and `users_stick` is its
 // original; the path is empty if there is no original.  If the stick has no OBJECT.CFG, writes an
-// OBJECT.CFG that names all images, and adds a note about each image of its folder OBJS that is
-// left out.  If there are several sticks, first takes images that were built nearer to this stick
-// than to other sticks in the tree of folders.  Takes images that were built elsewhere only for the
-// names that are then still without an image.  An image that a Makefile puts on one stick has the
-// same file name on all other sticks.
+// OBJECT.CFG, and adds a note about each image in the stick's folder OBJS that this OBJECT.CFG does
+// not name, with the reason.  If there are several sticks, first takes images that were built
+// nearer to this stick than to other sticks in the tree of folders.  Takes images that were built
+// elsewhere only for the names that are then still without an image.  An image that a Makefile puts
+// on one stick has the same file name on all other sticks.
 CompletedStick CompleteStick(const StickFolder& stick, const Project& project, const KitLog& log,
                              const std::string& sdk_root, const std::filesystem::path& users_stick);
 

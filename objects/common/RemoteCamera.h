@@ -12,7 +12,8 @@
 // were detected.  The numbers are those of the SDK (ofbkimageLAYER_H and so on).
 const int NUM_RC_LAYERS = 4;
 
-// Size of the largest layer of any robot, in bytes: six bands of 208 x 160 pixels (ERS-7).
+// Size of the largest layer of a camera's image on any robot, in bytes.  It is the layer with the
+// full resolution of the ERS-7, which consists of six bands of 208 x 160 pixels.
 const Uint32 RC_MAX_PICTURE = 6 * 208 * 160;
 
 // The beginning of an answer to CAMERA_PART, the request for a part of a picture, before the bytes

@@ -65,9 +65,10 @@ class DotWriter {
   }
 
  private:
-  // Adds the box of an object.  A part of the robot (a system object) gets two boxes: one on the
-  // left with its subjects, one on the right with its observers.  So all connections can run from
-  // left to right, although sensor values come from the robot and commands go to it.
+  // Draws an object as a rectangle, called a box here.  A part of the robot (a system object) gets
+  // two boxes: one on the left with its subjects, one on the right with its observers.  So all
+  // connections can run from left to right, although sensor values come from the robot and commands
+  // go to it.
   void AddObject(size_t index) {
     const GraphObject& object = graph_.objects[index];
     const std::string node = fmt::format("o{}", index);

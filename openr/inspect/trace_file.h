@@ -51,8 +51,8 @@ struct TraceHeader {
   bool strict = false;
   bool is_free = false;          // true: the run was free-running and cannot be replayed
   bool write_protected = false;  // true: the stick of the run's only robot was write-protected
-  // The order of messages of a failing run of openr explore, as JSON: seed, for_us, guard and
-  // deviations.  "": the order that the seed chooses.
+  // The file, as JSON, in which openr explore has kept the order of messages of a failing run
+  // (docs/exploring.md).  "" if the seed chooses the order.
   std::string schedule;
   bool payloads = true;  // true: the bytes of messages are recorded; false: only their hashes
 };
@@ -179,8 +179,8 @@ class TraceWriter {
   // `name` the path below the stick's folder.
   void AddStick(const std::string& name, const std::string& path);
 
-  // Adds an entry of another recording.  REQUIRES: this recording also has the names of the objects
-  // and handlers in the entry.
+  // Adds an entry, which describes one delivered message, of another recording.  REQUIRES: this
+  // recording also has the names of the objects and handlers in the entry.
   void AddEntry(const TraceEntry& entry) { Add(entry); }
 
   // Writes the entries that were added so far to the file.  May be called in a signal handler that

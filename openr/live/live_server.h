@@ -27,7 +27,8 @@ class LiveServer {
   static constexpr size_t kRequestMax = size_t{64} << 10;
   // The largest number of bytes of answers that a client has not taken yet.
   static constexpr size_t kAnswersMax = size_t{4} << 20;
-  // Most clients at a time; enough for the 16 pages of the panel.
+  // The largest number of clients at one time.  The panel lets at most 16 pages be open at once,
+  // and each page needs one client, so this number is enough.
   static constexpr size_t kClientsMax = 32;
 
   // The type of the function that returns the answer to a request; in a run it is AnswerLive().

@@ -32,8 +32,8 @@ struct RobotShape {
 // Returns the shapes of a robot.
 std::vector<RobotShape> ShapesOfRobot(const RobotModel& model);
 
-// Returns the pose of a shape in its part.  For an ear, it is the pose when the ear's plunger has
-// turned by `angle_rad`.  Other shapes do not move in their part.
+// Returns the pose of a shape in its part.  For an ear, it is the pose when the ear has turned
+// by `angle_rad`.  Other shapes do not move in their part.
 Eigen::Isometry3d PlaceInPart(const RobotShape& shape, double angle_rad);
 
 // Returns the shapes of the things in `world`, with their poses in the world.  Paint, which is a

@@ -120,10 +120,10 @@ ServedRun& RunServer::BootedRun() {
   return *run_;
 }
 
-// Throws std::runtime_error if the run is finished, because then no command can make it go on.
-// Does not throw if all robots are off, because the answer to a command then says how the run
-// ended.
-void RunServer::CheckHasNotEnded() {
+// Throws std::runtime_error if the client has finished the run, because no command can make the run
+// go on then.  Does not throw if the run has ended because all robots are off: the answer to the
+// command says so.
+void RunServer::CheckIsNotFinished() {
   if (BootedRun().is_finished())
     throw std::runtime_error("the run is finished; it can be read but cannot go on");
 }

@@ -55,7 +55,7 @@ class RunServer {
   Answer Time();
   ServedRun& run();
   ServedRun& BootedRun();
-  void CheckHasNotEnded();
+  void CheckIsNotFinished();
   void BeginGuards(int64_t handler_limit_us);
   void WatchCrashes();
   void ReportEnding(Ending* ending);

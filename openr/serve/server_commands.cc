@@ -166,7 +166,7 @@ RunServer::Answer RunServer::DoBoot(const Request&) {
 }
 
 RunServer::Answer RunServer::DoRun(const Request& request) {
-  CheckHasNotEnded();
+  CheckIsNotFinished();
   const int64_t now_us = run_->system().now_us();
   const double to_s = Number(request.json, "to_s");
   const int64_t to_us = to_s < 0 ? now_us + InUs(Number(request.json, "for_s")) : InUs(to_s);
@@ -181,7 +181,7 @@ RunServer::Answer RunServer::DoRun(const Request& request) {
 
 RunServer::Answer RunServer::DoStep(const Request& request) {
   constexpr int kStepsMax = 1'000'000;
-  CheckHasNotEnded();
+  CheckIsNotFinished();
   const std::string over = TextOf(request.json, "over");
   RunClock::Step step;
   if (!RunClock::ParseStep(over, &step))
@@ -197,7 +197,7 @@ int64_t RunServer::LimitOf(const Request& request) {
 }
 
 RunServer::Answer RunServer::DoUntil(const Request& request) {
-  CheckHasNotEnded();
+  CheckIsNotFinished();
   const PropertyRule rule = ReadCondition(TextOf(request.json, "condition"));
   const std::vector<ReadValue> values = FindValues(rule.quantity, run_->view());
   if (values.size() != 1)
@@ -210,7 +210,7 @@ RunServer::Answer RunServer::DoUntil(const Request& request) {
 }
 
 RunServer::Answer RunServer::DoExpect(const Request& request) {
-  CheckHasNotEnded();
+  CheckIsNotFinished();
   const MessageFilter filter = FilterOf(request.json, run_->system());
   const auto message = run_->RunUntilMessage(filter, LimitOf(request));
   Answer answer = Time();
@@ -272,7 +272,7 @@ RunServer::Answer RunServer::DoActuate(const Request& request) {
 // has them.
 RunServer::Answer RunServer::DoAct(const Request& request) {
   constexpr int kFramesMax = 100'000;
-  CheckHasNotEnded();
+  CheckIsNotFinished();
   const int frames = Count(request.json, "frames", kFramesMax);
   if (!request.bytes.empty()) {
     if (request.bytes.size() != actuators_.size() * sizeof(double)) {

@@ -70,7 +70,7 @@ class ReadyPipe {
 }  // namespace
 
 RunServer::Answer RunServer::DoConnect(const Request& request) {
-  CheckHasNotEnded();
+  CheckIsNotFinished();
   if (!run_->ForkProblem().empty())
     throw std::runtime_error("connect is for network='inside'; this run has sockets of the host");
   const int port = IntegerOf(request.json, "port");
@@ -81,13 +81,13 @@ RunServer::Answer RunServer::DoConnect(const Request& request) {
 }
 
 RunServer::Answer RunServer::DoSend(const Request& request) {
-  CheckHasNotEnded();
+  CheckIsNotFinished();
   run_->clients().Send(IntegerOf(request.json, "connection"), request.bytes);
   return Time();
 }
 
 RunServer::Answer RunServer::DoReceive(const Request& request) {
-  CheckHasNotEnded();
+  CheckIsNotFinished();
   const int connection = IntegerOf(request.json, "connection");
   const auto count = static_cast<size_t>(IntegerOf(request.json, "count"));
   RobotClients& clients = run_->clients();
@@ -221,7 +221,7 @@ RunServer::Answer RunServer::DoFinish(const Request&) {
 
 // Does the work of a command that clients of a run's socket can send, too (docs/inputs.md).
 RunServer::Answer RunServer::DoLive(const Request& request) {
-  if (request.json.at("do") == "input") CheckHasNotEnded();
+  if (request.json.at("do") == "input") CheckIsNotFinished();
   OrderedJson answer = AnswerLive(run().live(), request.json);
   if (answer.contains("error")) answer["kind"] = "refused";
   return {std::move(answer), ""};

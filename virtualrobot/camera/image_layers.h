@@ -62,8 +62,8 @@ class ImageLayers {
   // Computes Cr and Cb of `layer` into `to` from the layer `from`, which has twice the width and
   // height.
   void HalveColour(const byte* from, OFbkImageLayer layer, byte* to) const;
-  // Computes layer C (the detected colours) from layer M, and counts into `counts` the pixels in
-  // which each channel was detected.
+  // Computes layer C (the detected colours) from layer M (the image in medium resolution), and
+  // counts into `counts` the pixels in which each channel was detected.
   void DetectColours(const byte* layer_m, const ColourTables& tables, byte* layer_c,
                      std::array<int, ocdtNUM_CHANNELS>* counts) const;
 

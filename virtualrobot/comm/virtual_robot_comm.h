@@ -47,7 +47,8 @@ class OVirtualRobotComm : public CodeObject {
   RegionReference exposed_;  // the image that the camera is reading out of its sensor
   Selector frame_;
   bool running_ = false;
-  // A queue of command vectors for each sender, in the order of their first vectors.
+  // A queue of command vectors for each sender.  The sender whose first command vector came first
+  // is first.
   std::vector<CommandQueue> queues_;
 };
 

@@ -35,8 +35,8 @@ Quaterniond Turned(const Quaterniond& q, const Vector3d& w_W, double step_s) {
   const Vector3d half = 0.5 * step_s * w_W;
   const double w = q.w() - half.dot(q.vec());
   const Vector3d v = q.vec() + q.w() * half + half.cross(q.vec());
-  // Scales the result to the length 1, because the formula makes the quaternion of a part that
-  // turns longer.
+  // Scales the result to the length 1, because the formula gives a length above 1 if the part
+  // turns.
   const double length = std::sqrt(w * w + v.squaredNorm());
   return {w / length, v.x() / length, v.y() / length, v.z() / length};
 }

@@ -25,7 +25,8 @@ OdeReference::OdeReference(const RobotModel& model, const World& world, const Is
   dWorldSetGravity(world_, 0, 0, -kGravity_m_s2);
   dWorldSetERP(world_, 0.2);
   dWorldSetCFM(world_, 1e-9);
-  // Keeps ODE from stopping bodies that rest, because OdeBody does not do so either.
+  // Lets ODE compute bodies that rest as well, because the body with physics (OdeBody), with which
+  // this reference is compared, computes them, too.
   dWorldSetAutoDisableFlag(world_, 0);
   dWorldSetContactMaxCorrectingVel(world_, settings.depart_speed_m_s);
   const std::vector<Isometry3d> X_BL = LinkPoses(model, angles_rad);

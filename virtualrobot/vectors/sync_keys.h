@@ -35,8 +35,8 @@ class SyncKeys {
   // no longer exists.
   bool MayStart(OVRSyncKey key) const;
 
-  // Returns a text for reports that says how many vectors with parts of `key` have come, such as "1
-  // of 2 parts have come".
+  // Returns a text for reports that says how many of the command vectors that belong to `key` have
+  // come, such as "1 of 2 parts have come".
   std::string Progress(OVRSyncKey key) const;
 
   void HashState(Hasher* hasher) const;
