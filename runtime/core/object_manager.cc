@@ -10,6 +10,7 @@
 #include "runtime/base/spelling.h"
 #include "runtime/config/service_name.h"
 #include "runtime/core/api.h"
+#include "runtime/core/connection_state.h"
 #include "runtime/core/dispatcher.h"
 #include "runtime/core/image.h"
 #include "runtime/core/load_image.h"
@@ -156,7 +157,7 @@ void ObjectManager::RunBoot(int robot, size_t findings_before) {
   }
   SendToAll(oentrySTART, oreasonBOOT, true, robot);
   SendToAll(oentrySTART, oreasonBOOT, false, robot);
-  system().booted_ = true;
+  has_booted_ = true;
 }
 
 // Boots `robot` again after it was off.  Loads all images of the robot again.
@@ -346,15 +347,11 @@ void ObjectManager::ReportUnknown(const Connection& connection, const std::strin
   }
   const char* const consequence =
       system().options().strict ? "--strict: no object starts" : "the line is skipped";
-  system().findings_.Add(
-      {.severity = Severity::kError,
-       .robot = connection.robot,
-       .object = "",
-       .time_us = system().now_us(),
-       .text = fmt::format("{}: OServiceManager::Connect() : {} NOT FOUND{}: {}; {}",
-                           connection.where, service, DidYouMean(service, known), why, consequence),
-       .cause = "NOT FOUND " + cause,
-       .place = connection.where});
+  system().AddFindingAboutRobot(
+      connection.robot, Severity::kError,
+      fmt::format("{}: OServiceManager::Connect() : {} NOT FOUND{}: {}; {}", connection.where,
+                  service, DidYouMean(service, known), why, consequence),
+      "NOT FOUND " + cause, connection.where);
 }
 
 void ObjectManager::Connect(const Connection& connection) {
@@ -390,11 +387,11 @@ void ObjectManager::Connect(const Connection& connection) {
   // during the wait for the reply, because the loss is a finding already.
   if (was_subject_lost || is_subject_lost() || is_observer_lost()) return;
   if (error != sSUCCESS || reply.status != oSUCCESS) {
-    system().findings_.Add(
-        {Severity::kError, connection.robot, "", 0, system().now_us(),
-         fmt::format("{}: connection refused: {} -> {}: status {}", connection.where,
-                     connection.subject, connection.observer,
-                     error != sSUCCESS ? static_cast<longword>(error) : reply.status)});
+    system().AddFindingAboutRobot(
+        connection.robot, Severity::kError,
+        fmt::format("{}: connection refused: {} -> {}: status {}", connection.where,
+                    connection.subject, connection.observer,
+                    error != sSUCCESS ? static_cast<longword>(error) : reply.status));
   }
 }
 

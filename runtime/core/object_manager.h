@@ -38,6 +38,9 @@ class ObjectManager : public CodeObject {
   // in a handler of the object manager.
   void Begin(std::vector<std::unique_ptr<Object>> fresh);
 
+  // Returns whether the last DoStart of the first boot has returned.
+  bool has_booted() const { return has_booted_; }
+
   // Returns whether `message` must be kept back because its receiver is still in its boot:
   // - Any message is kept back until the DoInit of the receiver begins, because DoInit must be the
   //   first message.  On the robot DoInit is in the mailbox of the new object before any other
@@ -106,6 +109,7 @@ class ObjectManager : public CodeObject {
   std::multiset<std::pair<Selector, int>> due_;
   // The tasks of PostTask() that were not called yet, oldest first.
   std::deque<std::function<void()>> tasks_;
+  bool has_booted_ = false;
   std::set<int> shutting_down_;  // indices of robots whose shutdown has begun
   // The objects to which DoInit could not be sent.  They get no DoStart, DoStop or DoDestroy
   // either.

@@ -105,6 +105,8 @@ RunFolder* System::run_folder() {
   return run_folder_.get();
 }
 
+bool System::booted() const { return manager_->has_booted(); }
+
 void System::Boot() { manager_->PostBoot(); }
 
 void System::PostTask(std::function<void()> task) { manager_->PostTask(std::move(task)); }
@@ -166,8 +168,15 @@ void System::AddFindingAbout(const Object* object, Severity severity, std::strin
   calls_->AddFinding(object, severity, text);
 }
 
-void System::AddFindingAboutRobot(int robot, Severity severity, std::string text) {
-  findings_.Add({severity, robot, "", 0, now_us(), std::move(text)});
+void System::AddFindingAboutRobot(int robot, Severity severity, std::string text, std::string cause,
+                                  std::string place) {
+  findings_.Add({.severity = severity,
+                 .robot = robot,
+                 .object = "",
+                 .time_us = now_us(),
+                 .text = std::move(text),
+                 .cause = std::move(cause),
+                 .place = std::move(place)});
 }
 
 void System::RecordFinding(const Object* object, Severity severity, std::string text) {

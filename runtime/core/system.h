@@ -97,7 +97,7 @@ class System {
   // Posts the shutdown of one robot: DoStop of its objects, then DoDestroy, then the robot is off.
   void Shutdown(int robot, const RunEnd& why = {});
   void Shutdown(const RunEnd& why = {});   // shuts down all robots
-  bool booted() const { return booted_; }  // whether the last DoStart has returned
+  bool booted() const;  // whether the last DoStart has returned
   // Returns whether all robots are off for good.
   bool powered_off() const { return robot_table_.are_all_off(); }
   // Switches one robot off at once, as OPENR::Fatal() does.  Messages to its objects are dropped
@@ -222,8 +222,10 @@ class System {
   // Adds a finding about the current object, or about the system if there is no current object.
   void AddFinding(Severity severity, std::string text);
   void AddFindingAbout(const Object* object, Severity severity, std::string text);
-  // Adds a finding about the stick or the configuration of a robot.
-  void AddFindingAboutRobot(int robot, Severity severity, std::string text);
+  // Adds a finding about the stick or the configuration of a robot.  `cause` and `place` are the
+  // members of Finding with these names.
+  void AddFindingAboutRobot(int robot, Severity severity, std::string text, std::string cause = {},
+                            std::string place = {});
   // Adds a finding to findings() of this process.  Called by LocalCalls::AddFinding().
   void RecordFinding(const Object* object, Severity severity, std::string text);
 
@@ -231,8 +233,6 @@ class System {
   void Print(std::string_view text);
 
  private:
-  friend class ObjectManager;
-
   CodeObject* FinishCodeObject(Object* host, std::unique_ptr<CodeObject> code);
   Object* NewCodeHost(int robot, const std::string& name);
 
@@ -244,7 +244,6 @@ class System {
   // do this work themselves, which saves a virtual call.
   const bool calls_are_local_;
   const std::unique_ptr<SystemCalls> calls_;
-  bool booted_ = false;
 
   MessagePoster poster_;  // destroyed after the members below, which may own its messages
   RegionTable regions_;
