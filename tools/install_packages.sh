@@ -2,12 +2,23 @@
 # Installs the Debian packages that are named in lists, such as cmake/debian-packages.txt, and
 # missing here.  What apt-get prints goes to standard error.
 #
-#     tools/install_packages.sh LIST...
+#     tools/install_packages.sh [--no-questions] LIST...
 #
-# Another user than root becomes root by sudo, which asks for a password only on a terminal,
-# because .ci/nightly runs without a person.
+# Another user than root becomes root by sudo, which may ask for a password.  With --no-questions
+# sudo fails instead, because .ci/nightly runs without a person.
 set -euo pipefail
 
+say() { echo "install_packages: $*" >&2; }
+
+sudo=(sudo)
+if [ "${1:-}" = --no-questions ]; then
+  sudo=(sudo -n)
+  shift
+fi
+if [ $# -eq 0 ]; then
+  say "usage: tools/install_packages.sh [--no-questions] LIST..."
+  exit 2
+fi
 names=$(sed 's/#.*//' "$@")
 missing=()
 for package in $names; do
@@ -19,17 +30,16 @@ done
 as_root=()
 if [ "$(id -u)" -ne 0 ]; then
   if ! command -v sudo >/dev/null; then
-    echo "these packages are missing; as root: apt-get install ${missing[*]}" >&2
+    say "these packages are missing; as root: apt-get install ${missing[*]}"
     exit 1
   fi
-  as_root=(sudo)
-  if [ ! -t 0 ]; then as_root=(sudo -n); fi
+  as_root=("${sudo[@]}")
 fi
-echo "installing ${missing[*]}" >&2
+say "installing ${missing[*]}"
 # A new container has no lists of packages, so they are fetched first.
 if ! { "${as_root[@]}" apt-get update -q &&
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
     apt-get install -y -q --no-install-recommends "${missing[@]}"; } >&2; then
-  echo "${missing[*]} cannot be installed; apt-get says above why" >&2
+  say "${missing[*]} cannot be installed; the reason stands above"
   exit 1
 fi
