@@ -205,7 +205,9 @@ bool ChannelBase::IsConnected() const {
 }
 
 bool ChannelBase::WaitForAcks(int timeout_ms) {
-  return Dds().dds_wait_for_acks(writer_, DDS_MSECS(timeout_ms)) == DDS_RETCODE_OK;
+  // Takes other errors than the end of the time for the end of the wait, because a caller that
+  // waits again would get the same error at once.
+  return Dds().dds_wait_for_acks(writer_, DDS_MSECS(timeout_ms)) != DDS_RETCODE_TIMEOUT;
 }
 
 void ChannelBase::WriteBatched(const void* sample) {

@@ -16,7 +16,8 @@ struct EndingWorker {
   // the worker has received it.
   std::function<bool(int64_t limit_ms)> await_receipt;
   // Waits until the process of the worker has ended, at most `limit_ms`.  Returns whether the
-  // process has ended.
+  // process has ended.  May kill a process that has never joined the run, because nothing of the
+  // run is lost with it.
   std::function<bool(int64_t limit_ms)> await_exit;
   // Kills the process of the worker, which has not ended.
   std::function<void()> kill;
