@@ -21,6 +21,8 @@ void CodeObject::AddSubjectEntries(const std::string& service, OSubject* subject
   const Selector control = AddExtra(service + " (Control)", [subject](void* message) {
     subject->ControlHandler(*static_cast<OControlMessage*>(message));
   });
+  // The state of `subject` is the newest, because the constructor of `entry` has just made it.
+  ASSERT(!host_->subjects.empty(), "{} has no subject", service);
   entry->subject_state = host_->subjects.back().get();
   const Selector ready = AddEntry(service + " (Ready)", std::move(entry));
   subject->SetReadyEntry(OServiceEntry(myOID_, ready));
@@ -32,6 +34,7 @@ void CodeObject::AddObserverEntries(const std::string& service, OObserver* obser
   const Selector connect = AddExtra(service + " (Connect)", [observer](void* message) {
     observer->ConnectHandler(*static_cast<OConnectMessage*>(message));
   });
+  ASSERT(!host_->observers.empty(), "{} has no observer", service);
   entry->observer_state = host_->observers.back().get();
   const Selector notify = AddEntry(service + " (Notify)", std::move(entry));
   observer->SetNotifyEntry(OServiceEntry(myOID_, notify));

@@ -186,9 +186,9 @@ class CodeHost final : public Object {
 // Returns the entry of a CodeObject that `object` runs; null if `object` is no CodeHost or its code
 // has no entry `selector`.
 inline CodeEntry* FindCodeEntry(const Object& object, uint32_t selector) {
-  const uint32_t index = selector - oentryBASE;
-  if (object.code_entries == nullptr || index >= object.entry_count - oentryBASE) return nullptr;
-  return object.code_entries[index].get();
+  if (object.code_entries == nullptr || selector < oentryBASE || selector >= object.entry_count)
+    return nullptr;
+  return object.code_entries[selector - oentryBASE].get();
 }
 
 }  // namespace openr_host

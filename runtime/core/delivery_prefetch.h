@@ -7,6 +7,8 @@
 
 #include "runtime/core/code_object.h"
 #include "runtime/core/connection_state.h"
+#include "runtime/core/message.h"
+#include "runtime/core/object.h"
 #include "runtime/core/object_table.h"
 #include "runtime/core/region_table.h"
 
@@ -70,7 +72,8 @@ namespace openr_host {
   PrefetchLines(receiver);
   PrefetchLines(&receiver->entry_count);
   // The sender of a notification or ready is mostly the receiver of what the handler sends back.
-  if (fifth->sender != kNoObject) PrefetchLines(&objects.GetKnown(fifth->sender)->entry_count);
+  // Checks the sender, because a message from another process may name any object as its sender.
+  if (const Object* const sender = objects.Get(fifth->sender)) PrefetchLines(&sender->entry_count);
   PrefetchLines(fifth->next, 3);
 }
 
