@@ -96,8 +96,8 @@ class System {
 
   // Posts the shutdown of one robot: DoStop of its objects, then DoDestroy, then the robot is off.
   void Shutdown(int robot, const RunEnd& why = {});
-  void Shutdown(const RunEnd& why = {});   // shuts down all robots
-  bool booted() const;  // whether the last DoStart has returned
+  void Shutdown(const RunEnd& why = {});  // shuts down all robots
+  bool booted() const;                    // whether the last DoStart has returned
   // Returns whether all robots are off for good.
   bool powered_off() const { return robot_table_.are_all_off(); }
   // Switches one robot off at once, as OPENR::Fatal() does.  Messages to its objects are dropped
