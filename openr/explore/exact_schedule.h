@@ -59,9 +59,9 @@ class ExactSchedule : public ExploreSchedule {
   ExactSchedule(const System& system, const nlohmann::ordered_json& plan);
 
   // Records which objects the delivery of `message` concerns.  Cuts the run (stops it early) if the
-  // receiver was the only candidate and the delivery to it sleeps, because the run would then
-  // repeat an order of an earlier run.  Called for every message before the handler of the receiver
-  // runs.
+  // schedule had no choice but this delivery and the delivery sleeps (must not be chosen), because
+  // the run would then repeat an order of an earlier run.  Called for every message before the
+  // handler of the receiver runs.
   void OnDelivery(const Message& message);
 
   // Returns whether this run was cut, that is, stopped early.  A run is cut when every delivery
@@ -105,9 +105,9 @@ class ExactSchedule : public ExploreSchedule {
 
   // ---- Members about the current delivery
   //
-  // A delivery becomes the current one when its receiver is chosen.  If the receiver was the only
-  // candidate, so that no choice was made, its delivery becomes the current one when the message is
-  // delivered.
+  // A delivery becomes the current one when its receiver is chosen.  If only one object had a
+  // message to get, so that no choice was made, its delivery becomes the current one when the
+  // message is delivered.
   bool has_event_ = false;
   bool is_begun_ = false;  // true when the message of the current delivery has been delivered
   ObjectId event_target_ = kNoObject;

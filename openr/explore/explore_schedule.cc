@@ -80,8 +80,8 @@ int64_t ExploreSchedule::ExtraDelayUs(const Message& message, int64_t now_us, in
   if (!of_its_own && message.reply_box == 0) {
     Stream* const stream = &streams_[{message.sender, message.target, message.selector}];
     due_us += PickedDelayUs(message, stream, from_network);
-    // Delays data from the network only behind earlier data of the same stream, so that late data
-    // do not hold up messages of other objects.
+    // Delays data from the network only behind earlier data from the same sender to the same
+    // handler, so that late data do not hold up messages of other objects.
     if (from_network) last_due_us = &stream->last_due_us;
   }
   due_us = std::max(due_us, *last_due_us);
@@ -136,7 +136,7 @@ RandomSchedule::RandomSchedule(const System& system, uint64_t seed, const Schedu
       cost_(seed, "explore/cost"),
       frame_(seed, "explore/frame"),
       fault_(seed, "explore/fault") {
-  // Leaves the rates of all kinds of deviations at 0 for the default seed, which stands for the
+  // Leaves the frequency of all kinds of deviations at 0 for the default seed, which stands for the
   // canonical order.
   if (seed == SystemOptions().seed) return;
   Rng temper(seed, "explore/temper");
@@ -150,8 +150,9 @@ RandomSchedule::RandomSchedule(const System& system, uint64_t seed, const Schedu
   const double delay = one_of(0, 0.002, 0.03), network = one_of(0, 0.1, 0.5);
   const double cost = one_of(0, 0.05, 1), frame = one_of(0, 0, 0, 1);
   delay_max_us_ = kDelayMaxUs[temper.NextBelow(std::size(kDelayMaxUs))];
-  // Draws from three times as many numbers as there are objects: so two seeds of three draw a
-  // number that is no object, and have no slow object.
+  // Draws the object whose messages are often delayed, from three times as many numbers as there
+  // are objects.  So two seeds of three draw a number that is no object, and delay the messages of
+  // all objects equally often.
   const uint64_t slow = temper.NextBelow(3 * system.objects().size());
   if (vary.starts) start_rate_ = start;
   if (vary.ties) tie_rate_ = tie;
@@ -219,8 +220,8 @@ ScriptedSchedule::Spot ScriptedSchedule::SpotOf(const Deviation& deviation) {
   using Kind = Deviation::Kind;
   const Kind kind = deviation.kind;
   const bool of_entry = kind == Kind::kDelay || kind == Kind::kCost;
-  // Leaves out the time of a delay and a cost, because it changes when other deviations are
-  // removed; the number of the message or call does not.
+  // Has the time only for a tie.  The time of a delay or a cost changes when other deviations are
+  // removed; the number of the message or call (nth) does not.
   return {kind,
           kind == Kind::kTie ? deviation.time_us : 0,
           deviation.nth,

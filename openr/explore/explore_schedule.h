@@ -98,7 +98,8 @@ class ExploreSchedule : public Schedule {
   const System& system_;
   uint64_t start_count_ = 0;
   int64_t tie_time_us_ = -1;
-  // Number of ties so far at the time tie_time_us_; a tie: several objects have a message due.
+  // Number of ties at the time tie_time_us_ so far.  A tie is a moment when several objects have a
+  // message due.
   uint64_t tie_count_ = 0;
   // The number of messages so far from one sender to one handler of one receiver, because
   // deviations name a message by this number.  For messages from the network, also the time when

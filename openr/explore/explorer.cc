@@ -54,8 +54,8 @@ class Sum {
   bool wants_more() const { return !(plan_.stop_at_first && first_broken_); }
 
   void Add(const Json& answer) {
-    // Ignores runs that other processes had begun before the first broken property, so that the
-    // result does not depend on the number of processes.
+    // Ignores the answers of runs that other processes had begun before a run broke a property, so
+    // that the result does not depend on the number of processes.
     if (!wants_more()) return;
     ++runs_;
     if (IsBroken(answer)) {
@@ -97,7 +97,8 @@ Json MakeFailure(const ExplorePlan& plan, ExplorerProcesses* pool, const Json& a
   const size_t found = script.size();
   Json last = answer;
   const auto still_breaks = [&](const Json& candidate) -> std::optional<Json> {
-    // Keeps the seed, because the random numbers of the simulation follow from it.
+    // Runs with the seed of the failing run, because the random numbers of the simulation follow
+    // from the seed.
     Json result = pool->RunOne({{"seed", seed}, {"script", candidate}, {"tail", kTail}});
     if (!IsBroken(result) || result["broken"]["property"] != property) return {};
     return result;

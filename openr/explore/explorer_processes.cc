@@ -31,7 +31,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr char kReady[] = "ready";
 // Time slice of the second run of each seed, which must have the same result as the first run
-// although it is advanced in other slices.  No multiple of a frame, so slices end inside frames.
+// although it is advanced in other slices.  The slice is no multiple of a frame, so that slices end
+// inside frames.
 constexpr int64_t kOddSliceUs = 50'021;
 
 void SilenceOutput() {
@@ -202,8 +203,8 @@ void ExplorerProcesses::Start(const Job& job) {
   if (pid < 0) throw std::runtime_error(fmt::format("cannot fork: {}", std::strerror(errno)));
   if (pid == 0) {
     close(channel[0]);
-    // Closes the inherited channels to the other child processes.  While this process kept such a
-    // channel open, the other child would not notice the end of the explorer.
+    // Closes the inherited sockets that lead to the other child processes.  While this process kept
+    // such a socket open, the other child would not notice the end of the explorer.
     for (const Child& other : children_) close(other.channel);
     if (job.outer_channel >= 0) close(job.outer_channel);
     job.Work(channel[1]);

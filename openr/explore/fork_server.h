@@ -14,8 +14,8 @@
 namespace openr_host {
 
 struct ForkLimits {
-  int64_t handler_us = 2'000'000;  // most processor time that a handler may use
-  int wall_s = 120;  // most real time that a run may take; only a run that hangs needs so long
+  int64_t handler_us = 2'000'000;  // largest processor time that a handler may use
+  int wall_s = 120;  // longest real time that a run may take; only a run that hangs needs so long
 };
 
 // Field of the JSON answer about a run that was killed after ForkLimits::wall_s.  Such an answer

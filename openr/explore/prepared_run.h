@@ -20,8 +20,8 @@ struct PreparedRun {
   Simulation* simulation = nullptr;
   std::vector<VirtualRobot*> robots;  // the robots; empty: the objects have no simulated body
   ExploredCost* cost = nullptr;       // the costs of handlers; null: handlers take no time
-  // Owns the system, the robots and the object with the handlers' costs, which are destroyed
-  // together with the last copy of this pointer.
+  // Owns the system, the robots and `cost`, which are destroyed together with the last copy of this
+  // pointer.
   std::shared_ptr<void> owner;
   std::string problem;  // reason why the run cannot start; "": the run can start
 };
@@ -30,9 +30,9 @@ struct PreparedRun {
 // explorer calls it once.
 using PrepareRun = std::function<PreparedRun()>;
 
-// Makes the schedule `schedule` choose all orders and delays that the robot leaves open, in a run
-// of at most `for_us`.  `schedule` must exist as long as the run.  The random numbers of the
-// simulation follow from `seed`.
+// Makes the schedule `schedule` choose all orders and delays of messages that the real robot
+// allows, in a run of at most `for_us`.  `schedule` must exist as long as the run.  The random
+// numbers of the simulation follow from `seed`.
 void SetSchedule(PreparedRun* prepared, uint64_t seed, ExploreSchedule* schedule, int64_t for_us);
 
 // Assembles a run of the objects on a Memory Stick, on a robot with a simulated body.  The objects

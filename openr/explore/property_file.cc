@@ -24,7 +24,8 @@ namespace {
 
 using When = PropertyRule::When;
 
-// The words are in the order of PropertyRule::When, because ReadWhen() converts the index.
+// The words that a property file may have for WHEN, in the order of the enumerators of
+// PropertyRule::When, because ReadWhen() converts the index of a word to an enumerator.
 const std::vector<std::string> kWhens = {"always", "eventually", "finally"};
 const std::vector<std::string> kOps = {"==", "!=", "<=", ">=", "<", ">"};
 

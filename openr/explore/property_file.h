@@ -32,7 +32,7 @@ struct PropertyRule {
   std::string quantity;
   std::string op;
   std::string value;  // the text with which the quantity is compared: the rest of the line after OP
-  FilePosition place;  // place of QUANTITY in the file, for error messages
+  FilePosition place;  // place of the quantity's name in the file, for error messages
 };
 
 // Reads `text`, the content of the property file `file`.  Returns one PropertyRule for each

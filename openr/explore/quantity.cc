@@ -141,9 +141,9 @@ struct BaseQuantity {
   double (*of)(const BodyState& state);
 };
 
-// The quantities of a robot's base: its place, its attitude and its speeds.  The speeds are in the
-// robot's own directions: forward and left along the floor, up, and the rate at which it turns
-// left.
+// The quantities of a robot's base B (virtualrobot/body/body.h): its place, its attitude and its
+// speeds.  The speeds are in the robot's own directions: forward and left along the floor, up, and
+// the rate at which it turns left.
 constexpr BaseQuantity kOfBase[] = {
     {"x_m", [](const BodyState& s) -> double { return s.X_WB.translation().x(); }},
     {"y_m", [](const BodyState& s) -> double { return s.X_WB.translation().y(); }},

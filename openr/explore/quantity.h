@@ -22,9 +22,9 @@ using Quantity = std::function<Value(const RunView&)>;
 // numbers are NaN.
 Quantity FindQuantity(const std::string& name, const RunView& view);
 
-// Returns the names of all quantities of robots that are numbers: those of the base, the battery,
-// the joints, the sensors and the movable things.  The names for robot 0 have no "robots[0]." in
-// front.
+// Returns the names of all quantities of robots that are numbers: those of a robot's base (its
+// place, attitude and speeds), the battery, the joints, the sensors and the movable things.  The
+// names for robot 0 have no "robots[0]." in front.
 std::vector<std::string> NumbersOf(const RunView& view);
 
 // Returns the names of all quantities that FindQuantity() knows in `view`.  The names for robot 0
@@ -43,7 +43,7 @@ class SimulationView {
   SimulationView& operator=(const SimulationView&) = delete;
 
   // Finds out whether each robot stands.  Does this only for the first call in a frame of 8 ms,
-  // because a StandingMonitor takes one sample per frame.
+  // because a StandingMonitor must look at the robot once per frame.
   void Sample();
   const RunView& run() const { return run_; }
 

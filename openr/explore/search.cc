@@ -1,6 +1,6 @@
 // Searches all orders of messages of the objects of a stick, depth first.  For each run, the search
 // decides the first choices between orders, so that the run begins like the run before and then
-// takes another branch.
+// makes another choice.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -91,8 +91,9 @@ class Search {
     stopped_ = "at a run that did not come to its end";
   }
 
-  // Goes back to the last choice with a candidate that has to be explored, and takes this
-  // candidate.  Returns false when no such choice is left.
+  // Goes back to the last choice at which another candidate (an object that could get the next
+  // message) has to be explored, and takes this candidate.  Returns false when no such choice is
+  // left.
   bool Backtrack() {
     while (!stack_.empty()) {
       Frame& frame = stack_.back();
