@@ -40,7 +40,8 @@ Breakpoints::Break Breakpoints::Read(const std::string& text) const {
   if (words.kind == "when") {
     one.rule = ReadRule(words.name + " " + words.rest);
     one.quantity = FindQuantity(one.rule->quantity, view_->run());
-    // Stops the replay only when the condition becomes true, and not at once if it is true already.
+    // Remembers whether the condition is true already, because this breakpoint stops the replay
+    // only when the condition becomes true.
     one.held = Holds(one);
     return one;
   }

@@ -4,8 +4,8 @@
 
 namespace openr_host {
 
-// Makes the room at least twice as large.  So the bytes are copied seldom, although room is often
-// needed.
+// Makes the memory for the bytes at least twice as large, so that the bytes are seldom copied,
+// although more memory is often needed.
 void ByteWriter::Grow(size_t count) { bytes_.resize(std::max(2 * bytes_.size(), size_ + count)); }
 
 void ByteWriter::Text(std::string_view text) {

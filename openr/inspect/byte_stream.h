@@ -12,7 +12,8 @@ namespace openr_host {
 
 class ByteWriter {
  public:
-  // The most bytes that PutVarint() writes: 10 bytes with 7 bits each hold a number of 64 bits.
+  // The largest number of bytes that PutVarint() writes: 10 bytes with 7 bits each hold a number of
+  // 64 bits.
   static constexpr size_t kVarintBytesMax = 10;
 
   void U8(uint8_t value) { Fixed(value, 1); }

@@ -72,8 +72,8 @@ void LastPayload::Write(std::string_view now, ByteWriter* out) {
   const size_t whole = size_ / kPayloadBlock * kPayloadBlock;
   for (size_t i = 0; i < whole; i += kPayloadBlock) compare(now.data() + i, bytes_.data() + i);
   if (whole < size_) {
-    // A copy of the last bytes of `now`, filled up with zeros to a whole block, because the
-    // comparison reads whole blocks and bytes behind `now` may not be read.
+    // A copy of the last bytes of the payload `now`, filled up with zeros to a whole block, because
+    // the comparison reads whole blocks and bytes behind `now` may not be read.
     char rest[kPayloadBlock] = {};
     std::memcpy(rest, now.data() + whole, size_ - whole);
     compare(rest, bytes_.data() + whole);

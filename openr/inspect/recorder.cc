@@ -56,7 +56,8 @@ void Recorder::Begin(Simulation* simulation, const SimulationOptions& options,
   system.inputs().OnAdd([this, &system](int robot, std::string_view line) {
     writer_->AddInput(robot, line, system.now_us());
   });
-  // Leaves out the changes of a stick that several robots share: it is read-only, so it has none.
+  // Records changes of the stick only if one robot uses the stick, because a stick that several
+  // robots share is read-only.
   if (options.robots == 1) {
     const std::string root = simulation->stick() + "/";
     system.robot(0).stick->OnFirstChange([this, root](const MemoryStick::Location& location) {

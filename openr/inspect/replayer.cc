@@ -24,8 +24,8 @@ namespace {
 
 using Kind = TraceEntry::Kind;
 
-// Returns `said`, the content of a message in words, on one line with ": " before it; "" if `said`
-// is "".
+// Returns `said`, the content of a message in words, as the end of a line: ": " and then `said`
+// without line ends.  Returns "" if `said` is "".
 std::string AfterColon(const std::string& said) {
   return said.empty() ? "" : ": " + OneLineOf(said);
 }
@@ -355,7 +355,8 @@ void Replayer::EndAtLoss() {
 void Replayer::CompareEnd(const TraceEntry& end) {
   at_end_ = true;
   // Runs until the recorded end, because the recorded state hash is of that time.  When the robots
-  // are off, no message may take the replay to that time.
+  // are off, the replay may have no message at that time, so delivering messages alone does not
+  // lead to it.
   if (system().now_us() < end.time_us) system().RunUntil(end.time_us);
   // Does not compare the hashes of messages and state if a message differs, because the hashes then
   // differ, too.
@@ -449,8 +450,8 @@ bool Replayer::Step() {
 }
 
 void Replayer::RunOne(int64_t time_us) {
-  // Applies the inputs that are due before it looks at the time of the next entry of the recording,
-  // because this entry may be later than `time_us`.
+  // First applies the inputs that are due, and then looks at the time of what comes next in the
+  // recording, because that may be later than `time_us`.
   while (ApplyInput()) {
   }
   if (!EndReason().empty()) return;
@@ -458,7 +459,7 @@ void Replayer::RunOne(int64_t time_us) {
   if (next_us <= time_us || next_us == INT64_MAX) {
     Step();
   } else {
-    system().RunUntil(time_us);  // the recording has no entry up to this time
+    system().RunUntil(time_us);  // the recording has nothing up to this time
   }
 }
 

@@ -54,8 +54,8 @@ class Replayer : public KnownRun {
   Simulation& simulation() override { return *simulation_; }
   System& system() { return simulation_->system(); }
 
-  // Applies the recorded input that is due, then goes on to the next entry of the recording.  If
-  // that entry is a message, delivers one message and compares it with the entry.  If the entry is
+  // Applies the recorded input that is due, then goes on to what comes next in the recording.  If
+  // that is a message, delivers one message and compares it with the recorded message.  If it is an
   // input, delivers nothing, and the next call applies the input.  Returns false at the end of the
   // recording and after a difference.
   bool Step();
@@ -64,7 +64,7 @@ class Replayer : public KnownRun {
   int64_t length_us() const override { return length_us_; }
   std::string EndReason() const override;
 
-  // Returns the entry of the recording for the last message that was compared.
+  // Returns the last message that was compared, as the recording has it.
   const TraceEntry& last() const { return last_; }
   // Returns the time of the next message or input in the recording; INT64_MAX at the end of the
   // recording.

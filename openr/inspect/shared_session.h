@@ -19,7 +19,7 @@ struct SharedSession {
   // ends as it should sets it to false.  If it is still true when the process has ended, the run
   // has crashed.
   bool runs;
-  bool ends;  // true: the session is over
+  bool ends;  // true: openr replay --step must end
   bool differs;
   bool is_text_lost;  // true: a process could not write some text to standard output
   int lost_errno;     // the errno of the first failed write; 0: the reason is not known

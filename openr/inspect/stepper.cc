@@ -73,7 +73,8 @@ class Stepper {
     } catch (const ReaderGone&) {
       shared_->NoteLostText(EPIPE);
     } catch (const std::system_error& error) {
-      // Throws the error again if standard output works, because the error then has another reason.
+      // Throws the error again if standard output works, because the reason of the error then is
+      // not a failed write.
       if (std::ferror(stdout) == 0) throw;
       shared_->NoteLostText(error.code().value());
     }

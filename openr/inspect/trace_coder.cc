@@ -10,10 +10,10 @@ namespace {
 // Largest payload that is read from a file.  No region of this size fits into the robot's memory,
 // so a larger size means that the file is damaged.
 constexpr uint64_t kPayloadMax = 64 << 20;
-// The most bytes that the last payloads of all senders may have together when a file is read.  Only
-// the size of a payload and its differences from the last payload are in the file.  So without this
-// limit, a damaged file of some hundred bytes could give large sizes without differences and make
-// the reader use all memory.
+// The largest number of bytes that the last payloads of all senders may have together when a file
+// is read.  Only the size of a payload and its differences from the last payload are in the file.
+// So without this limit, a damaged file of some hundred bytes could give large sizes without
+// differences and make the reader use all memory.
 constexpr uint64_t kKeptMax = 512 << 20;
 
 void WriteEvent(const NetworkEvent& event, ByteWriter* out) {
@@ -69,8 +69,8 @@ uint32_t TraceCoder::LinkOf(const TraceRecord& record) {
 
 void TraceCoder::WriteMessage(const TraceRecord& record, std::string_view payload,
                               uint32_t number_of_link, ByteWriter* out) {
-  // Room for the kind, for nine numbers of variable length, and for the hash, which has eight
-  // bytes.
+  // The largest size of what precedes the payload of a message in the file: the kind, nine numbers
+  // of variable length, and the hash, which has eight bytes.
   constexpr size_t kHeadMax = 1 + 9 * ByteWriter::kVarintBytesMax + 8;
   ASSERT(number_of_link <= defined_links_ && number_of_link < links_.size());
   Link& link = links_[number_of_link];

@@ -30,7 +30,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kMagic = "OPENRTRC";
 constexpr size_t kBlockBytes = 64 << 10;
-// Bytes before the content of a block of a recording: its size and its checksum.
+// Number of bytes before the content of a block of a recording: those of its size and of its
+// checksum.
 constexpr size_t kBlockHead = 4 + 8;
 
 std::string HeaderText(const TraceHeader& h) {
@@ -74,8 +75,8 @@ TraceHeader HeaderOf(std::string_view text) {
   json.at("robots").get_to(h.robots);
   json.at("seed").get_to(h.seed);
   json.at("microphone").get_to(h.microphone);
-  // Takes the test pattern if the recording has "", because recordings with "" are older and their
-  // cameras saw only the test pattern.
+  // Takes the test pattern if the field "images" is "", because recordings with "" are older and
+  // their cameras saw only the test pattern.
   json.at("images").get_to(h.images);
   if (h.images.empty()) h.images = kImagesOfPattern;
   json.at("strict").get_to(h.strict);
@@ -98,7 +99,8 @@ TraceHeader HeaderOf(std::string_view text) {
 TraceWriter::TraceWriter(const std::string& file, const TraceHeader& header)
     : file_(file), payloads_(header.payloads), coder_(header.payloads) {
   std::string problem;
-  // Opens a new file and leaves the old recording to a process that may be replaying it.
+  // Opens a new file with this name and leaves the old recording to a process that may be replaying
+  // it.
   descriptor_ = OpenNewGrowingFile(file, &problem);
   if (descriptor_ < 0) throw std::runtime_error(problem);
   ByteWriter head;
@@ -144,7 +146,8 @@ void TraceWriter::AddNames(const System& system, const TraceRecord& record) {
     const auto [known, is_new] = objects_.emplace(id, object->predecessors);
     if (!is_new && known->second == object->predecessors) continue;
     known->second = object->predecessors;
-    // Forgets the known entries, because an object that was loaded again may have other entries.
+    // Forgets which entries of this object have their names in the file already, because an object
+    // that was loaded again may have other entries.
     std::erase_if(entries_, [id](const auto& entry) { return entry.first == id; });
     TraceEntry entry;
     entry.kind = TraceEntry::Kind::kObject;
@@ -312,8 +315,8 @@ bool TraceReader::NextBlock() {
   ByteReader head(head_bytes);
   const size_t size = head.U32();
   const uint64_t checksum = head.U64();
-  // Compares the size before the block is read, because the size of a damaged block may be any
-  // number.
+  // Compares the size with the rest of the file before the block is read, because the size of a
+  // damaged block may be any number.
   if (size > bytes_.size() - at_ - kBlockHead) return cut_off();
   const std::string_view block = bytes_.Read(at_ + kBlockHead, size);
   if (block.size() < size) return cut_off();

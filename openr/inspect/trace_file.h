@@ -28,8 +28,8 @@ struct RunEnd;
 constexpr uint32_t kTraceVersion = 5;
 // The oldest version of the format of recordings that can be read.  Version 2 has no kEnded.
 // Versions 2 and 3 have kOldPause, kOldShutdown and kOldConsole in place of kInput.  Versions 2 to
-// 4 have kOldMessage in place of kMessage.  Entries of the old kinds are converted to the new kinds
-// when they are read.
+// 4 have kOldMessage in place of kMessage.  What has an old kind in a file gets the new kind when
+// it is read.
 constexpr uint32_t kOldestTraceVersion = 2;
 
 // The options that, together with the recorded input, determine everything in a run.
@@ -51,31 +51,32 @@ struct TraceHeader {
   bool strict = false;
   bool is_free = false;          // true: the run was free-running and cannot be replayed
   bool write_protected = false;  // true: the stick of the run's only robot was write-protected
-  // The file, as JSON, in which openr explore has kept the order of messages of a failing run
-  // (docs/exploring.md).  "" if the seed chooses the order.
+  // The order of messages of a failing run of openr explore, as JSON with some fields of the
+  // schedule file (docs/exploring.md).  "" if the seed chooses the order.
   std::string schedule;
   bool payloads = true;  // true: the bytes of messages are recorded; false: only their hashes
 };
 
 struct TraceEntry {
-  // The kinds of entries.  Each comment names the fields of TraceEntry that such an entry has.
+  // The kinds of what a recording consists of, such as messages and inputs.  Each comment names the
+  // fields of TraceEntry that belong to the kind.
   enum class Kind : uint8_t {
     kObject = 1,  // an object, before its first message; fields: id, robot, name
     // The name of an entry (handler) of the object `id`, before the first message to this handler;
     // fields: id, selector, name.
     kEntry = 2,
     kOldMessage = 3,  // a message in a file of version 2 to 4; converted to kMessage
-    // Network events that Poll() returned while the message before this entry was handled; fields:
-    // robot, events.
+    // Network events that Poll() returned while the message before them in the recording was
+    // handled; fields: robot, events.
     kNetwork = 4,
     kOldPause = 5,     // an input in a file of version 2 or 3; converted to kInput
     kOldShutdown = 6,  // an input in a file of version 2 or 3; converted to kInput
-    kEnd = 7,          // the last entry; fields: time_us, trace_hash, state_hash
+    kEnd = 7,          // the end of the recording; fields: time_us, trace_hash, state_hash
     kOldConsole = 8,   // an input in a file of version 2 or 3; converted to kInput
     kStick = 9,  // content of a path of the stick before a change; fields: what, name, payload
     kLoss = 10,  // loss of a worker process; what follows cannot be replayed; fields: time_us, name
     // The end of the run.  The field `name` says how the run ended, as a word of EndName(), and
-    // `payload` is the reason as text.  This entry is missing if the recorded process was killed.
+    // `payload` is the reason as text.  A recording whose process was killed has no kEnded.
     kEnded = 11,
     // A recorded input; fields: time_us, robot (-1: every robot), name, which is the text of the
     // input.
@@ -97,8 +98,9 @@ struct TraceEntry {
   uint64_t state_hash = 0;
 };
 
-// Encodes and decodes the entries of a recording.  Stores most numbers as the difference to the
-// number in the entry before, because small numbers take fewer bytes.
+// Encodes and decodes what a recording consists of: messages, inputs and the like, each as a
+// TraceEntry.  Stores most numbers as the difference to the number before, because small numbers
+// take fewer bytes.
 class TraceCoder {
  public:
   explicit TraceCoder(bool payloads) : payloads_(payloads) {}
@@ -110,9 +112,9 @@ class TraceCoder {
   // first called for them.
   uint32_t LinkOf(const TraceRecord& record);
 
-  // Writes an entry of the kind kMessage.  REQUIRES: `number_of_link` is LinkOf(record), the number
-  // of the path from one sender to one entry of one receiver, and a message of each path with a
-  // smaller number has been written before.
+  // Writes a message as a TraceEntry of the kind kMessage.  REQUIRES: `number_of_link` is
+  // LinkOf(record), the number of the path from one sender to one handler of one receiver, and a
+  // message of each path with a smaller number has been written before.
   void WriteMessage(const TraceRecord& record, std::string_view payload, uint32_t number_of_link,
                     ByteWriter* out);
 
@@ -167,36 +169,36 @@ class TraceWriter {
   TraceWriter(const TraceWriter&) = delete;
   TraceWriter& operator=(const TraceWriter&) = delete;
 
-  // Adds an entry for a delivered message.  Called for every message by a sink (callback) of the
-  // System's trace.
+  // Adds a delivered message.  Called for every message by a sink (callback) of the System's trace.
   void AddMessage(const System& system, const TraceRecord& record, const Message& message);
   void AddNetwork(int robot, std::vector<NetworkEvent> events);
   void AddLoss(const std::string& process, int64_t time_us);
   void AddEnded(const RunEnd& end);
   void AddInput(int robot, std::string_view line, int64_t time_us);
-  // Adds an entry with the present content of a file or folder of the Memory Stick, which an object
-  // is about to change.  A replay needs it to undo the change.  `path` is the path on the host,
-  // `name` the path below the stick's folder.
+  // Adds the present content of a file or folder of the Memory Stick, which an object is about to
+  // change.  A replay needs it to undo the change.  `path` is the path on the host, `name` the path
+  // below the stick's folder.
   void AddStick(const std::string& name, const std::string& path);
 
-  // Adds an entry, which describes one delivered message, of another recording.  REQUIRES: this
-  // recording also has the names of the objects and handlers in the entry.
+  // Adds a part of another recording, such as the content that a file of the Memory Stick had
+  // before a change.  REQUIRES: this recording also has the names of the objects and handlers in
+  // `entry`.
   void AddEntry(const TraceEntry& entry) { Add(entry); }
 
-  // Writes the entries that were added so far to the file.  May be called in a signal handler that
-  // ends the process.
+  // Writes to the file what was added so far.  May be called in a signal handler that ends the
+  // process.
   void Flush();
 
-  // Adds the reason why the run ended and the last entry, kEnd.  This entry has the hashes of the
-  // run's messages and state, with which a replay compares its own hashes.  Then writes everything
-  // to the file.  Returns "", or the error that happened while the file was written.
+  // Adds the reason why the run ended and, as the end of the file, the hashes of the run's messages
+  // and state, with which a replay compares its own hashes.  Then writes everything to the file.
+  // Returns "", or the error that happened while the file was written.
   std::string Finish(System* system);
 
  private:
-  // How often the objects at the two ends of a link, its sender and its target, had been replaced
-  // (Object::predecessors) when the file last had the names of both; -1: there is no such object.
-  // If a number has changed since then, an object was replaced, and its names may have to be
-  // written again.
+  // How often the sender and the target of a link (a path from one sender to one entry of one
+  // receiver) had been replaced (Object::predecessors) when the file last had the names of both;
+  // -1: there is no such object.  If a number has changed since then, an object was replaced, and
+  // its names may have to be written again.
   struct ReplacementCounts {
     int sender = -2;
     int target = -2;
@@ -235,11 +237,11 @@ class TraceReader {
 
   const TraceHeader& header() const { return header_; }
 
-  // Returns the next entry of the recording without taking it; null at the end of the readable part
-  // of the file.
+  // Returns what comes next in the recording, such as a message or an input, without taking it;
+  // null at the end of the readable part of the file.
   const TraceEntry* Peek();
-  // Takes the next entry of the recording and returns it.  Peek() then returns the entry behind it.
-  // REQUIRES: Peek() is not null.
+  // Takes what comes next in the recording and returns it.  Peek() then returns what comes after
+  // that.  REQUIRES: Peek() is not null.
   TraceEntry Take();
 
   // Returns texts about damaged or missing places of the file that have been found so far, such as
@@ -247,12 +249,12 @@ class TraceReader {
   const std::vector<std::string>& problems() const { return problems_; }
 
   // Returns "FILE: the recording does not say how the run ended: ..." if the file is not damaged
-  // but has no entry about the end of the run, because the recorded process was killed or still
-  // runs.  Otherwise, and before the end of the file is reached, returns "".
+  // but does not have the end of the run, because the recorded process was killed or still runs.
+  // Otherwise, and before the end of the file is reached, returns "".
   const std::string& note() const { return note_; }
 
-  // Returns the name of the object `id`, or a text with the id if no entry read so far has the
-  // name.
+  // Returns the name of the object `id`, or a text with the id if the name has not been read so
+  // far.
   std::string ObjectName(int32_t id) const;
   std::string EntryName(int32_t id, uint32_t selector) const;
   int RobotOf(int32_t id) const;
