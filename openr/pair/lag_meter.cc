@@ -20,8 +20,8 @@ constexpr double kNearBest = 0.05;
 
 void LagMeter::Add(Series* series, int64_t time_ms, const std::vector<int32_t>& joints) {
   if (!series->empty() && series->front().joints.size() != joints.size()) return;
-  // Keeps the times in order, because a time may be earlier than the one before when RemotePair
-  // estimates another travel time.
+  // Keeps the times of the positions in order, because a time may be earlier than the time before
+  // when RemotePair estimates another travel time.
   if (!series->empty()) time_ms = std::max(time_ms, series->back().time_ms);
   series->push_back({time_ms, joints});
   while (series->front().time_ms < time_ms - kWindowMs - kLagMaxMs) series->pop_front();

@@ -19,8 +19,8 @@ class LagMeter {
   static constexpr int64_t kWindowMs = 3000;
   // Largest lag of a robot behind the robot it follows that can be found.
   static constexpr int64_t kLagMaxMs = 1500;
-  // Least range of a joint's movement in 0.01 degree.  A joint that moves less is not used to
-  // measure the lag, the time by which the follower moves later than the leader.
+  // The smallest range of movement, in 0.01 degree, of a joint that is used to measure the lag, the
+  // time by which the follower moves later than the leader.
   static constexpr int32_t kRangeMin = 300;
 
   // Adds the positions of all joints of one robot, the leader or the follower, at `time_ms`, in

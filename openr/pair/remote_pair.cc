@@ -32,11 +32,12 @@ constexpr size_t kTripsMax = 32;
 // Largest number of events (reports of sensor values or of set values) that are taken from one
 // robot before it is the other robot's turn.
 constexpr int kEventsMax = 100;
-// Least change of a joint's goal that is sent to the robot that follows, in 0.01 degree.
+// The smallest change of a joint's goal that is sent to the robot that follows, in 0.01 degree.
 constexpr int32_t kChangeMin = 5;
 // Number of frames after which the frame numbers of a robot begin again with 0.
 constexpr uint32_t kFramesPerTurn = 0x0ffffff1;
-// Fewest and most frames in which the command TRACK moves a joint to its goal.
+// The smallest and the largest number of frames in which the command TRACK moves a joint to its
+// goal.
 constexpr uint32_t kTrackFramesMin = RC_FRAMES_PER_VECTOR, kTrackFramesMax = 40;
 // The largest step of a joint in one frame with the command TRACK, in 0.01 degree.
 constexpr uint32_t kTrackStepMax = 400;
@@ -137,8 +138,8 @@ void RemotePair::CheckJoints(const remote::Address& first, const remote::Address
   }
 }
 
-// Sends any number of requests to one robot, in batches.  Throws std::runtime_error for the first
-// request that the robot refuses.
+// Sends any number of requests to one robot, in batches, and returns the answers.  Throws
+// std::runtime_error for the first request that the robot refuses.
 std::vector<remote::Answer> RemotePair::SetAll(PairSide side,
                                                const std::vector<remote::Call>& calls) {
   std::vector<remote::Answer> all;
