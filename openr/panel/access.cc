@@ -29,8 +29,8 @@ std::string NewToken() {
 }
 
 bool IsSameSecret(std::string_view a, std::string_view b) {
-  // Returns false at once for texts of different lengths, because the length of a token is no
-  // secret.
+  // Returns false at once for texts of different lengths, because everybody may know the length of
+  // the token, the secret that clients must send.
   if (a.size() != b.size()) return false;
   // Declares `difference` volatile, so that the compiler does not end the loop at the first
   // difference.

@@ -9,11 +9,13 @@
 
 namespace openr_host {
 
-// Returns a new random token: 128 bits as 32 hexadecimal digits.
+// Returns a new random token, the secret that clients of the panel must send: 128 bits as 32
+// hexadecimal digits.
 std::string NewToken();
 
-// Returns whether the texts `a` and `b` are equal.  The time of the comparison does not depend on
-// the place of the first difference, so nobody can find a token digit by digit.
+// Returns whether the secrets `a` and `b` (tokens that clients must send) are equal.  The time of
+// the comparison does not depend on the place of the first difference, so nobody can find a secret
+// digit by digit.
 bool IsSameSecret(std::string_view a, std::string_view b);
 
 class Access {
@@ -22,9 +24,9 @@ class Access {
   // and at the IPv4 address `address`, which may be kAnyAddress (listen.h).
   Access(std::string token, std::string address, uint16_t port);
 
-  // Returns the WebSocket subprotocol by which a page shows that it knows the token.
+  // Returns the WebSocket subprotocol by which a page shows that it knows the token, a secret.
   std::string protocol() const { return "openr." + token_; }
-  // Returns the address of the panel to open in a browser, with `token` in it.
+  // Returns the address of the panel to open in a browser, with `token`, a secret, in it.
   std::string Url(const std::string& token) const;
   const std::string& token() const { return token_; }
 
@@ -36,8 +38,8 @@ class Access {
   // Host, because a foreign host name can be made to lead to this computer (DNS rebinding).
   std::string FileRefusal(const WebRequest& request) const;
   // Returns the reason why a request for a WebSocket is refused; "" if it is allowed.  The request
-  // needs the token.  Checks the header Origin, in which a browser names the site that makes the
-  // request; other programs send no such header.
+  // must have the token, a secret.  Checks the header Origin, in which a browser names the site
+  // that makes the request; other programs send no such header.
   std::string SocketRefusal(const WebRequest& request) const;
 
  private:

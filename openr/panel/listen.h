@@ -27,13 +27,15 @@ struct ListenOptions {
 // Returns the reason why nothing can listen at `address`; "" if it is an IPv4 address.
 std::string ListenAddressProblem(const std::string& address);
 
-// Throws std::runtime_error if `options` cannot be fulfilled: the file has no token, this computer
-// has no such address, or the server is not built.  A run calls this before it begins, because its
-// server is another process, whose end the run does not see.
+// Throws std::runtime_error if `options` cannot be fulfilled: the token file has no token (the
+// secret that clients must send), this computer has no such address, or the server is not built.  A
+// run calls this before it begins, because its server is another process, whose end the run does
+// not see.
 void CheckListen(const ListenOptions& options);
 
-// Returns the token in the file `file`, as remote::ReadTokenFile() does.  If there is no such file,
-// makes the file with a new token, so that only this user may read it.
+// Returns the token, the secret that clients must send, from the file `file`, as
+// remote::ReadTokenFile() does.  If there is no such file, makes the file with a new token, so that
+// only this user may read it.
 std::string ReadOrMakeToken(const std::string& file);
 
 // Returns a socket that listens at the IPv4 address `address`, on the first free port from `*port`

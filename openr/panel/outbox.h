@@ -1,4 +1,5 @@
-// Outbox, through which threads give answers for a page to the event loop.
+// Outbox, the queue of the panel's server through which threads give answers for a page to the
+// event loop.
 #pragma once
 
 #include <functional>
@@ -9,11 +10,12 @@
 
 namespace openr_host {
 
-// A page and the threads that work for it share an Outbox.  All functions may be called in any
-// thread.
+// A queue of texts for a page.  The page and the threads that work for it share the queue.  All
+// functions may be called in any thread.
 class Outbox {
  public:
-  // Makes an outbox.  The function `wake` makes the event loop look into the outbox.
+  // Makes an empty queue of texts for a page.  The function `wake` makes the event loop look into
+  // the queue.
   explicit Outbox(std::function<void()> wake) : wake_(std::move(wake)) {}
 
   void Add(std::string text) {
@@ -26,8 +28,8 @@ class Outbox {
     const std::lock_guard lock(mutex_);
     return std::exchange(texts_, {});
   }
-  // Closes the outbox, because its page does not exist any more.  Drops all texts that threads add
-  // later.
+  // Closes this queue of texts, because its page does not exist any more.  Drops all texts that
+  // threads add later.
   void Close() {
     const std::lock_guard lock(mutex_);
     wake_ = nullptr;
@@ -36,7 +38,7 @@ class Outbox {
 
  private:
   std::mutex mutex_;
-  // A function that makes the event loop look into the outbox; null: the outbox is closed.
+  // A function that makes the event loop look into this queue of texts; null: the queue is closed.
   std::function<void()> wake_;
   std::vector<std::string> texts_;
 };

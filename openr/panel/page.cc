@@ -130,7 +130,8 @@ void Page::HandleRequest(const std::string& text) {
   try {
     request = ParseJson<nlohmann::json>(text);
   } catch (const JsonTooDeep& error) {
-    // Looks for the id, because the page may wait for an answer to this request.
+    // Looks for the id of the request in the text, because the page may wait for an answer to this
+    // request.
     return Refuse(PlainMember(text, "id"), error.what());
   } catch (const nlohmann::json::exception&) {
     request = nullptr;  // is refused below, like JSON that is no object

@@ -31,13 +31,14 @@ enum PageClose {
 
 class Page : public WebPage {
  public:
-  // The most bytes of an upload, which is one message of a page.
+  // The largest number of bytes of an upload, which is one message of a page.
   static constexpr size_t kUploadMax = size_t{12} << 20;
-  // The most bytes of a message, other than an upload, that a page sends.
+  // The largest number of bytes of a message, other than an upload, that a page sends.
   static constexpr size_t kMessageMax = size_t{64} << 10;
-  // The most bytes that the server reads and drops after it has decided to close a page.
+  // The largest number of bytes that the server reads and drops after it has decided to close a
+  // page.
   static constexpr size_t kDropMax = size_t{64} << 20;
-  // The most robots whose remote control one page may use at a time.
+  // The largest number of robots whose remote control one page may use at a time.
   static constexpr size_t kEndpointsMax = 4;
 
   // Makes the server's end of a page.  `allows_controllers` says whether the page may upload
@@ -56,7 +57,7 @@ class Page : public WebPage {
   // received, and the page would not see the reason.
   void End(int code, const std::string& why);
 
-  // Sends to the page the answers that threads have put into the outbox.
+  // Sends to the page the answers that threads have put into the queue of texts for it.
   void Collect();
 
   // Closes all connections of the page.  Called before the event loop of the server ends, because

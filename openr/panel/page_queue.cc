@@ -5,8 +5,9 @@
 namespace openr_host {
 namespace {
 
-// Returns the name of the event in the line `text` if the event shows a state; "" if it does not.
-// Does not parse the line as JSON, because a run writes the member "event" first.
+// Returns the name of the event in the line `text` if it is an event that shows a state of the run,
+// which a newer event of the same name replaces; "" if it is not.  Does not parse the line as JSON,
+// because a run writes the member "event" first.
 std::string_view StateIn(std::string_view text) {
   constexpr std::string_view kBegin = "{\"event\":\"";
   if (!text.starts_with(kBegin)) return "";
@@ -33,7 +34,8 @@ bool PageQueue::Add(std::string text) {
   if (!state.empty()) Drop([state](const Message& message) { return message.state == state; });
   bytes_ += text.size();
   waiting_.push_back({std::move(text), state});
-  // Drops states first, because a newer state comes anyway; answers and log lines come only once.
+  // Drops the events that show a state of the run first, because a newer state comes anyway;
+  // answers and log lines come only once.
   if (bytes_ > kBytesMax) Drop([](const Message& message) { return !message.state.empty(); });
   return bytes_ <= kBytesMax;
 }

@@ -9,8 +9,8 @@ namespace openr_host {
 
 class PageQueue {
  public:
-  // The most bytes of messages for the page that may wait.  The server closes a page for which more
-  // bytes wait.
+  // The largest number of bytes of messages for the page that may wait.  The server closes a page
+  // for which more bytes wait.
   static constexpr size_t kBytesMax = size_t{8} << 20;
 
   // Adds a message for the page.  An event that shows a state ("pose", "values", "graph") replaces

@@ -56,7 +56,8 @@ bool IsFirstTime(const PairBridge::Work& work) {
   static std::mutex mutex;
   static std::set<std::string> known;
   const std::lock_guard lock(mutex);
-  // Forgets all pairs now and then, because pages may name any number of robots.
+  // Now and then forgets all pairs of robots that were connected before, because pages may name any
+  // number of robots.
   if (known.size() >= kKnownMax) known.clear();
   return known.insert(fmt::format("{} {} {}", work.run.socket, work.robot, work.second.Text()))
       .second;

@@ -12,7 +12,7 @@ namespace openr_host {
 class PairControl;
 
 // Connects both robots and serves them in a thread of its own, because a robot may not answer
-// (docs/panel-server.md, "Both dogs").  Puts events "pair" into an outbox, and also the answer to
+// (docs/panel-server.md, "Both dogs").  Queues events "pair" for the page, and also the answer to
 // the request that has made the bridge.
 class PairBridge {
  public:

@@ -261,7 +261,8 @@ void Panel::ForwardRemoteControl(int robot) {
 
 std::string Panel::Announcement() const {
   if (!listen_.is_on()) return fmt::format("panel: {}\n", access_.Url(access_.token()));
-  // Names the file with the token and not the token itself, because the output may go into a log.
+  // Names the file with the token, the secret that clients must send, and not the token itself,
+  // because the output may go into a log.
   std::string text = fmt::format("panel: {}, where TOKEN is the first line of {}\n",
                                  access_.Url("TOKEN"), listen_.token_file);
   for (size_t i = 0; i < forwarded_.size(); ++i) {
@@ -305,7 +306,7 @@ WebAnswer Panel::WithHeaders(WebAnswer answer, const std::string& host) const {
                   access_.SocketSource(host)));
   add("x-content-type-options", "nosniff");
   // Forbids the browser to send the address of the page to other sites, because the address has the
-  // token.
+  // token, the secret that clients must send.
   add("referrer-policy", "no-referrer");
   add("cross-origin-opener-policy", "same-origin");
   add("cross-origin-resource-policy", "same-origin");

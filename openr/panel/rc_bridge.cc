@@ -119,8 +119,8 @@ void RcBridge::Add(nlohmann::json request, size_t size) {
   const auto older = std::find_if(calls.begin(), calls.end(), [&](const Queue::Call& call) {
     return !joint_value.empty() && call.joint_value == joint_value;
   });
-  // Replaces the older command, because a slider that is dragged makes commands faster than a robot
-  // takes them.
+  // Replaces the older command for the same value of the joint, because a slider that is dragged
+  // makes commands faster than a robot takes them.
   if (older != calls.end()) {
     ids.insert(ids.begin(), older->ids.begin(), older->ids.end());
     queue_->bytes -= older->size;

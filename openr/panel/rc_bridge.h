@@ -11,14 +11,14 @@
 namespace openr_host {
 
 // Carries out the remote-control calls of a page in a thread of its own, because each call waits
-// for the robot.  Answers and events go into an outbox.
+// for the robot.  Queues the answers and events for the page.
 class RcBridge {
  public:
-  // The most remote-control calls of the page that may wait.  If more calls come, they are answered
-  // with an error.
+  // The largest number of remote-control calls of the page that may wait.  If more calls come, they
+  // are answered with an error.
   static constexpr size_t kCallsMax = 64;
-  // The most bytes of remote-control calls of the page that may wait.  If more bytes come, their
-  // calls are answered with an error.
+  // The largest number of bytes of remote-control calls of the page that may wait.  If more bytes
+  // come, their calls are answered with an error.
   static constexpr size_t kBytesMax = size_t{16} << 20;
   // The largest number of threads that all RcBridge objects of this process together may have.
   static constexpr int kThreadsMax = 64;

@@ -91,8 +91,8 @@ class Forwarding {
  public:
   Forwarding(int client, const RcForwarder::Rules& rules) : client_(client), rules_(rules) {}
 
-  // Reads the first packet of the client of the remote control.  Returns whether it has the token;
-  // if not, tells the client that it is refused.
+  // Reads the first packet of the client of the remote control.  Returns whether it has the token,
+  // a secret; if not, tells the client that it is refused.
   bool ReceiveToken();
   // Connects to the robot, and forwards packets until one side ends its connection.
   void Forward();
@@ -309,7 +309,7 @@ void RcForwarder::ServeClient(int connection) {
     }).detach();
   } catch (const std::system_error&) {
     // Gives up the new client of the remote control, because this computer cannot make a thread for
-    // it.  So it is no longer one of the clients that have not shown the token yet.
+    // it.  So it is no longer one of the clients that have not shown the token, a secret, yet.
     --g_without_token;
     close(connection);
   }

@@ -9,15 +9,16 @@
 namespace openr_host {
 
 // Forwards the packets of clients to the robot, and its answers to the clients.  The first packet
-// of a client must be TOKEN (docs/remote-control.md).  The robot gets no byte of a client that does
-// not know the token.
+// of a client must be the command TOKEN with a secret, the token (docs/remote-control.md).  The
+// robot gets no byte of a client that does not know the token.
 class RcForwarder {
  public:
-  // The most clients of remote controls that this process serves at a time, and the most clients
-  // that have not shown the token yet.  A robot itself serves eight clients.
+  // The largest number of clients of remote controls that this process serves at a time, and also
+  // the largest number of clients that have not shown the token, a secret, yet.  A robot itself
+  // serves eight clients.
   static constexpr int kClientsMax = 16;
   static constexpr int kWithoutTokenMax = 16;
-  // The longest time in which a new client must show the token.
+  // The longest time in which a new client must show the token, a secret.
   static constexpr int kTokenTimeoutMs = 10'000;
   // The longest time in which a client, or the robot, must take a piece of data that is sent to it.
   static constexpr int kSendTimeoutMs = 30'000;
@@ -33,8 +34,8 @@ class RcForwarder {
   // Returns whether a thread of any RcForwarder of this process still runs.
   static bool HasThreads();
 
-  // Data that the threads of an RcForwarder read: how to find the robot, the token, and whether
-  // clients may upload controllers.
+  // Data that the threads of an RcForwarder read: how to find the robot, the token (the secret that
+  // clients must send), and whether clients may upload controllers.
   struct Rules;
 
  private:

@@ -11,10 +11,10 @@ namespace openr_host {
 
 class RunLink final : public WebDescriptor {
  public:
-  // The most bytes of lines that may wait until the run takes them.  If more bytes wait, the server
-  // should stop reading from the page.
+  // The largest number of bytes of lines that may wait until the run takes them.  If more bytes
+  // wait, the server should stop reading from the page.
   static constexpr size_t kWaitingMax = size_t{256} << 10;
-  // The most bytes that a line from the run may have.
+  // The largest number of bytes that a line from the run may have.
   static constexpr size_t kLineMax = size_t{8} << 20;
 
   struct Owner {

@@ -74,8 +74,8 @@ struct RunsLister::Questions {
     for (;;) {
       std::vector<Question> now;
       {
-        // Decides under the lock whether this thread ends, so that a new question is either taken
-        // here or starts a new thread.
+        // Decides under the lock whether this thread ends, so that a new request of a page for the
+        // state of the runs is either taken here or starts a new thread.
         const std::lock_guard lock(mutex);
         now = std::exchange(waiting, {});
         is_answering = !now.empty();
@@ -105,8 +105,8 @@ void RunsLister::Ask(std::shared_ptr<Outbox> outbox, nlohmann::json id) {
       --g_lister_threads;
     }).detach();
   } catch (const std::system_error&) {
-    // Drops the questions, because this computer cannot make a thread now.  The next question tries
-    // again to make a thread.
+    // Drops the requests of pages for the state of the runs, because this computer cannot make a
+    // thread now.  The next such request tries again to make a thread.
     --g_lister_threads;
     questions_->waiting.clear();
     questions_->is_answering = false;

@@ -318,7 +318,7 @@ class LwsLoop : public WebLoop {
 
   WebService* const service_;
   const std::string protocol_;
-  std::array<lws_protocols, 4> protocols_{};  // the last entry stays empty and ends the list
+  std::array<lws_protocols, 4> protocols_{};  // the last element stays empty and ends the list
   lws_context* context_ = nullptr;
   lws_vhost* vhost_ = nullptr;
   StopTimer stop_timer_{{}, this};
