@@ -50,9 +50,9 @@ render::Camera CameraFor(const RobotLook& look, View view) {
 // Returns a camera that sees all robots and things.  It looks from the side of the world where y is
 // negative.
 render::Camera CameraOverWorld(const std::vector<RobotLook>& looks, const World& world) {
-  // The picture shows kRobot_m around the origin of each robot.  It leaves out things that are
-  // further than kReachMax_m from the middle between the robots, because the robots would become
-  // too small.
+  // The camera is placed so that the picture shows kRobot_m around the origin of each robot, and
+  // all things up to kReachMax_m from the middle between the robots.  Things that are further away
+  // do not count, because the robots would become too small.
   constexpr double kRobot_m = 0.25, kReachMax_m = 6;
   Eigen::AlignedBox2d seen;
   for (const RobotLook& look : looks) {

@@ -195,7 +195,7 @@ void AddEndPiece(const RobotModel& model, std::vector<RobotShape>* shapes) {
   shapes->push_back(added);
 }
 
-// Angle by which an ear leans back when its plunger is at angle 0.
+// Angle by which an ear leans back when the ear's angle in the model is 0.
 constexpr double kEarLean_rad = -0.35;
 
 // Adds the ears, which are the plungers of the model.  An ear has two positions: when it is off it
@@ -342,7 +342,8 @@ std::vector<Shape> ShapesOfWorld(const World& world) {
     shape.colour = ColourFrom(thing.colour);
     shape.gloss = 0.1f;
     if (is_paint(thing)) {
-      // Each paint lies a little higher than the paint before it, and so covers it.
+      // Each painted area of the floor lies a little higher than the area before it, and so covers
+      // it.
       paint_height_m += std::min(0.0003, kPaintTop_m / static_cast<double>(paints));
       shape.size_m.z() = paint_height_m;
       shape.X_WS.translation().z() = paint_height_m / 2;
