@@ -32,8 +32,8 @@ void BranchNetwork::OpenAgain(NetHandle handle, const Socket& socket) {
       PassingNetwork::Listen(handle, socket.port);
       for (const NetHandle accepted : socket.accepts) PassingNetwork::Accept(handle, accepted);
       break;
-    // The peer of a connection is still connected to the first run, so the robot sees a broken
-    // connection.
+    // The other end of a TCP connection is still connected to the first run, so the robot sees a
+    // broken connection.
     case Socket::Kind::kStream: {
       NetworkEvent broken;
       broken.kind = NetworkEvent::Kind::kFailed;

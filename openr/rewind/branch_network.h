@@ -3,8 +3,8 @@
 // In the run itself, BranchNetwork passes all calls on to the real network and logs the events that
 // come from outside.  In a copy of the run, BranchNetwork first returns the logged events again and
 // sends nothing.  When the copy goes on as a new run, the network opens the ports again at which
-// the robot listens.  The robot sees its connections as broken, because their peers are still
-// connected to the first run.
+// the robot listens.  The robot sees its TCP connections as broken, because their other ends are
+// still connected to the first run.
 #pragma once
 
 #include <cstdint>

@@ -35,11 +35,11 @@ constexpr int64_t kDistanceUs = 1'500'000;
 // The least distance between two checkpoints by the clock of this computer.
 constexpr int64_t kDistanceNs = 300'000'000;
 
-// The most memory that all checkpoints may take together.  If they take more, old checkpoints are
-// dropped.
+// The largest amount of memory, in bytes, that all checkpoints may take together.  If they take
+// more, old checkpoints are dropped.
 constexpr size_t kMemoryMax = size_t{1} << 30;
 
-// The most bytes of files that a checkpoint may copy from the Memory Stick.
+// The largest number of bytes of files that a checkpoint may copy from the Memory Stick.
 constexpr size_t kStickBytesMax = size_t{64} << 20;
 
 // The longest time that a view, the process that shows a past moment, may need to reach this
@@ -108,8 +108,8 @@ bool Rewind::AfterFrame(bool is_watched) {
   const bool is_far =
       checkpoints_.empty() || system().now_us() - checkpoints_.back().time_us >= kDistanceUs;
   if (!is_far || now_ns < next_ns_) return false;
-  // Limits checkpoints by the clock of this computer, too, because a run at full speed passes
-  // kDistanceUs in a moment and would only make forks.
+  // Lets at least kDistanceNs pass by the clock of this computer between two checkpoints, because a
+  // run at full speed passes kDistanceUs in a moment and would do little but fork.
   next_ns_ = now_ns + kDistanceNs;
   if (MakeCheckpoint()) return true;
   if (!checkpoints_.empty()) DropOld();
@@ -159,8 +159,8 @@ void Rewind::Drop(Checkpoint* checkpoint) {
 void Rewind::DropOld() {
   UpdateMemory();
   const int64_t begin_us = system().now_us() - parts_.span_us;
-  // Keeps the last checkpoint before the span, because views of moments before the second
-  // checkpoint begin there.
+  // Keeps the last checkpoint before the span of time to which the run can go back, because views
+  // of moments before the second checkpoint begin there.
   while (checkpoints_.size() > 1 && checkpoints_[1].time_us <= begin_us) {
     Drop(&checkpoints_.front());
     checkpoints_.pop_front();
@@ -300,8 +300,8 @@ nlohmann::ordered_json Rewind::Branch(double rate) {
   }
   branch_ = answer->at("process");
   branch_parent_ = shown_->process;
-  // Leaves the process of the shown checkpoint alone: it waits for the branch, its child, and then
-  // ends with the exit code of the branch, for which WaitForBranch() waits.
+  // Leaves the process of the shown checkpoint alone.  That process waits for the branch, its
+  // child, and then ends with the exit code of the branch, for which WaitForBranch() waits.
   close(shown_->socket);
   for (Checkpoint& checkpoint : checkpoints_) {
     if (&checkpoint != shown_) Drop(&checkpoint);

@@ -89,8 +89,8 @@ bool Rewind::RunView(int socket, const SavedStick& stick, ProcessFiles* files,
       }
     } catch (const std::exception& error) {
       answer = {{"error", error.what()}};
-      // Ends the view only if it could not come to the moment: a refused question or branch leaves
-      // it as it was.
+      // Ends the view only if it could not come to the moment that it was to show.  A refused
+      // request to answer a client, or to become a branch, leaves the view as it was.
       has_failed = !next->contains("answer") && !next->contains("branch");
     }
     SendMessage(socket, answer);
