@@ -23,7 +23,7 @@ class RobotTopics {
   RobotTopics(Bus* bus, const std::string& space, VirtualRobot* robot);
 
   // Publishes all values of the robot that are due.  Called after each frame of 8 ms.  Returns "",
-  // or the reason why the camera has no image.
+  // or the reason why the camera has no picture.
   std::string Publish(int64_t time_us);
 
  private:

@@ -54,7 +54,7 @@ class Ros2Link {
   // JointClient, which sends the robot the commands of ROS 2.  A recorder must have been put into
   // `options` before, because otherwise the recorder does not see these commands.  `space` is the
   // namespace of the robot's topics; with several robots, the namespace of each is `space` followed
-  // by the robot's number.  `bus` and this object must outlive the simulation.
+  // by the robot's number.  `bus` and this Ros2Link must outlive the simulation.
   Ros2Link(Bus* bus, std::string space, SimulationOptions* options, Say say);
   Ros2Link(const Ros2Link&) = delete;
   Ros2Link& operator=(const Ros2Link&) = delete;
