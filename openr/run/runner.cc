@@ -26,7 +26,7 @@
 namespace openr_host {
 namespace {
 
-// The most virtual time that a shutdown by the runner may take, that is, DoStop and DoDestroy of
+// The longest virtual time that a shutdown by the runner may take, that is, DoStop and DoDestroy of
 // all objects on all robots.  The runner begins the shutdown kPauseUs after the pause button was
 // pressed.  After this limit the run ends anyway, because a shutdown that takes so long may never
 // complete.
@@ -118,7 +118,8 @@ void Runner::WritePictureOf(const PictureRequest& snapshot) {
       snapshot, robot,
       simulation_->is_together() ? simulation_->robots() : std::vector<VirtualRobot*>{});
   good_ = good_ && problem.empty();
-  // Drawing a picture does not count as time of the run.
+  // Leaves out the time in which a picture is drawn, because it says nothing about the speed of the
+  // simulation.
   wall_time_ns_ -= WallClockNs() - begin_ns;
   const double time_s = static_cast<double>(simulation_->system().now_us()) / 1e6;
   plan_.say(problem.empty() ? fmt::format("wrote {} (t={:.3f} s)", snapshot.file, time_s)

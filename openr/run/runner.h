@@ -65,7 +65,8 @@ class Runner {
   Runner(Simulation* simulation, RunPlan plan, const InterruptCounter* interrupts);
 
   // Boots the robots and runs until the run is over.  Returns false when a picture could not be
-  // taken.  If a picture was wanted for a time after the end, adds an error to the findings.
+  // taken.  If a picture was wanted for a time after the end of the run, adds an error to the
+  // findings.
   bool Run();
 
   // Finds out whether each robot stands.  Called after each frame, and also in a copy of the run
