@@ -93,8 +93,8 @@ Quantity PawOf(size_t robot, size_t paw) {
   return [=](const RunView& view) -> Value { return StateOf(view, robot).paws[paw] ? 1.0 : 0.0; };
 }
 
-// Returns the quantity for a velocity of the base: along an axis of the world, or around one of the
-// base's own axes (angular velocity).
+// Returns the quantity for a velocity of the robot's base B (virtualrobot/body/body.h): along an
+// axis of the world, or around one of the base's own axes (angular velocity).
 Quantity MotionOf(size_t robot, const std::string& name) {
   static const std::map<std::string, int> axes = {{"vx_m_s", 0},   {"vy_m_s", 1},
                                                   {"vz_m_s", 2},   {"wx_deg_s", 3},
@@ -134,7 +134,7 @@ std::vector<ReadValue> FindGroup(const RobotValueName& wanted, const RobotModel&
       add(kind.one, model.joints[j].name, kind.make(wanted.robot, j));
   }
   for (size_t i = 0; wanted.rest == "sensors" && i < model.sensors.size(); ++i) {
-    // Leaves out the sensors of joints, which are the group "measured".
+    // Leaves out the sensors of joints, because the group of values "measured" has them.
     if (model.sensors[i].joint < 0)
       add("sensor", model.sensors[i].short_name, SensorOf(wanted.robot, static_cast<int>(i)));
   }
@@ -186,7 +186,7 @@ void Observation::Choose(const std::vector<std::string>& names, const RunView& v
       values.push_back(std::move(value));
     }
   }
-  // Replaces the old choice only now, so that a wrong name changes nothing.
+  // Only now replaces the values that were chosen before, so that a wrong name changes nothing.
   values_ = std::move(values);
 }
 

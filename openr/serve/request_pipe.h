@@ -15,7 +15,7 @@ namespace openr_host {
 
 class RequestPipe {
  public:
-  // The most bytes that a request may have; no program needs nearly as many.
+  // The largest number of bytes that a request may have; no program needs nearly as many.
   static constexpr size_t kRequestMax = size_t{64} << 20;
 
   // Reads requests from `input` and writes answers to `output`.  Both may be the same socket.

@@ -81,8 +81,8 @@ bool RunServer::ServeOne() {
   } catch (const JsonTooDeep& error) {
     answer = Refusal(error.what());
   } catch (const RequestTooLong& error) {
-    // Ends the server, because the bytes of the refused request are still in the pipe, so the begin
-    // of the next request cannot be found.
+    // Ends the server, because the bytes of the refused request are still in the pipe, so the
+    // beginning of the next request cannot be found.
     pipe_.Send(JsonText(Refusal(error.what()).json), "");
     return false;
   }
@@ -120,9 +120,9 @@ ServedRun& RunServer::BootedRun() {
   return *run_;
 }
 
-// Throws std::runtime_error if the client has finished the run, because no command can make the run
-// go on then.  Does not throw if the run has ended because all robots are off: the answer to the
-// command says so.
+// Throws std::runtime_error if the client has told the run to finish, because the run cannot go on
+// then.  Does not throw if the run has ended because all robots are off: the answer to the command
+// says so.
 void RunServer::CheckIsNotFinished() {
   if (BootedRun().is_finished())
     throw std::runtime_error("the run is finished; it can be read but cannot go on");

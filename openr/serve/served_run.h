@@ -72,7 +72,7 @@ class ServedRun {
 
   // The largest number of messages that Watch() keeps.
   static constexpr size_t kKeptMax = 10'000;
-  // The most bytes that the contents of all kept messages have together.
+  // The largest number of bytes that the contents of all kept messages have together.
   static constexpr size_t kKeptBytesMax = size_t{64} << 20;
   // Keeps the messages that fit `filter` from now on.  If there are too many messages, keeps only
   // the newest.

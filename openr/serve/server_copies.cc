@@ -97,7 +97,8 @@ RunServer::Answer RunServer::DoReceive(const Request& request) {
   };
   if (!is_there()) run_->RunUntilHolds(is_there, LimitOf(request));
   Answer answer = Time();
-  // Takes nothing when fewer bytes than wanted have come, so that a later request gets them whole.
+  // Takes no bytes when fewer than the wanted number have come, so that a later request gets the
+  // wanted number at once.
   if (clients.StateOf(connection).waiting >= count)
     answer.bytes = clients.Take(connection, count == 0 ? SIZE_MAX : count);
   answer.json["open"] = clients.StateOf(connection).is_open;
