@@ -42,7 +42,8 @@ void CopyStick(const fs::path& from, const fs::path& to) {
       fs::create_symlink(fs::canonical(entry.path()), copy);
     } else {
       CopyFile(entry.path(), copy);
-      // The files of an installed stick may be read-only, but objects write to the copy.
+      // Lets the owner write to the copy, because objects write to it and the files of an installed
+      // stick may be read-only.
       fs::permissions(copy, fs::perms::owner_write, fs::perm_options::add);
     }
   }

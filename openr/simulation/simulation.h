@@ -39,7 +39,8 @@ struct SimulationOptions {
   std::string world;             // the world file; "": a flat floor
   std::string body = "ode";      // kind of the robots' bodies: "ode" (with physics) or "ideal"
   int robots = 1;                // number of robots; several robots can only read their sticks
-  bool together = false;         // whether all robots are in one world; "ode" only
+  // True: all robots are in one world; allowed only if `body` is "ode".
+  bool together = false;
   uint64_t seed = 1;
   bool strict = false;
   bool find_leaks = false;  // value of --leaks; see SystemOptions::find_leaks

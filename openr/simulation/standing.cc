@@ -21,7 +21,8 @@ StandingMonitor::StandingMonitor(const RobotModel& model) : model_(&model) {
 
 StandingMonitor::Stance StandingMonitor::StanceAt(const std::vector<double>& angles_rad) const {
   const std::vector<Eigen::Isometry3d> X_BL = LinkPoses(*model_, angles_rad);
-  // Places of the paws in the base frame B, in m: left fore, left hind, right fore, right hind.
+  // Places of the paws in the coordinate frame B of the robot's base (virtualrobot/body/body.h), in
+  // m: left fore, left hind, right fore, right hind.
   std::array<Eigen::Vector3d, 4> paws_B;
   for (size_t i = 0; i < paws_B.size(); ++i) {
     const Paw& paw = model_->paws[i];

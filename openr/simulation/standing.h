@@ -38,10 +38,12 @@ class StandingMonitor {
  private:
   // Pose of a robot relative to the plane that touches its four paws from below.
   struct Stance {
-    // Height of the origin of B, the base frame, over the plane below the paws.
+    // Height of the origin of B, the coordinate frame of the robot's base, over the plane below the
+    // paws.
     double height_m = 0;
     double roll_rad = 0, pitch_rad = 0;
-    // Unit vector in the base frame B, at right angles to the plane below the paws.
+    // Unit vector at right angles to the plane below the paws, in B, the coordinate frame of the
+    // robot's base.
     Eigen::Vector3d up_B{0, 0, 1};
   };
 
