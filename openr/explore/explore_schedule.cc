@@ -220,8 +220,8 @@ ScriptedSchedule::Spot ScriptedSchedule::SpotOf(const Deviation& deviation) {
   using Kind = Deviation::Kind;
   const Kind kind = deviation.kind;
   const bool of_entry = kind == Kind::kDelay || kind == Kind::kCost;
-  // Has the time only for a tie.  The time of a delay or a cost changes when other deviations are
-  // removed; the number of the message or call (nth) does not.
+  // The returned place of a deviation has a time only for a tie.  The time of a delay or a cost
+  // changes when other deviations are removed; the number of the message or call (nth) does not.
   return {kind,
           kind == Kind::kTie ? deviation.time_us : 0,
           deviation.nth,

@@ -137,7 +137,8 @@ class Search {
   ExplorerProcesses& pool_;
   std::vector<Frame> stack_;
   uint64_t runs_ = 0, orders_ = 0, cut_ = 0, broken_ = 0;
-  std::map<std::string, uint64_t> ended_by_;  // key: how runs ended; value: number of such orders
+  // Key: how runs ended; value: number of orders whose runs ended so.
+  std::map<std::string, uint64_t> ended_by_;
   size_t choices_max_ = 0;
   std::string stopped_;
   std::optional<Json> failure_;
