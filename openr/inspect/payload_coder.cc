@@ -55,8 +55,9 @@ char* PutWords(uint32_t mask, const char* now, char* out) {
 void LastPayload::Write(std::string_view now, ByteWriter* out) {
   ASSERT(now.size() == size_);
   const size_t blocks = bytes_.size() / kPayloadBlock;
-  // Makes room for the largest result.  Each block has the number of unchanged blocks before it, a
-  // mask with a bit for each changed word, and in the worst case all its words.
+  // Makes room for the largest number of bytes that this function writes.  For each block, it
+  // writes the number of unchanged blocks before it, a mask with a bit for each changed word, and
+  // in the worst case all words of the block.
   char* at = out->Room(blocks * (kPayloadBlock + kMaskBytes + 1) + 2 * ByteWriter::kVarintBytesMax);
   size_t equal = 0;
   const auto compare = [&](const char* block, char* last) {

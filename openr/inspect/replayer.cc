@@ -24,8 +24,8 @@ namespace {
 
 using Kind = TraceEntry::Kind;
 
-// Returns `said`, the content of a message in words, as the end of a line: ": " and then `said`
-// without line ends.  Returns "" if `said` is "".
+// Returns `said`, the content of a message in words, for the end of a line: ": " and then `said`,
+// put on one line and shortened (OneLineOf()).  Returns "" if `said` is "".
 std::string AfterColon(const std::string& said) {
   return said.empty() ? "" : ": " + OneLineOf(said);
 }
@@ -394,7 +394,8 @@ bool Replayer::ApplyInput() {
     return false;
   }
   const TraceEntry input = reader_.Take();
-  // Inputs of old recordings are for all robots (trace_coder.cc).
+  // A robot number below 0 stands for all robots.  A pause and a shutdown in an old recording have
+  // such a number, because the recording does not say for which robot they are (trace_coder.cc).
   const bool is_for_all = input.robot < 0;
   const int first = is_for_all ? 0 : input.robot;
   const int end = is_for_all ? system().robot_count() : first + 1;
