@@ -29,7 +29,7 @@ bool IsLoopback(const std::string& host) {
   const auto* const address = reinterpret_cast<const sockaddr_in*>(found->ai_addr);
   const uint32_t number = ntohl(address->sin_addr.s_addr);
   freeaddrinfo(found);
-  // A connection to 0.0.0.0 leads to this computer, too.
+  // Counts 0.0.0.0 as a loopback address, too, because a connection to it leads to this computer.
   return number >> 24 == 127 || number == INADDR_ANY;
 }
 

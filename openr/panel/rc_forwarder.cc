@@ -235,8 +235,8 @@ bool Forwarding::ReceiveAnswers() {
   RcFramer::Result result = answers_.Next();
   for (; result == RcFramer::PACKET; result = answers_.Next()) {
     const RcHeader& header = answers_.Header();
-    // Counts only answers.  Neither an event nor the packet by which the robot refuses a ninth
-    // client is an answer.
+    // An event does not answer a request, and neither does the packet by which the robot refuses a
+    // ninth client.  So they do not lower the number of unanswered requests.
     const bool is_answer = header.command != rcEVENT && (header.command != 0 || header.tag != 0);
     if (is_answer && unanswered_ > 0) --unanswered_;
     if (!SendAll(client_, answers_.Payload() - RC_HEADER_SIZE, header.size)) return false;
