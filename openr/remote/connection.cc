@@ -104,7 +104,8 @@ bool Connection::RobotGoesOn() const {
     Connection(address_, options_, true).Request(rcINFO);
     return true;
   } catch (const Error& error) {
-    // A refusal shows that the robot still runs, but has all the clients that it can serve.
+    // A refusal counts as an answer, because it shows that the robot still runs, but has all the
+    // clients that it can serve.
     return error.code() == ErrorCode::kRefused;
   }
 }
@@ -178,7 +179,7 @@ void Connection::StoreAnswer(const RcAnswerHeader& header) {
   const auto found = pending_.find(header.header.tag);
   if (found == pending_.end()) {
     Answer answer = AnswerFrom(header, framer_);
-    // Throws an exception for an answer that belongs to no request.  The robot sends such an error
+    // Throws an exception for an answer that belongs to no request.  The robot sends such an answer
     // when it has received bytes that are no packet, or when it has all the clients that it can
     // serve.
     if (answer.status != rcOK) throw Error(answer.status, answer.frame, answer.error);
@@ -207,7 +208,7 @@ void Connection::KeepEvent(const RcAnswerHeader& header) {
 // ---- Functions that send requests and wait for their answers
 
 RequestId Connection::Send(int command, const Bytes& payload, int version) {
-  // Leaves out 0, the tag of packets by which the robot answers no request.
+  // Never gives a request the tag 0, because the robot uses 0 in packets that answer no request.
   do {
     ++last_id_;
   } while (last_id_ == 0 || pending_.contains(last_id_));
