@@ -90,7 +90,8 @@ void Ros2Link::ApplyCommands(Robot* robot) {
         ": a publisher does not match and is not heard; it has to be reliable and to speak "
         "XCDR1, which is the default of ROS 2");
   }
-  // True: earlier joint targets still wait until the robot takes them.
+  // Asks before SetTargets() stores newer joint targets, because only targets that the robot has
+  // not taken since the last frame count as waiting.
   const bool is_waiting = robot->client->IsWaiting();
   for (int i = 0; i < Ros2JointCommands::kWaitingMax; ++i) {
     const std::optional<Ros2JointCommand> command = robot->commands->Take();
