@@ -141,8 +141,8 @@ std::optional<DeliveredMessage> ServedRun::RunUntilMessage(const MessageFilter& 
     const int64_t frame_end_us = (before_us / kFrameUs + 1) * kFrameUs;
     system().RunOne(std::min(frame_end_us, std::max(time_us, before_us)));
     Sample();
-    // At the time limit, virtual time stands still, but messages that are due exactly then are
-    // still delivered.
+    // The run goes on if its time has advanced or if it has delivered a message: at the time limit,
+    // virtual time stands still, but messages that are due exactly then are still delivered.
     goes_on = system().now_us() != before_us || system().message_count() != messages;
   }
   system().trace().RemoveSink(sink);
