@@ -29,7 +29,8 @@ struct ExplorePlan {
   std::function<void(uint64_t runs)> progress;
 };
 
-// Makes one run for each seed.  Returns a JSON object, which does not depend on `jobs`, with
+// Makes one run for each seed.  Returns a JSON object, which does not depend on the number of child
+// processes, with
 //   "runs", "broken" (number of seeds that broke a property), "ended_by" (number of runs for each
 //   reason of their end), "messages", "digest" (hash over all runs, in the order of seeds), and
 //   "failure" (MakeFailure()) of the lowest seed that broke a property, if one did.
@@ -41,15 +42,16 @@ nlohmann::ordered_json ExploreSeeds(const ExplorePlan& plan);
 // Returns the fields of ExploreSeeds() and three more.  "differences" is the number of seeds whose
 // two runs differ in the hash of trace or state.  "address_dependent" is the number of seeds that
 // differ only because of the other addresses.  "not_compared" is the number of seeds of which a run
-// was killed after ForkLimits::wall_s.  Also returns the first seeds of each kind.
+// was killed after ForkLimits::wall_s.  Also returns the first seeds of each of these three kinds.
 nlohmann::ordered_json VerifySeeds(const ExplorePlan& plan);
 
 // Tries, depth first, all orders in which objects can start, and all orders in which messages that
 // are due at the same time can be delivered.  Returns a JSON object with
 //   "runs", "orders" (runs with an order of their own), "cut" (runs stopped early because they
-//   repeated an earlier order), "broken", "ended_by", "complete" (all orders were tried), "covered"
-//   (explored share of the tree of choices, 0 to 1), "choices_max" (largest number of choices in a
-//   run), "stopped" (the reason, if not complete), "failure" (MakeFailure()).
+//   repeated an earlier order), "broken" (runs that broke a property), "ended_by" (number of orders
+//   for each reason of the run's end), "complete" (all orders were tried), "covered" (explored
+//   share of the tree of choices, 0 to 1), "choices_max" (largest number of choices in a run),
+//   "stopped" (the reason, if not complete), "failure" (MakeFailure()).
 nlohmann::ordered_json SearchOrders(const ExplorePlan& plan);
 
 // Makes one run with the deviations `script`, which come from a schedule file.  `seed` is the seed
