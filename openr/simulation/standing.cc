@@ -53,8 +53,8 @@ void StandingMonitor::Sample(const BodyState& state, int64_t now_us) {
   const int64_t passed_us = last_us_ < 0 ? 0 : now_us - last_us_;
   last_us_ = now_us;
   resting_us_ = state.v_WB.norm() < kSpeedMaxMs ? resting_us_ + passed_us : 0;
-  // Stores attitude and joint angles only while the robot rests, because standing() needs them only
-  // then.
+  // Stores attitude, joint angles and the touch of the paws only while the robot rests, because
+  // standing() needs them only then.
   if (resting_us_ < kRestingUs) return;
   all_paws_touch_ =
       std::all_of(state.paws.begin(), state.paws.end(), [](bool touches) { return touches; });
