@@ -13,7 +13,8 @@
 namespace openr_host {
 
 void Inputs::AddKind(int robot, Kind kind) {
-  ASSERT(FindKind(robot, kind.name) == nullptr, "robot {} has the kind of input '{}'", robot, kind.name);
+  ASSERT(FindKind(robot, kind.name) == nullptr, "robot {} has the kind of input '{}'", robot,
+         kind.name);
   std::pair key(robot, kind.name);
   kinds_.emplace(std::move(key), std::move(kind));
 }
