@@ -9,8 +9,8 @@
 
 namespace openr_host {
 
-// Copies the file `from` to `to` as std::filesystem::copy_file() does.  Returns the error, or no
-// error.  After an error, a new file `to` is not left behind in part.
+// Copies the file `from` to `to` as std::filesystem::copy_file() does, and returns its error.  If
+// the copy fails and `to` did not exist before, removes the incomplete `to`.
 std::error_code TryCopyFile(
     const std::filesystem::path& from, const std::filesystem::path& to,
     std::filesystem::copy_options options = std::filesystem::copy_options::none);

@@ -4,7 +4,7 @@
 namespace openr_host {
 
 constexpr int kExitGood = 0;
-constexpr int kExitWrong = 1;        // an error in the input or in the run
+constexpr int kExitWrong = 1;        // any error except one in the command line
 constexpr int kExitCommandLine = 2;  // an error in the command line
 
 // The reader of standard output has closed its pipe.  The value is the status that a shell shows

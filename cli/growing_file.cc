@@ -37,14 +37,15 @@ int OpenLocked(const std::string& file, const OutputTarget& target, struct stat*
 }
 
 // Puts a new empty file in the place of `target`, which is locked and has the status `old`.
-// Returns the descriptor of the new file, which is locked; after an error -1, and sets `error`.
+// Returns the descriptor of the new file, which is locked.  If this fails, returns -1, sets `error`
+// to the errno, and leaves `target` as it was.
 int ReplaceLocked(const OutputTarget& target, const struct stat& old, int* error) {
   std::string name;
   const int descriptor = CreateBeside(target, &name, error);
   if (descriptor < 0) return -1;
   flock(descriptor, LOCK_EX | LOCK_NB);
-  // Looks whether the path still leads to the old file, because another process may have replaced
-  // it before it was locked here.
+  // Tests whether the path still leads to the old file, because another process may have replaced
+  // the old file before the caller has locked it.
   struct stat now;
   const bool is_same =
       stat(target.path.c_str(), &now) == 0 && now.st_ino == old.st_ino && now.st_dev == old.st_dev;
@@ -112,8 +113,8 @@ void GrowingFile::Append(std::string_view bytes, std::string_view end) {
     go_back();
     WriteAll(descriptor_, end_);
   }
-  // Cuts off what follows the appended bytes and `end_` in the file.  A device or a pipe cannot be
-  // cut, so a failure is ignored.
+  // Cuts off the end of a longer old `end_`, or the bytes of an incomplete write.  A device or a
+  // pipe cannot be cut, so a failure is ignored.
   [[maybe_unused]] const int result =
       ftruncate(descriptor_, static_cast<off_t>(size_ + end_.size()));
 }

@@ -1,5 +1,5 @@
-// Files that grow while a run goes on, such as a log of data.  What file names mean is in
-// output_file.h.
+// Files to which a run goes on writing, such as a log of data.  A name such as /dev/stdout means an
+// open stream instead of a file (output_file.h).
 #pragma once
 
 #include <cstddef>
@@ -14,12 +14,12 @@ namespace openr_host {
 // and sets `problem`.
 int OpenGrowingFile(const std::string& file, std::string* problem);
 
-// Opens a growing file as OpenGrowingFile() does, but puts a new file in the place of a regular
-// file, as WriteFile() does, so that a program which reads the old file meanwhile goes on
-// reading the old content.
+// Opens a file as OpenGrowingFile() does, but puts a new file in the place of a regular file, as
+// WriteFile() does.  So a program that reads the old file meanwhile goes on reading the old
+// content.
 int OpenNewGrowingFile(const std::string& file, std::string* problem);
 
-// A growing file whose content is complete after each call of Append().
+// A file to which a run goes on writing, and whose content is complete after each call of Append().
 class GrowingFile {
  public:
   // Creates `file`, or empties it.  Throws std::runtime_error when it cannot be created, or when
@@ -45,8 +45,8 @@ class GrowingFile {
   const std::string file_;
   int descriptor_ = -1;
   bool can_go_back_ = false;
-  size_t size_ = 0;  // bytes of all appended records
-  std::string end_;  // the text that completes the file; it follows the records
+  size_t size_ = 0;  // number of bytes that Append() has written, without end_
+  std::string end_;  // the text that completes the file, after these bytes
   int error_ = 0;    // errno of the first failed write
 };
 

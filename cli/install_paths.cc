@@ -44,7 +44,7 @@ std::vector<fs::path> DataFolders() {
 
 // Returns the paths of the .json files in `folders`, one path for each file name, sorted by name.
 std::vector<fs::path> JsonFiles(const std::vector<fs::path>& folders) {
-  std::map<fs::path, fs::path> files;  // the key is the name
+  std::map<fs::path, fs::path> files;  // for each file name, its path in the first folder
   for (const fs::path& folder : folders) {
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder, error)) {

@@ -47,10 +47,11 @@ std::string GdbPrinters();
 std::string PanelFolder();
 
 // Returns the path of libopenr_panel.so beside the program.  If this file does not exist, returns
-// only its name, as RenderLibrary() does.
+// only its name, so that the dynamic linker looks for it.
 std::string PanelLibrary();
 
-// Returns the path of libopenr_controller.so beside the program, as PanelLibrary() does.
+// Returns the path of libopenr_controller.so beside the program.  If this file does not exist,
+// returns only its name, so that the dynamic linker looks for it.
 std::string ControllerLibrary();
 
 // Returns the path of libopenr_render.so beside the program.  If this file does not exist, returns
@@ -58,7 +59,7 @@ std::string ControllerLibrary();
 std::string RenderLibrary();
 
 // Returns the path of libopenr_chart.so beside the program.  If this file does not exist, returns
-// only its name, as RenderLibrary() does.
+// only its name, so that the dynamic linker looks for it.
 std::string ChartLibrary();
 
 }  // namespace openr_host

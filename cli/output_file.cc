@@ -25,8 +25,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Writes `bytes` to a new file beside `target` and sets `name` to its path.  Returns 0, or an
-// errno; after an error the new file does not exist.
+// Writes `bytes` to a new file beside `target` and sets `name` to its path.  Returns 0.  After an
+// error, removes the new file and returns the errno.
 int WriteBeside(const OutputTarget& target, std::string_view bytes, std::string* name) {
   int error = 0;
   const int descriptor = CreateBeside(target, name, &error);
@@ -97,7 +97,8 @@ bool IsStandardOutput(const std::string& file) {
 std::string FolderWriteProblem(const std::string& folder) {
   if (folder.empty()) return "'' names no folder";
   std::error_code error;
-  // After the loop below, the longest beginning of the path `folder` that exists.
+  // The folder in which a missing `folder` would be made: after the loop below, the longest
+  // beginning of its path that exists.
   fs::path there = fs::absolute(folder, error).lexically_normal();
   while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
   if (!fs::is_directory(there, error)) {

@@ -6,8 +6,8 @@
 
 namespace openr_host {
 
-// Treats names and files as output_file.h says.  The constructor works out all names, because the
-// handler may not allocate memory.
+// Treats names and files by the rules in output_file.h.  The constructor works out all names,
+// because a signal handler may not allocate memory.
 class PreparedFile {
  public:
   explicit PreparedFile(const std::string& file);
@@ -22,7 +22,7 @@ class PreparedFile {
  private:
   static constexpr size_t kPathBytes = 4096;
   char target_[kPathBytes] = "";     // path of the file to replace; "" if there is none
-  char temporary_[kPathBytes] = "";  // path of the file for the new content; "": write in place
+  char temporary_[kPathBytes] = "";  // path for the new content; "": no temporary file is used
   // The open stream that the file name means; -1: the name means a file.
   int stream_ = -1;
   int descriptor_ = -1;

@@ -21,8 +21,9 @@ struct ProcessOptions {
   // A function that is called about every 200 ms while RunProcess() waits for captured output of
   // the child; may be null.
   std::function<void()> while_waiting = {};
-  // Text for the standard input of the child.  It is written before the output is read, so the
-  // program must read all of its input before it writes more than a pipe holds (64 KiB).
+  // Text for the standard input of the child.  RunProcess() writes the whole text before it reads
+  // output of the child, so the child must read the text before it writes more than a pipe holds
+  // (64 KiB).
   std::optional<std::string> input = {};
 };
 

@@ -6,7 +6,7 @@
 //   only functions that are allowed after fork() in a process with several threads.
 // - Descriptors: the copy has all descriptors of the original, also those that are to be closed by
 //   the start of another program.  The copy must close the ends of pipes and sockets by which
-//   others see that the original has ended.
+//   other processes see that the original has ended.
 // - Streams: text in the buffer of a stream would be written by both processes.  The argument
 //   `flushed` says which streams the original writes out before it makes the copy.
 // - Signals: handlers, and signals that are ignored or blocked, are as in the original.
@@ -38,7 +38,7 @@ enum class Flushed {
 
 // Says what happens to a copy when its original ends.
 enum class Orphan {
-  kGoesOn,    // nothing
+  kGoesOn,    // the copy goes on
   kIsKilled,  // the kernel kills the copy when the thread that has made it ends, also by a crash
 };
 
@@ -73,8 +73,8 @@ struct ProcessCopy {
 ProcessCopy StartCopy(Orphan orphan, const std::function<void(int answers)>& work);
 
 // Returns the text that is read from `descriptor` until its end or an error.  If `echo` is not
-// null, also writes the text to it as soon as it comes.  Calls `while_waiting`, if it is not null,
-// about every 200 ms.
+// null, also writes the text to `echo` as soon as it arrives.  Calls `while_waiting`, if this
+// function is not null, about every 200 ms.
 std::string ReadToEnd(int descriptor, std::FILE* echo = nullptr,
                       const std::function<void()>& while_waiting = {});
 

@@ -18,7 +18,7 @@
 namespace openr_host {
 namespace {
 
-// The list of the functions of libedit that this program calls: F is written once for each name.
+// Calls the macro F with the name of each function of libedit that this program uses.
 #define OPENR_LIBEDIT_FUNCTIONS(F) \
   F(el_end)                        \
   F(el_get)                        \
