@@ -73,7 +73,7 @@ class VirtualRobot : public RobotServices {
   }
   void OnCommanderBack(ObjectId object) { parts_.safe_posture.OnCommanderBack(object); }
 
-  // Returns the parts of this robot, for its system objects.
+  // Returns the parts of this robot, for OVirtualRobotComm and OVirtualRobotAudioComm.
   RobotParts& parts() { return parts_; }
 
   // ---- Implementation of RobotServices
@@ -100,15 +100,15 @@ class VirtualRobot : public RobotServices {
   const Primitive* Readable(OPrimitiveID id, const char* function);
 
   RobotParts parts_;
-  int timed_restarts_ = 0;  // shutdowns of this run with a boot timer that is not 0
+  int timed_restarts_ = 0;  // number of shutdowns of this run after which the boot timer waits
 };
 
 // Adds the two system objects of `robot`, OVirtualRobotComm and OVirtualRobotAudioComm, to its
 // system.  Called when the robot is made, and at each later boot.
 void AddSystemObjects(VirtualRobot* robot);
 
-// Gives robot `robot` of `system` a body and its two system objects.  `model` must outlive the
-// system.
+// Gives robot number `robot` of `system` a body and its two system objects, OVirtualRobotComm and
+// OVirtualRobotAudioComm.  `model` must outlive the system.
 VirtualRobot* AddVirtualRobot(System* system, int robot, const RobotModel& model,
                               std::unique_ptr<Body> body, VirtualRobotOptions options = {});
 

@@ -137,8 +137,8 @@ class Body {
 };
 
 // MakeIdealBody() and MakeOdeBody() make a body that lies limp and at rest, in the sleeping posture
-// of the model, at the place `start` of the floor.  `model` must outlive the body.  The second
-// MakeOdeBody() puts the body into `world`, together with other robots.
+// of the model, at the place `start` of the floor.  `model` must outlive the body.  With a
+// PhysicsWorld, MakeOdeBody() puts the body into this world, together with other robots.
 std::unique_ptr<Body> MakeIdealBody(const RobotModel& model, const World& world,
                                     const StartPlace& start = {});
 std::unique_ptr<Body> MakeOdeBody(const RobotModel& model, const World& world,

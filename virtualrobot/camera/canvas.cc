@@ -55,9 +55,8 @@ void Face::CutBy(const Vector3d& normal, double offset) {
     const double a = height(from), b = height(to);
     if (a >= 0) Add(from);
     if ((a >= 0) == (b >= 0)) continue;
-    // Adds the point at which the plane cuts the edge.  Always computes it from the end of the edge
-    // that stays to the end that is cut away, so that two faces that share the edge get the same
-    // corner.
+    // Adds the point at which the plane cuts the edge.  Always computes this point from the end of
+    // the edge that is kept, so that two faces that share the edge get the same corner.
     Add(a >= 0 ? from + (to - from) * (a / (a - b)) : to + (from - to) * (b / (b - a)));
   }
 }

@@ -7,7 +7,7 @@
 namespace openr_host {
 namespace {
 
-constexpr int kFrequencyUnit = 16;  // unit of the pixel counts in a tag, in pixels
+constexpr int kFrequencyUnit = 16;  // WriteTag() counts the pixels of a colour in units of 16
 constexpr OFbkImageLayer kColourLayers[] = {ofbkimageLAYER_H, ofbkimageLAYER_M, ofbkimageLAYER_L};
 
 byte Offset(int value) { return static_cast<byte>(std::clamp(value + 128, 0, 255)); }

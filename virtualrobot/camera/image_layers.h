@@ -40,7 +40,7 @@ class ImageLayers {
   ImageLayers(int width, int height);
 
   static constexpr size_t kBands = 6;
-  static constexpr int kTagBytes = 16;         // size of the tag that Make() writes into a layer
+  static constexpr int kTagBytes = 16;         // size of a layer's tag: image number and counts
   size_t BytesOf(OFbkImageLayer layer) const;  // number of bytes of the layer's data
   int WidthOf(OFbkImageLayer layer) const;
   int HeightOf(OFbkImageLayer layer) const;

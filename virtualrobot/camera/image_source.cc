@@ -16,8 +16,8 @@ constexpr Colour kBars[] = {{255, 255, 255}, {255, 255, 0}, {0, 255, 255}, {0, 2
 // The colour of the ball.  In the image it has Cr 216 and Cb 140.  This is well inside the colour
 // tables of programs that look for the pink ball, which end at Cr 230.
 constexpr Colour kPink = {250, 115, 174};
-constexpr int kCells = 16;   // bits of the image's number that the test pattern shows
-constexpr int kRound = 100;  // number of images for one round of the pattern's ball: 4 s
+constexpr int kCells = 16;   // cells of the test pattern: each shows a bit of the image's number
+constexpr int kRound = 100;  // images in which the pattern's ball goes to the right and back: 4 s
 
 void Put(Picture* picture, int x, int y, const Colour& colour) {
   std::copy(colour.begin(), colour.end(), picture->At(x, y));

@@ -28,7 +28,8 @@ class RenderedWorld : public ImageSource {
   Canvas canvas_;
 };
 
-// Draws the floor and the light of `world`, and `things` in their present places, into `picture`.
+// Draws the floor of `world`, and `things` in their present places, into `picture`, as the light of
+// `world` shows them.
 void DrawWorld(const CameraShot& shot, const World& world, const std::vector<WorldThing>& things,
                Canvas* canvas, Picture* picture);
 

@@ -48,9 +48,9 @@ class CommandQueue {
   bool ReleaseFinished(int64_t frame);
 
   // Tells the robot's SyncKeys that the first waiting vector could start now, if no vector plays.
-  // A vector with a synchronisation key starts only when all vectors with parts of this key could
-  // start.  REQUIRES: called for all queues of a robot before Apply() of any of them.  Otherwise
-  // such vectors could start in different frames.
+  // A program can divide a synchronisation key among several vectors; these vectors start only
+  // when all of them could start.  REQUIRES: called for all queues of a robot before Apply() of any
+  // of them.  Otherwise such vectors could start in different frames.
   void AnnounceFirst();
 
   // Starts the first waiting vector if no vector plays, and if the synchronisation key of the
@@ -78,7 +78,7 @@ class CommandQueue {
   int64_t start_ = 0;        // frame in which the vector in playing_ begins
   int64_t end_ = 0;          // first frame after the vector in playing_
   std::vector<Element> elements_;
-  std::vector<CommandElement> read_;  // elements of the last Start(); a member to save allocations
+  std::vector<CommandElement> read_;  // used by Start() only; a member so that its memory is reused
   int face_ = -1;  // index of the element with the last light of the face; -1: no such light
 };
 

@@ -90,7 +90,7 @@ void SoundQueue::ReadSound(const SentVector& vector, int index, longword frame_n
   if (!problem.empty()) problems->push_back("sound vector: it " + problem);
   Sound sound;
   sound.bytes_per_sample = type.bytes_per_sample;
-  // Plays each sample of a slower type more than once, because a frame always has
+  // Plays each sample of a sound with a lower rate more than once, because a frame always has
   // kSoundSamplesPerFrame samples.
   sound.repeat = kSoundSamplesPerFrame / type.samples_per_frame;
   sound.data = audible ? reinterpret_cast<const byte*>(vector.At(info.dataOffset, bytes)) : nullptr;

@@ -48,8 +48,9 @@ class SoundQueue {
   std::optional<SubjectID> ReleaseFinished();
 
   // Tells the robot's SyncKeys that the first waiting vector could start now, if no vector plays.
-  // A vector with a synchronisation key starts only when all vectors with parts of this key could
-  // start.  REQUIRES: called before Fill() and before command vectors of the frame start.
+  // A program can divide a synchronisation key among several vectors; these vectors start only
+  // when all of them could start.  REQUIRES: called before Fill() and before command vectors of the
+  // frame start.
   void AnnounceFirst();
 
   // Starts waiting vectors, if their delays and synchronisation keys allow it, and fills `samples`
@@ -72,9 +73,9 @@ class SoundQueue {
   // A sound of the vector that plays; a vector may have several.
   struct Sound {
     const byte* data;  // the samples in the vector; null: silence
-    int64_t samples;   // number of samples at the rate of the sink
+    int64_t samples;   // number of samples to play, at the rate kSoundRate
     int bytes_per_sample;
-    int repeat;  // number of samples of the sink that one sample of the data fills
+    int repeat;  // how many times each sample of `data` is played, to reach the rate kSoundRate
   };
 
   // Starts the first waiting vector.  `behind_another` says that another vector ended in the same

@@ -14,8 +14,8 @@ void SafePosture::Apply(int64_t frame, Devices* devices) {
     if (lost.from_urad.empty()) {
       for (const JointDevice& joint : devices->joints) lost.from_urad.push_back(joint.target_urad);
     }
-    // Moves each set point along a straight line from its value at the start to the sleeping
-    // posture.
+    // Moves the set points to the sleeping posture in kMoveFrames equal steps, because they must
+    // not jump.
     const std::vector<double> rest_rad = model_.PostureAngles("sleep");
     const int64_t step = std::min(moved, kMoveFrames);
     for (size_t j = 0; j < devices->joints.size(); ++j) {

@@ -135,8 +135,8 @@ void JointTree::BeginStep(const std::vector<TorqueLine>& lines, double gravity_m
 
 // Fills the lower triangle of the matrix M + h B of joint_tree.h (M: inertia, h: length of the
 // step, B: by how much the torque of each servo falls when its hinge turns faster).  A part and all
-// parts behind it are taken as one body with their common inertia, because all of them move when
-// the hinge of the part turns.
+// parts that it carries are taken as one body with their common inertia, because all of them move
+// when the hinge of the part turns.
 void JointTree::FillMatrix(const std::vector<TorqueLine>& lines, double step_s) {
   for (int i = 0; i < parts(); ++i) {
     const Vector3d r = part_states_[i].centre_W - centre_W_;
@@ -175,10 +175,11 @@ void JointTree::FillMatrix(const std::vector<TorqueLine>& lines, double step_s) 
   }
 }
 
-// Computes the forces along the unknowns without pushes and contacts: t0 - B u - c in the equation
-// of joint_tree.h (servos, present motion and gravity).  First finds, from the trunk to the leaves,
-// the accelerations that the parts have while no velocity along an unknown changes.  Then finds,
-// from the leaves to the trunk, the forces that these accelerations and gravity demand.
+// Computes the forces along the unknowns (the velocities of trunk and hinges) without pushes and
+// contacts: t0 - B u - c in the equation of joint_tree.h (servos, present motion and gravity).
+// First finds, from the trunk to the outermost parts, the accelerations that the parts have while
+// no unknown changes.  Then finds, from the outermost parts to the trunk, the forces that these
+// accelerations and gravity demand.
 void JointTree::FindForces(const std::vector<TorqueLine>& lines, double gravity_m_s2) {
   struct Acceleration {
     Vector3d angular, centre;
@@ -220,8 +221,8 @@ void JointTree::FindForces(const std::vector<TorqueLine>& lines, double gravity_
 }
 
 // Factors the matrix of the equation of motion into L^T D L, with L a lower triangle with ones on
-// its diagonal.  Eliminates the leaves first, because then only those elements change whose two
-// unknowns are on one way to the trunk.
+// its diagonal.  Eliminates the hinges of the outermost parts first, because then only those
+// elements change whose two unknowns (velocities of hinges or trunk) are on one way to the trunk.
 void JointTree::Factor() {
   for (int k = Unknowns() - 1; k >= 0; --k) {
     double* const row = RowOf(k);
@@ -258,7 +259,7 @@ void JointTree::AddTorque(int part, const Vector3d& torque_W) {
 }
 
 // Computes the inverse of L^T (L is the result of Factor()) times `x`, for an `x` that is zero
-// except at the unknowns from `unknown` to the trunk.
+// except at the unknowns (velocities of hinges and trunk) on the way from `unknown` to the trunk.
 void JointTree::EliminateFrom(int unknown, double* x) const {
   for (int i = unknown; i >= 0; i = parent_[i]) {
     const double* const row = RowOf(i);

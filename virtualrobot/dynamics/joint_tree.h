@@ -161,9 +161,9 @@ class JointTree {
 
   // The members below belong to the step that BeginStep() has begun.
   double step_s_ = 0;
-  std::vector<Inertia> inertia_;  // for each part: inertia of the part and all parts behind it
-  // For each part: force that the present motion and gravity demand for the part and all parts
-  // behind it.
+  std::vector<Inertia> inertia_;  // for each part: inertia of it and of all parts that it carries
+  // For each part: force that the present motion and gravity demand for the part and all parts that
+  // it carries.
   std::vector<Spatial> force_;
   // Lower triangle of the matrix M + h B, row by row; after Factor() the factors L and D of this
   // matrix.  M is the inertia of the tree, h the length of a step, and B says by how much the

@@ -94,10 +94,10 @@ double OverlapAlongAxis(const Vector3d& centre, const Matrix3d& R, const Vector3
   return thing.size_m.z() / 2 + reach - std::fabs(centre.z());
 }
 
-// Adds the points at which the side of the cylinder `thing` is below a face of the box.  Tests
-// three points of the cylinder's side: its middle and its two ends.  Adds no point that is deeper
-// than the overlap along the axis of the cylinder, because the box then touches an end of the
-// cylinder and not its side.
+// Adds the points at which the side of the cylinder `thing` reaches through a face of the box.
+// Tests three points of the cylinder's side: its middle and its two ends.  Adds no point that is
+// deeper than the overlap along the axis of the cylinder, because the box then touches an end of
+// the cylinder and not its side.
 void TouchByFaces(const Vector3d& centre, const Matrix3d& R, const Vector3d& half,
                   const WorldThing& thing, std::vector<TouchPoint>* points) {
   const double radius_m = thing.size_m.x() / 2;

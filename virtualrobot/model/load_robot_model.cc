@@ -179,7 +179,7 @@ void ReadSensor(const JsonReader& row, RobotModel* model) {
   sensor.kind = KindOf(row.At("kind"));
   sensor.has_range = row.Has("range");
   if (sensor.has_range) {
-    Span(row.At("range"), 1);  // refuses a pair that does not rise
+    Span(row.At("range"), 1);  // refuses a range from a larger to a smaller number
     const std::vector<JsonReader> limits = row.At("range").Elements();
     sensor.min = limits[0].Whole(INT32_MIN, INT32_MAX);  // a sensor value of OPEN-R has 32 bits
     sensor.max = limits[1].Whole(INT32_MIN, INT32_MAX);

@@ -33,7 +33,7 @@ struct Range {
 struct BodyPart {
   std::string name;
   double mass_kg = 0;    // mass of the part, >= 0; the body with physics requires > 0
-  bool has_box = false;  // false: the shape is not known, and the robot has no body with physics
+  bool has_box = false;  // false: the shape is not known, so the robot can have no physics
   Eigen::Vector3d size_m{0, 0, 0};    // edges of the box, parallel to the axes of B at zero angles
   Eigen::Vector3d centre_m{0, 0, 0};  // centre of the box and centre of mass
   int joint = -1;                     // index of the joint that moves the part; -1 for the trunk

@@ -100,7 +100,7 @@ class ContactFinder {
 
   std::vector<Shape> things_;  // shapes of the solid things
   std::vector<Robot> robots_;
-  std::vector<const Shape*> near_;  // things that the present robot may touch
+  std::vector<const Shape*> near_;  // things near the robot that FindOfRobot() looks at
   std::vector<ContactPoint> points_;
   std::vector<TouchPoint> touches_;
 };

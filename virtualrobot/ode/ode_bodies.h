@@ -14,11 +14,11 @@ namespace openr_host {
 // pool are not repeatable.
 void InitOde();
 
-// Makes the body of `part`.  The body has the mass of the part, with uniform density inside the box
-// of the part (Hohl 2004, section 3.1.3).  The body belongs to `world`.
+// Makes the ODE body of `part`.  The body has the mass of the part, with uniform density inside the
+// box of the part (Hohl 2004, section 3.1.3).  The body belongs to `world`.
 dBodyID MakeBody(dWorldID world, const BodyPart& part);
 
-// Makes the body of a thing that can move, with uniform density.  The body belongs to `world`.
+// Makes the ODE body of a thing that can move, with uniform density.  The body belongs to `world`.
 dBodyID MakeBodyOfThing(dWorldID world, const WorldThing& thing);
 
 // Moves `body` so that its centre of mass is at `centre_W`, and gives it the rotation `R_WL`.

@@ -185,8 +185,8 @@ int PhysicsWorld::GroupOf(int tree) const {
 void PhysicsWorld::SolveGroup(const std::vector<ContactPoint>& points, int group, double step_s) {
   contacts_of_group_.clear();
   for (size_t i = 0; i < points.size(); ++i) {
-    // Tests only one side, because the side that can move and the other side, if it can move too,
-    // are in one group.
+    // Tests only one side of the contact, because the other side, if it can move too, is in the
+    // same group.
     if (GroupOf(points[i].side.tree) == group) contacts_of_group_.push_back(i);
   }
   size_t robots = 0;

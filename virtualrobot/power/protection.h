@@ -22,7 +22,7 @@ class Protection {
 
   // A reason why the robot shuts down.
   struct Reason {
-    std::string finding;  // text of the report: what the robot has noticed, and why it shuts down
+    std::string finding;  // text of the finding: what the robot has noticed, and why it shuts down
     std::string end;      // reason for the end of the run
   };
 

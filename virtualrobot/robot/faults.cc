@@ -123,7 +123,8 @@ std::string Faults::ReadBreak(std::string_view rest, Inputs::Action* action) {
     return fmt::format("'{}' is no fault{}; known are {}", words[1], DidYouMean(words[1], known),
                        fmt::join(known, ", "));
   }
-  // Converts the index to a Kind, because kKindNames names the first kinds in the order of Kind.
+  // The index is the number of a Kind, because kKindNames names the first kinds in the order of
+  // Kind.
   fault.kind = static_cast<Kind>(kind);
   const bool has_percent = fault.kind == Kind::kWeak || fault.kind == Kind::kNoisy;
   if (words.size() != (has_percent ? 3u : 2u))

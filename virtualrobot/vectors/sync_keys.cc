@@ -47,8 +47,8 @@ void SyncKeys::Arrive(OVRSyncKey key) {
   if (group == nullptr) return;
   ++group->arrived;
   ASSERT(group->arrived <= group->parts, "{} of {} parts", group->arrived, group->parts);
-  // Ends the key when all parts have arrived, so that MayStart() returns true for all vectors with
-  // parts of this key, and the vectors start together.
+  // Ends the key when vectors with all its parts have arrived.  From then on MayStart() returns
+  // true for these vectors, so they start together.
   if (group->arrived == group->parts) group->alive = false;
 }
 

@@ -28,7 +28,7 @@ class SyncKeys {
   // already has the maximum number of parts.
   bool Divide(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2);
 
-  // Records that a vector with `key`, the key of one part, has become the first of its queue.  The
+  // Records that a vector with `key`, the key of one part, has come to the front of its queue.  The
   // vectors with the keys of all parts may start when this has been recorded for each part.
   void Arrive(OVRSyncKey key);
   // Returns whether a vector with `key` may start.  This is true for a key that does not exist, or

@@ -1,5 +1,5 @@
-// VectorTurn: decides when the first vector of a queue may start: at once, or together with the
-// vectors that carry the other parts of its synchronisation key.
+// VectorTurn: decides when the vector at the front of a queue may start: at once, or together with
+// the vectors that carry the other parts of its synchronisation key.
 #pragma once
 
 #include <OPENR/ODataFormats.h>
@@ -14,16 +14,16 @@ namespace openr_host {
 
 class VectorTurn {
  public:
-  // Reports to `keys` that the first vector, which carries `key`, waits to start.  Further calls
-  // for the same vector change nothing.  Called in each frame of 8 ms for all queues of a robot,
-  // before MayStart() of any of them.
+  // Reports to `keys` that the vector at the front of the queue, which carries `key`, waits to
+  // start.  Further calls for the same vector change nothing.  Called in each frame of 8 ms for all
+  // queues of a robot, before MayStart() of any of them.
   void Announce(OVRSyncKey key, SyncKeys* keys) {
     if (announced_) return;
     keys->Arrive(key);
     announced_ = true;
   }
 
-  // Returns whether the first vector of the queue may start in this frame.  Adds a text to
+  // Returns whether the vector at the front of the queue may start in this frame.  Adds a text to
   // `problems` when the vector has waited for 10 s.
   bool MayStart(OVRSyncKey key, const SyncKeys& keys, std::vector<std::string>* problems) {
     if (keys.MayStart(key)) return true;
@@ -38,8 +38,8 @@ class VectorTurn {
 
   bool announced() const { return announced_; }
 
-  // Called when the first vector of the queue has started.  Forgets what was recorded about this
-  // vector, because the next vector is the first one now.
+  // Called when the vector at the front of the queue has started.  Forgets what was recorded about
+  // this vector, because the next vector is at the front now.
   void Next() { *this = {}; }
 
  private:
