@@ -29,7 +29,8 @@ int OpenLocked(const std::string& file, const OutputTarget& target, struct stat*
     return -1;
   }
   if (target.stream >= 0 || !S_ISREG(status->st_mode)) return descriptor;
-  // Goes on without a lock if the file system has no locks.
+  // If the file system has no locks, goes on without a lock, because the file can be written all
+  // the same.
   if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return descriptor;
   *problem = IsBeingWritten(file, *status);
   close(descriptor);

@@ -21,7 +21,7 @@ struct InputKind {
   const char* kind;
   const char* extension;
 };
-// The kind of a stick, for FolderReadProblem().
+// The words for a stick in the messages of FolderReadProblem().
 constexpr char kStickKind[] = "folder that holds OPEN-R";
 constexpr InputKind kWorldFile = {"world file (docs/worlds.md)", ".json"};
 constexpr InputKind kCostFile = {"cost file (docs/exploring.md)", ".cost"};
