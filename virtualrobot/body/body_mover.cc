@@ -57,8 +57,8 @@ std::vector<double> BodyMover::Posture(const std::string& name) const {
 
 void BodyMover::StandUp() {
   EnableAll();
-  // Uses the postures of the start-up of the object JointMover (objects/JointMover/MoverCore.cc),
-  // in the same order.
+  // Uses the postures with which the object JointMover begins (objects/JointMover/MoverCore.cc), so
+  // that the body stands up as it does under this object.
   for (const char* const name : {"broadbase", "sleep", "crouch", "stand"}) {
     const bool is_known = std::any_of(model_.postures.begin(), model_.postures.end(),
                                       [name](const auto& posture) { return posture.name == name; });

@@ -73,8 +73,8 @@ void Canvas::Begin(const CameraShot& shot, const RgbBytes& floor, const RgbBytes
   inverse_depth_.assign(static_cast<size_t>(width_) * static_cast<size_t>(height_), 0);
   x_.resize(static_cast<size_t>(height_));
 
-  // Fills a pixel with the colour of the floor if the ray of the pixel goes down, that is, if
-  // `rise` is negative, and otherwise with the colour of the background.
+  // Gives a pixel the colour of the floor if `rise` is negative there, because the ray of the pixel
+  // then goes down and meets the floor; otherwise the colour of the background.
   const Linear rise = AlongRays(R_CW_.col(2));
   std::vector<uint8_t> rows[2];
   for (const bool is_floor : {false, true}) {
@@ -148,7 +148,7 @@ Canvas::Span Canvas::FindSpans(const Face& face) {
     bottom = std::max(bottom, point.y());
   }
   const Span rows{FirstBeyond(top, height_), FirstBeyond(bottom, height_)};
-  // Begins each row with an empty range, which the edges of the face widen.
+  // Begins each row with an empty range, because the edges of the face only widen this range.
   const std::array<double, 2> nothing{static_cast<double>(width_), 0};
   for (int y = rows.begin; y < rows.end; ++y) x_[static_cast<size_t>(y)] = nothing;
   for (int i = 0; i < face.count(); ++i) {

@@ -142,8 +142,8 @@ void ImageLayers::Make(const Picture& picture, const Exposure& exposure, const C
          picture.height);
   const auto data = [&](OFbkImageLayer layer) { return vector->GetData(static_cast<int>(layer)); };
   ReadPicture(picture, exposure, data(ofbkimageLAYER_H));
-  // Makes each layer from the luminance of the layer before it, and layer H from the luminance of
-  // the picture.
+  // Points to the luminance from which the next layer is made: first that of the picture, and then
+  // that of the layer made last.
   const byte* light = luminance_.data();
   size_t row_bytes = static_cast<size_t>(width_);
   for (const OFbkImageLayer layer : kColourLayers) {

@@ -22,7 +22,7 @@ OPrimitiveType TypeOf(const std::string& locator) {
       {oprimitiveLED2_NAME, oprimitiveLED2},
       {oprimitiveLED3_NAME, oprimitiveLED3},
   };
-  // Takes the type of the primitive from the end of its locator, which is "-Type:name".
+  // Takes the type of the primitive from its locator, because each locator ends in "-Type:name".
   const size_t dash = locator.rfind('-');
   const size_t colon = locator.rfind(':');
   if (dash == std::string::npos || colon < dash) return oprimitiveUNDEF;
@@ -68,8 +68,8 @@ const std::string* PrimitiveLocator(const RobotModel& model, OPrimitiveID id) {
   VisitPrimitives(model, [&](const std::string& locator, PrimitiveKind, int, int) {
     if (next++ == id) found = &locator;
   });
-  // Returns null for an empty locator, too: for example, the microphone of a model without parts
-  // has no locator.
+  // Returns null for an empty locator, too, because a model without a microphone, for example, has
+  // an empty locator for it.
   return found == nullptr || found->empty() ? nullptr : found;
 }
 

@@ -315,8 +315,8 @@ void JointTree::EndStep(const std::vector<double>& impulses) {
     const double* const row = &row_[static_cast<size_t>(r) * Unknowns()];
     for (int i = row_unknown_[r]; i >= 0; i = parent_[i]) along_[i] += row[i] * impulses[r];
   }
-  // Computes the changes of velocity from the momenta in along_ (one for each velocity of the trunk
-  // and of the hinges), and stores them in along_.
+  // Replaces the momenta in along_ (one for each velocity of the trunk and of the hinges) by the
+  // changes of these velocities, because Move() adds the changes.
   for (int i = 0; i < Unknowns(); ++i) {
     const double* const row = RowOf(i);
     along_[i] /= row[i];

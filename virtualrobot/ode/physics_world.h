@@ -112,7 +112,7 @@ class PhysicsWorld {
   bool is_awaited_ = false;
 
   // The members below belong to the present step of the physics.
-  std::vector<RowSides> rows_;  // three rows for each contact
+  std::vector<RowSides> rows_;  // three rows of the equations for each contact
   // A tree is a robot or a movable thing, and trees that touch each other form a group.  This list
   // has for each tree the number of a tree of its group: of itself, or of a tree with a lower
   // number.  GroupOf() follows these numbers to the lowest one.

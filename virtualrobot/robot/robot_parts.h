@@ -33,9 +33,9 @@
 
 namespace openr_host {
 
-// The connections of a robot to its surroundings: a sink for its speaker, sources for its
-// microphone and its camera, a battery, and a SharedFrame if other robots are in the same world.
-// Every member may be left out.
+// The options of a robot: a sink for the sound of its speaker, sources for the sound of its
+// microphones and the pictures of its camera, a battery, and a SharedFrame if other robots are in
+// the same world.  Every member may be left out.
 struct VirtualRobotOptions {
   std::unique_ptr<SoundSink> speaker;       // receiver of sounds; null: they are not stored
   std::unique_ptr<SoundSource> microphone;  // source of sound; null: silence

@@ -47,7 +47,7 @@ class SyncKeys {
     // Number of synchronisation keys that New() has made in this element of groups_.  The number is
     // part of each key, so an old key is not taken for the present key.
     longword serial = 0;
-    int parts = 0;    // number of keys made by New() and Divide()
+    int parts = 0;    // number of parts of the key: 1, and 1 more for each Divide()
     int arrived = 0;  // number of parts whose vectors have arrived; <= parts
   };
   // The bits of a key are serial << 8 | slot << 4 | part.  `slot` is the index in groups_, and
