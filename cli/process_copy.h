@@ -63,7 +63,7 @@ int ExitCodeOf(int status);
 
 struct ProcessCopy {
   pid_t pid = -1;
-  int answers = -1;  // reading end of the pipe; the caller closes it
+  int answers = -1;  // end of the pipe from which the copy's answers are read; the caller closes it
 };
 
 // Makes a copy of this process that sends its answers through a pipe.  All streams are flushed
