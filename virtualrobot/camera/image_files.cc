@@ -70,7 +70,7 @@ Picture ReadPpm(const std::string& bytes, const std::string& file) {
   const int height = HeaderNumber(bytes, kSideMax, &at, file);
   const int max = HeaderNumber(bytes, 65535, &at, file);
   if (max != 255) Fail(file, fmt::format("PPM with values up to {}; only 255 is read", max));
-  ++at;  // exactly one blank character ends the header
+  ++at;  // skips the one blank character that ends a PPM header
   Picture picture = Empty(width, height);
   if (at > bytes.size() || bytes.size() - at < picture.rgb.size()) {
     Fail(file,

@@ -71,9 +71,9 @@ void OVirtualRobotComm::Frame() {
     while (queue.ReleaseFinished(frame)) effector_->AssertReady(queue.subject());
   }
 
-  // 3. Apply the commands of the frame that begins.  All queues tell the synchronisation keys of
-  // their first vector before any vector starts, because the vectors that have parts of one key
-  // (OPENR::DivideSyncKey()) start together.
+  // 3. Apply the commands of the frame that begins.  All queues announce the synchronisation key of
+  // their first waiting vector before any vector starts, because the vectors among which a key is
+  // divided (OPENR::DivideSyncKey()) start together.
   for (CommandQueue& queue : queues_) queue.AnnounceFirst();
   if (sound_ != nullptr) sound_->AnnounceFirst();
   for (CommandQueue& queue : queues_) {

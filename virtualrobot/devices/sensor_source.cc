@@ -15,7 +15,8 @@ namespace {
 constexpr double kMicro = 1e6;  // sensor values are in millionths of their SI unit
 // Largest output of the 10-bit A/D converter (Level 2 Reference Guide, 4.2.2).
 constexpr int kSignalMax = 1023;
-// Range of a temperature sensor, for the errors of a noisy sensor.  The number is our choice.
+// Range of a temperature sensor.  The error of a noisy sensor is a percentage of its range.  The
+// number is our choice.
 constexpr double kTemperatureRangeMicroC = 100e6;
 constexpr double kRayMaxM = 2.0;
 // Least light that a distance sensor needs to see a thing.  The light that comes back is the

@@ -41,7 +41,7 @@ class SensorSource {
 
   // Makes the sensors of a robot.  `noise` is the random generator of their noise; `fault_noise` is
   // the random generator of sensors with the fault kNoisy.  `model` and `primitives` must outlive
-  // this object.
+  // this SensorSource.
   SensorSource(const RobotModel& model, const PrimitiveTable& primitives, Rng noise,
                Rng fault_noise);
 

@@ -30,7 +30,7 @@ struct SurfaceDistance {
 SurfaceDistance DistanceTo(ThingShape shape, const Eigen::Vector3d& size_m,
                            const Eigen::Vector3d& p);
 
-// Adds the point at which a ball touches `thing` to `points`; adds nothing if they do not touch.
+// Adds to `points` the point at which a ball touches `thing`; adds nothing if they do not touch.
 void TouchBall(const Eigen::Vector3d& centre_W, double radius_m, const WorldThing& thing,
                std::vector<TouchPoint>* points);
 
@@ -41,9 +41,9 @@ void TouchBox(const Eigen::Vector3d& centre_W, const Eigen::Matrix3d& R_WB,
               const Eigen::Vector3d& size_m, const WorldThing& thing,
               std::vector<TouchPoint>* points);
 
-// Adds the points at which `cylinder` touches `thing` to `points`, at most kBoxPointsMax.  They are
-// points on the rims of both cylinders, and on the line of each side that faces the other cylinder.
-// REQUIRES: both are cylinders.
+// Adds to `points` the points, at most kBoxPointsMax, at which `cylinder` touches `thing`.  They
+// are points on the rims of both cylinders, and on the line of each side that faces the other
+// cylinder.  REQUIRES: both are cylinders.
 void TouchCylinders(const WorldThing& cylinder, const WorldThing& thing,
                     std::vector<TouchPoint>* points);
 

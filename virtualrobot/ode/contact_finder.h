@@ -19,7 +19,7 @@ namespace openr_host {
 
 // Names what lies on one of the two sides of a contact: a part of a robot, a thing or the floor.
 struct ContactSide {
-  int tree = -1;  // number of the JointTree that moves this side; -1: the floor or a fixed thing
+  int tree = -1;  // number of the JointTree of this side of a contact; -1: floor or fixed thing
   int part = 0;   // index of the part in the tree
 };
 

@@ -117,7 +117,7 @@ class PhysicsWorld {
   // has for each tree the number of a tree of its group: of itself, or of a tree with a lower
   // number.  GroupOf() follows these numbers to the lowest one.
   std::vector<int> groups_;
-  std::vector<size_t> contacts_of_group_;  // contacts of the group that is solved
+  std::vector<size_t> contacts_of_group_;  // contacts of the group that SolveGroup() solves
   // The impulses of the contacts in the present step: impulses_[tree][row of the tree].  A tree is
   // a robot or a movable thing, a row is a direction of a contact.
   std::vector<std::vector<double>> impulses_;

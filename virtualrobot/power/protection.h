@@ -17,7 +17,7 @@ class Hasher;
 
 class Protection {
  public:
-  // `model` must outlive this object.
+  // `model` must outlive the Protection.
   explicit Protection(const RobotModel& model);
 
   // A reason why the robot shuts down.

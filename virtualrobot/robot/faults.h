@@ -52,8 +52,8 @@ class Faults {
 
  private:
   // A joint can have one of the first three kinds of faults and, at its sensor, one of the next
-  // three.  The next two are not faults of joints: kHot is a fault of the body or the battery,
-  // kDraw of the supply.  Every primitive can be missing.
+  // three.  The next two are not faults of joints: kHot heats the body or the battery, kDraw takes
+  // a current from the battery.  Every primitive can be missing.
   enum class Kind { kJammed, kWeak, kUnpowered, kStuck, kNoisy, kDead, kHot, kDraw, kMissing };
   enum class Part { kMotor, kSensor, kBody, kBattery, kSupply, kPrimitive };
   // The part that has a fault.  `number` is the index of the joint or the sensor, or the id of the

@@ -20,7 +20,7 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr int64_t kPushFrames = 13;  // about 100 ms, the duration of a push without `for`
+constexpr int64_t kPushFrames = 13;  // about 100 ms, the duration of a push whose input gives none
 constexpr double kPushMax_n = 1000;  // limit of a push; far more than a robot of 1.4 kg survives
 constexpr double kLiftDefault_m = 0.2, kLiftMax_m = 2;
 constexpr double kLiftPerFrame_m = 0.2 * kFrame_s;   // a hand lifts with 0.2 m/s

@@ -20,7 +20,7 @@ struct RobotParts;
 
 class JointTargets {
  public:
-  // `robot` must outlive this object.
+  // `robot` must outlive the JointTargets.
   explicit JointTargets(RobotParts* robot) : robot_(*robot) {}
 
   // Adds the input `target` to the System of this robot, so that people and scripts can use it.

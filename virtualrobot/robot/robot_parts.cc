@@ -63,7 +63,7 @@ void RobotParts::SwitchOff() {
   speaker.SwitchOff(frame);
   safe_posture.SwitchOff();
   targets.SwitchOff();
-  {  // runs as OVirtualRobotComm, which owns the regions that sensors and camera give up
+  {  // the current object must be OVirtualRobotComm, which owns the regions of both parts
     const CurrentScope scope(&system, system.FindObject(robot_index, kVirtualRobotComm));
     sensors.SwitchOff();
     camera.SwitchOff(frame);

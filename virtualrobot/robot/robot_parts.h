@@ -1,6 +1,6 @@
 // The parts of one robot: its body, devices, power, sensors, sound and camera.
 //
-// Three objects share the parts: VirtualRobot answers the calls of OPENR::, OVirtualRobotComm runs
+// Three classes share the parts: VirtualRobot answers the calls of OPENR::, OVirtualRobotComm runs
 // the frames of 8 ms, and OVirtualRobotAudioComm plays and records sound.
 #pragma once
 

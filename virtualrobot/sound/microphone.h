@@ -36,8 +36,8 @@ class Microphone {
   RCRegion* MakeVector(int64_t frame);
 
   // Sets the settings as they are at boot, and gives up the references to the regions of all
-  // vectors.  The robot is switched off in frame `frame`.  After the next boot, when frames count
-  // from 0 again, the source goes on with this frame.  REQUIRES: the object that sends the vectors
+  // vectors, because the robot is switched off in frame `frame`.  After the next boot frames count
+  // from 0 again, but the sound of the source goes on.  REQUIRES: the object that sends the vectors
   // is the current object.
   void SwitchOff(int64_t frame);
 

@@ -57,8 +57,8 @@ class Speaker {
   };
   const Sound& newest() const { return newest_; }
 
-  // Sets the settings as they are at boot.  The robot is switched off in frame `frame`.  After the
-  // next boot, when frames count from 0 again, the sink goes on with this frame.
+  // Sets the settings as they are at boot, because the robot is switched off in frame `frame`.
+  // After the next boot frames count from 0 again, but the sound that the sink stores goes on.
   void SwitchOff(int64_t frame) {
     settings_ = {};
     first_frame_ += frame;

@@ -18,7 +18,7 @@ class Hasher;
 
 class OptionalBytes {
  public:
-  // Copies into this object the range of optional bytes that the header `sent` names.  Does nothing
+  // Copies into this OptionalBytes the range of bytes that the header `sent` names.  Does nothing
   // when the range is empty.  If the range is out of bounds, copies nothing and adds a message to
   // `problems`.
   void CopyFrom(const ODataVectorInfo& sent, std::vector<std::string>* problems);

@@ -42,7 +42,7 @@ void AddCrossings(double at, double step, double enter, double leave, std::vecto
   if (step == 0) return;
   double from = at + enter * step, to = at + leave * step;
   if (from > to) std::swap(from, to);
-  // Begins a line early, because the conversion to int rounds a negative number up.
+  // Begins one line of the grid early, because the conversion to int rounds a negative number up.
   for (int line = static_cast<int>(from) - 1; line <= to + 1; ++line) {
     const double t = (line - at) / step;
     if (t > enter && t < leave) found->push_back(t);
