@@ -13,10 +13,10 @@ constexpr int kTemporaryNamesMax = 100;  // number of tries to find a name that 
 
 // The open stream or the file that a file name means.
 struct OutputTarget {
-  int stream = -1;   // descriptor of an open stream of this process; -1: the name means a file
-  std::string path;  // path of the file, after symbolic links were followed
+  int stream = -1;   // descriptor of an open stream of this process; -1: the target is a file
+  std::string path;  // path of the target file, after symbolic links were followed
   bool exists = false;
-  struct stat status {};  // status of the file; set only if `exists`
+  struct stat status {};  // status of the target file; set only if `exists`
 };
 
 // Returns what the name `file` means, after symbolic links were followed.

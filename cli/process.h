@@ -28,9 +28,9 @@ struct ProcessOptions {
 };
 
 struct ProcessResult {
-  int status = -1;        // exit status; 128 + n after signal n; 127 when it cannot be started
+  int status = -1;        // exit status; 128 + n after signal n; 127: the program did not start
   std::string output;     // text that the child wrote to captured streams
-  std::string not_found;  // the reason why the program could not be started; "" if it was
+  std::string not_found;  // why the program could not be started; "" if it was started
   bool good() const { return status == 0; }
 };
 

@@ -31,9 +31,9 @@ namespace openr_host {
 
 // The streams whose buffered text is written out before a copy is made.
 enum class Flushed {
-  kNone,  // the buffers are empty, or the copy ends without writing them
+  kNone,  // no stream: the buffers are empty, or the copy ends without writing them
   kOwn,  // stdout and stderr, but no file of an object, because that would change what objects read
-  kAll,  // all streams
+  kAll,  // all streams of the C library, also the files of objects
 };
 
 // Says what happens to a copy when its original ends.

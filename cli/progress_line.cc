@@ -18,7 +18,7 @@ namespace openr_host {
 namespace {
 
 constexpr int64_t kPauseNs = 200'000'000;  // least time between two drawings
-constexpr char kToStart[] = "\r\x1b[K";    // moves to the start of the line and clears it
+constexpr char kToStart[] = "\r\x1b[K";    // moves the cursor to the line's start, clears the line
 
 constexpr int64_t kSecondUs = 1'000'000;
 

@@ -236,7 +236,7 @@ std::string Prompt::Continuation(const std::string& begin,
   std::vector<std::string> words;
   std::istringstream stream(begin);
   for (std::string word; stream >> word;) words.push_back(word);
-  std::string start;  // beginning of the word that is completed
+  std::string start;  // what the user has typed of the word that Tab completes
   if (!begin.empty() && begin.back() != ' ' && !words.empty()) {
     start = words.back();
     words.pop_back();
