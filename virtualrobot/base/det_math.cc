@@ -42,7 +42,7 @@ double CosKernel(double r) {
 }
 
 struct Quadrant {
-  double r;  // rest of the angle, in [-pi/4, pi/4]
+  double r;  // the angle without its quarter turns, in [-pi/4, pi/4]
   int q;     // number of the quadrant, 0 to 3: x = r + q pi/2 (mod 2 pi)
 };
 

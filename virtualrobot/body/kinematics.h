@@ -22,7 +22,7 @@ std::vector<Eigen::Isometry3d> LinkPoses(const RobotModel& model,
 
 // The pose of a stiff robot that rests on the floor z = 0.
 struct RestingPose {
-  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();  // the pose; its x, y and yaw are 0
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();  // pose of the robot; x, y and yaw are 0
   std::vector<bool> paws;  // whether each paw is on the floor; order of RobotModel::paws
 };
 

@@ -35,7 +35,7 @@ Matrix3d LevelRotation(const Vector3d& up_B) {
   return R;
 }
 
-using Triangle = std::array<Vector3d, 3>;  // its corners, counterclockwise when seen from above
+using Triangle = std::array<Vector3d, 3>;  // three corners, counterclockwise when seen from above
 
 double Cross2(const Vector3d& o, const Vector3d& p, const Vector3d& q) {
   return (p.x() - o.x()) * (q.y() - o.y()) - (p.y() - o.y()) * (q.x() - o.x());
@@ -76,7 +76,7 @@ void SinkToSupport(const Hull& hull, const Matrix3d& R, const Vector3d& centre, 
     const Vector3d p = R * hull.LowestAlong(n_B, R.row(2));
     if (p.z() > plane.a * p.x() + plane.b * p.y() + plane.c - 1e-9) return;
     Triangle next = *t;
-    for (int k = 0; k < 3; ++k) {  // index of the corner that p replaces
+    for (int k = 0; k < 3; ++k) {  // index of the corner that the lower point p replaces
       next = *t;
       next[k] = p;
       if (Under(next, centre)) break;

@@ -110,7 +110,7 @@ class Canvas {
   int width_ = 0, height_ = 0;
   Eigen::Matrix3d R_CW_ = Eigen::Matrix3d::Identity();
   Eigen::Vector3d p_WC_{0, 0, 0};
-  double slope_h_ = 1, slope_v_ = 1;  // slopes of the rays at the left and the upper edge
+  double slope_h_ = 1, slope_v_ = 1;  // slopes of the rays at the picture's left and upper edge
   // For each pixel, 1 divided by the distance of the drawn point from the lens along the optical
   // axis, so the greatest value is nearest to the lens; 0 where only floor or background is drawn.
   std::vector<float> inverse_depth_;

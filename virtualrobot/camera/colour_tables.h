@@ -37,7 +37,7 @@ class ColourTables {
   using Bits = std::array<std::array<uint8_t, 256>, ocdtMAX_Y_SEGMENT>;
   Bits cr_{};
   Bits cb_{};
-  uint8_t used_ = 0;  // bit k is set when channel k has a table
+  uint8_t used_ = 0;  // bit k is set when channel k has a colour table
 };
 
 }  // namespace openr_host

@@ -121,7 +121,7 @@ void ImageLayers::DetectColours(const byte* layer_m, const ColourTables& tables,
     std::fill_n(layer_c, BytesOf(ofbkimageLAYER_C), byte{0});
     return;
   }
-  std::array<int, 256> pixels{};  // pixels[bits]: number of pixels whose byte is `bits`
+  std::array<int, 256> pixels{};  // pixels[bits]: number of pixels of layer C whose byte is `bits`
   const auto w = static_cast<size_t>(WidthOf(ofbkimageLAYER_M));
   for (int y = 0; y < HeightOf(ofbkimageLAYER_M); ++y, layer_m += kBands * w, layer_c += w) {
     for (size_t x = 0; x < w; ++x) {

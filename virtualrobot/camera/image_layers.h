@@ -67,7 +67,7 @@ class ImageLayers {
   void DetectColours(const byte* layer_m, const ColourTables& tables, byte* layer_c,
                      std::array<int, ocdtNUM_CHANNELS>* counts) const;
 
-  const int width_, height_;  // size of the sensor in pixels
+  const int width_, height_;  // size of the camera's sensor in pixels
   std::vector<byte> luminance_;
 };
 

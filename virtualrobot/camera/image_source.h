@@ -52,7 +52,7 @@ class TestPattern : public ImageSource {
   std::string Capture(const CameraShot& shot, Picture* picture) override;
 
  private:
-  Picture still_;  // the pattern without the ball and the number
+  Picture still_;  // the test pattern without its ball and the image's number
 };
 
 // Shows the given pictures in order, again and again.  A picture of another size than the sensor is

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kIntensityMax = 255;
 constexpr char kErs7[] = "ERS-7";
-constexpr int kNumGains = 3;          // P, I and D; in GainWords, their shifts follow
+constexpr int kNumGains = 3;          // number of gains (P, I and D) before the shifts in GainWords
 constexpr char kHead[] = "PRM:/r1/";  // start of the locators of all devices in the head
 
 }  // namespace

@@ -57,7 +57,7 @@ class JointWatch {
     double high = -std::numeric_limits<double>::infinity();
   };
   struct Joint {
-    bool acted = false;  // whether the servo acted at the last change of gains or power
+    bool acted = false;  // whether the servo had power and a P gain at the last ServosChanged()
     // Each of the next four members says whether a mistake of the program has been reported for
     // this joint already, because each mistake is reported only once: a servo that begins to act
     // far from its set point (told_start), set points that jump (told_jump), set points that have

@@ -26,7 +26,7 @@ struct Primitive {
   PrimitiveKind kind = PrimitiveKind::kSensor;
   OPrimitiveType type = oprimitiveUNDEF;  // type that the locator names after its dash
   int index = -1;      // index in the RobotModel's list of primitives of this kind
-  int sensor = -1;     // index of the element in the sensor vector; -1: no element
+  int sensor = -1;     // index of the primitive's element in sensor vectors; -1: no element
   int open_count = 0;  // calls of OpenPrimitive() minus calls of ClosePrimitive(); >= 0
   // Whether OpenPrimitive() fails for this primitive, as for a broken part of a real robot
   // (Faults).

@@ -20,8 +20,8 @@ class Hasher;
 
 class SafePosture {
  public:
-  static constexpr int64_t kHoldFrames = 250;  // time without movement: 2 s
-  static constexpr int64_t kMoveFrames = 500;  // duration of the movement: 4 s
+  static constexpr int64_t kHoldFrames = 250;  // time without movement after the crash: 2 s
+  static constexpr int64_t kMoveFrames = 500;  // duration of the movement to the safe posture: 4 s
 
   explicit SafePosture(const RobotModel& model) : model_(model) {}
 

@@ -74,7 +74,7 @@ class ContactForces {
   double Sweep(const ContactEquations& equations);
 
   const double friction_;
-  std::vector<double> impulses_;  // for each row, the impulse along it, in N s
+  std::vector<double> impulses_;  // for each row (a direction of a contact), the impulse in N s
   std::vector<int> closed_;       // contacts that press; SolveSticking() leaves out those that pull
   // Cholesky factor, row by row, of the part of the contacts' matrix K that belongs to the contacts
   // in closed_ (those that press on the ground).

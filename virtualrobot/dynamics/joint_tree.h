@@ -169,7 +169,9 @@ class JointTree {
   // matrix.  M is the inertia of the tree, h the length of a step, and B says by how much the
   // torque of each servo falls when its hinge turns faster.
   std::vector<double> matrix_;
-  std::vector<double> along_;  // for each unknown: its force; after Eliminate() its momentum
+  // For each unknown (a velocity of the trunk or of a hinge): the force along it; after Eliminate()
+  // the momentum along it.
+  std::vector<double> along_;
   bool is_eliminated_ = false;
   // The inverse of L^T (see matrix_) times J^T, where J is the Jacobian of the contacts, as
   // row_[row][unknown].
@@ -178,7 +180,7 @@ class JointTree {
   // For each row of the Jacobian (the velocity of a point of a part along a direction): the index
   // of the unknown (UnknownOf()) of the part to which the point belongs.
   std::vector<int> row_unknown_;
-  std::vector<double> row_speed_;  // for each row: the result of FreeSpeed()
+  std::vector<double> row_speed_;  // for each row of AddRow(): the result of FreeSpeed()
 };
 
 }  // namespace openr_host

@@ -21,8 +21,8 @@ struct ServoSettings {
   double no_load_speed_ratio = 2.0;  // no-load speed, divided by the model's highest planned speed
   double limp_friction = 0.01;       // dry friction of a limp joint, divided by the stall torque
   double limp_creep_rad_s = 0.02;    // below this speed, dry friction acts like viscous friction
-  double stop_stiffness_per_rad = 100;  // stiffness of a stop, divided by the stall torque
-  double stop_damping_s_per_rad = 0.5;  // damping of a stop, divided by the stall torque
+  double stop_stiffness_per_rad = 100;  // stiffness of a joint's stop, divided by the stall torque
+  double stop_damping_s_per_rad = 0.5;  // damping of a joint's stop, divided by the stall torque
   double jam_stiffness_per_rad = 2000;  // stiffness of a jammed joint, divided by the stall torque
   double hand_torque_nm = 2;            // highest torque of a hand that turns a joint
   double hand_stiffness_nm_per_rad = 50;
@@ -32,7 +32,7 @@ struct ServoSettings {
 // slope_nm_s * v.
 struct TorqueLine {
   double zero_speed_nm = 0;
-  double slope_nm_s = 0;  // slope of the line, in N m s / rad; > 0
+  double slope_nm_s = 0;  // slope of the torque line, in N m s / rad; > 0
 };
 
 class Servo {

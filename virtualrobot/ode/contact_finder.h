@@ -26,7 +26,7 @@ struct ContactSide {
 struct ContactPoint {
   ContactSide side;   // the side that can move
   ContactSide other;  // the side that `side` touches
-  int paw = -1;       // index in RobotModel::paws; -1 when no paw touches
+  int paw = -1;       // index of the touching paw in RobotModel::paws; -1: no paw touches
   Eigen::Vector3d p_W{0, 0, 0};
   Eigen::Vector3d normal_W{0, 0, 1};  // unit vector that points out of `other`
   double depth_m = 0;                 // penetration depth, >= 0

@@ -86,7 +86,7 @@ class PhysicsWorld {
   // joins, the number of the tree and the number of the row in this tree.
   struct RowSides {
     int tree = -1, row = 0;
-    int other_tree = -1, other_row = 0;  // other_tree is -1: the floor or a fixed thing
+    int other_tree = -1, other_row = 0;  // the contact's other side; other_tree -1: not movable
   };
 
   void AddMover(size_t thing);

@@ -68,7 +68,7 @@ class Energy {
   std::vector<Motor> motors_;  // one element for each joint
   double current_ma_ = kUsualMa, mean_ma_ = kUsualMa, motor_heat_w_ = 0;
   int extra_ma_ = 0;
-  std::array<Temperature, 2> temperatures_;  // the index is a HeatedPart
+  std::array<Temperature, 2> temperatures_;  // one element for each HeatedPart: body, battery
 };
 
 }  // namespace openr_host

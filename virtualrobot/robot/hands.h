@@ -56,7 +56,7 @@ class Hands {
 
   // A person's hand that holds the robot by its trunk, to lift it or to set it down.
   struct Grip {
-    Eigen::Isometry3d X_WB;  // the pose to which the hand moves the base
+    Eigen::Isometry3d X_WB;  // the pose to which the hand moves the robot's base
     double goal_z_m = 0;     // the height at which the hand stops
     bool sets_down = false;  // true: the hand lets go when the robot stands or lies on something
   };

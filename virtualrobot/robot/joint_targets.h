@@ -44,7 +44,7 @@ class JointTargets {
     int32_t from_urad = 0;
     int32_t goal_urad = 0;
     int64_t frames = 1;  // number of frames in which the set point moves to its goal
-    int64_t done = 0;    // how many of these frames are over
+    int64_t done = 0;    // number of frames of the movement that are over
   };
   struct Goal {
     int joint;

@@ -17,7 +17,7 @@ class System;
 // every access is checked against the end of the region.
 struct SentVector {
   RCRegion* region = nullptr;
-  size_t bytes = 0;                   // number of bytes that may be read
+  size_t bytes = 0;                   // number of bytes of the vector that may be read
   ODataVectorInfo* header = nullptr;  // null: the region is too small for a header
   // Number of elements: header->numData, or fewer when the region has no room for the info structs
   // (such as OCommandInfo) of so many elements.

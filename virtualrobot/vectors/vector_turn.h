@@ -43,7 +43,7 @@ class VectorTurn {
   void Next() { *this = {}; }
 
  private:
-  static constexpr int kLongFrames = 1250;  // longest usual wait, 10 s; our choice
+  static constexpr int kLongFrames = 1250;  // 10 s; a vector that waits so long is reported
 
   bool announced_ = false;
   int frames_waited_ = 0;

@@ -14,7 +14,7 @@
 namespace openr_host {
 
 struct HeightGrid {
-  int columns = 0, rows = 0;  // points along x and along y, 2 or more each
+  int columns = 0, rows = 0;  // numbers of grid points along x and y, 2 or more each
   // Heights of the points of the heightfield, row by row.  The first row has the least y, and the
   // first point of each row has the least x.
   std::vector<double> heights_m;

@@ -23,7 +23,7 @@ struct WorldThing {
   // and z; for a cylinder its diameter in x and y, and its length in z; for a heightfield the edges
   // of the box that holds it.  All numbers are > 0.
   Eigen::Vector3d size_m{0, 0, 0};
-  Eigen::Vector3d centre_m{0, 0, 0};                   // place of the centre in W
+  Eigen::Vector3d centre_m{0, 0, 0};                   // place of the thing's centre in the world W
   Eigen::Matrix3d R_WT = Eigen::Matrix3d::Identity();  // rotation from the thing's own axes T to W
   Eigen::Vector3d colour{0.72, 0.60, 0.46};            // red, green and blue, 0 to 1
   // Mass of the thing; 0: the thing is fixed.  If the mass is > 0, robots and other things can move
