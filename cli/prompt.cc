@@ -101,7 +101,7 @@ class LineEdit {
 
   bool is_good() const { return edit_ != nullptr && history_ != nullptr; }
 
-  // Reads a line.  Returns false at the end of the input.
+  // Reads a line, which the user can edit while typing.  Returns false at the end of the input.
   bool Read(std::string* line) {
     for (;;) {
       is_dropped_ = false;

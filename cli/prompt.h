@@ -19,8 +19,8 @@ namespace openr_host {
 // process keeps its history.
 class PromptHistory {
  public:
-  // Adds a line, unless the line is empty or equal to the last line.  Removes the oldest lines if
-  // there is no room.
+  // Adds a line to the history, unless the line is empty or equal to the last line.  Removes the
+  // oldest lines if there is no room.
   void Add(std::string_view line);
   // Returns the typed lines, the oldest first.
   std::vector<std::string> Lines() const;
