@@ -101,7 +101,7 @@ void ReadJoint(const JsonReader& row, RobotModel* model) {
   if (child.joint >= 0) row.At("child").Fail("'{}' already hangs on a joint", child.name);
   child.joint = static_cast<int>(model->joints.size());
   joint.axis = row.At("axis").Vector();
-  // Tests both lengths, because a slanted vector can have the sum 1 or the length 1, but not both.
+  // Tests the sum of the coordinates and the length, because both are 1 only along x, y or z.
   if (joint.axis.cwiseAbs().sum() != 1 || joint.axis.norm() != 1) {
     row.At("axis").Fail("must be one of the axes of B, as [0, -1, 0]");
   }

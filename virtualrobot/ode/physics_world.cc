@@ -25,8 +25,8 @@ using Eigen::Vector3d;
 constexpr size_t kContactsPerRobot = 64;
 constexpr size_t kContactsMax = 3 * kContactsPerRobot;
 
-// Coefficient of rolling resistance of spheres and cylinders (our choice): a ball of 0.5 m/s rolls
-// about 0.4 m.
+// Coefficient of rolling resistance of spheres and cylinders (our choice): a ball that starts with
+// 0.5 m/s rolls about 0.4 m.
 constexpr double kRollingResistance = 0.05;
 
 }  // namespace

@@ -30,7 +30,7 @@ class SoundSink {
   virtual std::string Close() { return ""; }
 };
 
-// A sink that keeps all frames in memory.
+// A sink that keeps the sound of all frames in memory.
 class MemorySoundSink : public SoundSink {
  public:
   struct Entry {
