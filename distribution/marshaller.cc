@@ -157,14 +157,14 @@ void Marshaller::EncodeReady(const Message& message, WireArena* arena, openr_wir
   out->regions = arena->Sequence<decltype(out->regions)>(regions);
 }
 
-std::vector<Marshaller::ExportedRegion> Marshaller::ForgetExported() {
+std::vector<Marshaller::ExportedRegion> Marshaller::TakeExported() {
   std::vector<ExportedRegion> all;
   for (const auto& [token, exported] : exported_) all.push_back(exported);
   exported_.clear();
   return all;
 }
 
-std::vector<RCRegion*> Marshaller::ForgetExportedBy(ObjectId subject) {
+std::vector<RCRegion*> Marshaller::TakeExportedBy(ObjectId subject) {
   std::vector<RCRegion*> regions;
   std::erase_if(exported_, [&](const auto& entry) {
     if (entry.second.subject != subject) return false;
@@ -341,7 +341,7 @@ std::string Marshaller::DecodeReady(const openr_wire_Ready& in, Message* out) {
   out->kind = PayloadKind::kReady;
   for (uint32_t i = 0; i < in.regions._length; ++i) {
     const openr_wire_ReturnedRegion& returned = in.regions._buffer[i];
-    // If the object with the region's subject was replaced, ForgetExportedBy() has already released
+    // If the object with the region's subject was replaced, TakeExportedBy() has already released
     // the region, and its token is in withdrawn_.  In this case the loop only removes the token.
     const auto found = exported_.find(returned.token);
     if (withdrawn_.erase(returned.token) > 0) continue;

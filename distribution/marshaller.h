@@ -77,18 +77,18 @@ class Marshaller {
   };
   // Returns all regions that were sent to the peer and not given back, and forgets them.  Called
   // when the peer is lost, because a lost peer gives no region back.
-  std::vector<ExportedRegion> ForgetExported();
+  std::vector<ExportedRegion> TakeExported();
   // Returns the regions that the subjects of object `subject` have sent and that were not given
   // back, and forgets them.  Called when this object was replaced, because its regions are then
   // released without waiting for the peer.  The peer may still use these regions, so its later
   // ready messages for them are accepted and ignored.
-  std::vector<RCRegion*> ForgetExportedBy(ObjectId subject);
+  std::vector<RCRegion*> TakeExportedBy(ObjectId subject);
 
   // Returns the tokens (numbers given by the peer) of the regions that ReleaseImported() has
   // released and whose memory is not used in this process any more.  No ready message will give
   // these regions back, so the peer can forget their tokens (PeerDropped()).
   std::vector<uint64_t> TakeDroppedTokens();
-  // Forgets regions of replaced objects (ForgetExportedBy()) that the peer does not use any more.
+  // Forgets regions of replaced objects (TakeExportedBy()) that the peer does not use any more.
   // `tokens` is the result of TakeDroppedTokens() in the peer.
   void PeerDropped(const std::vector<uint64_t>& tokens);
 
@@ -128,7 +128,7 @@ class Marshaller {
 
   uint64_t last_token_ = 0;
   std::map<uint64_t, ExportedRegion> exported_;  // the key is the token of the region
-  // Regions that ForgetExportedBy() has returned and that the peer may still use.  The key is the
+  // Regions that TakeExportedBy() has returned and that the peer may still use.  The key is the
   // token under which the region was sent to the peer, the value is the region's memory id.  They
   // are kept so that a late ready message for such a region is not taken for an error.
   std::map<uint64_t, uint32_t> withdrawn_;

@@ -62,7 +62,7 @@ void RemoteProcess::Rejoin(const std::map<ObjectId, RemoteObject*>& objects) {
 }
 
 void RemoteProcess::Forget(ObjectId id) {
-  for (RCRegion* region : resources_.marshaller()->ForgetExportedBy(id))
+  for (RCRegion* region : resources_.marshaller()->TakeExportedBy(id))
     resources_.system()->object(id)->ReturnRegion(region);
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_FORGET);
   to_worker.body._u.replaced_object = id;

@@ -95,7 +95,7 @@ void RemoteResources::ReleaseExported() {
   // The regions to give back, grouped by observer and subject.  A deassert ("not ready") goes from
   // one observer to one subject, so the regions of one group go back with one deassert.
   std::map<std::pair<Entry, Entry>, std::vector<RCRegion*>> regions;
-  for (const Marshaller::ExportedRegion& exported : marshaller_->ForgetExported())
+  for (const Marshaller::ExportedRegion& exported : marshaller_->TakeExported())
     regions[{{exported.observer, exported.observer_selector},
              {exported.subject, exported.subject_selector}}]
         .push_back(exported.region);

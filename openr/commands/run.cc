@@ -163,7 +163,7 @@ class CommandedRun {
 
  private:
   SimulationOptions Options();
-  void NoteNoBoot(bool is_refused);
+  void ReportNoBoot(bool is_refused);
   std::string LiveName() const;
   std::string ReasonNotRewindable() const;
   void BeginRewind(LiveServer* live, Runner* runner, Watchdog* watchdog);
@@ -255,7 +255,7 @@ int CommandedRun::Run() {
   const bool is_refused = flags_.simulation.strict && system().findings().HasError();
   boots_ = simulation_.loaded() && !is_refused && distribution_.Connect(&simulation_);
   bool good = boots_;
-  if (!boots_) NoteNoBoot(is_refused);
+  if (!boots_) ReportNoBoot(is_refused);
   // Sets `boots_` to true after a Ctrl-C while the run waited for its workers.  Nobody knows
   // whether the robot would have booted, so openr must not print that the robot does not boot.
   if (!boots_ && interrupts_.count() > 0) boots_ = true;
@@ -271,7 +271,7 @@ int CommandedRun::Run() {
   return good && !system().findings().HasError() ? kExitGood : kExitWrong;
 }
 
-void CommandedRun::NoteNoBoot(bool is_refused) {
+void CommandedRun::ReportNoBoot(bool is_refused) {
   RunEnd end{EndKind::kNoBoot, "the robot does not boot; the findings say why"};
   if (simulation_.loaded()) {
     end.why = is_refused ? "--strict refuses what the findings name; no object was started"

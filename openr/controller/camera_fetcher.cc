@@ -10,7 +10,7 @@ namespace remote = openr::remote;
 constexpr int kLargestLayer = 0;
 // Time between two attempts to fetch a camera picture while the robot serves another client.
 constexpr std::chrono::milliseconds kBusyWait{100};
-// Number of attempts in a row without a picture after which NewProblem() tells that no pictures
+// Number of attempts in a row without a picture after which TakeProblem() tells that no pictures
 // come.  The attempts last 10 s.  Another client occupies the camera for a far shorter time, so a
 // busy camera alone is not reported.
 constexpr int kSilentTries = 100;
@@ -58,7 +58,7 @@ bool CameraFetcher::CopyNewPicture(std::string* rgb) {
   return true;
 }
 
-std::string CameraFetcher::NewProblem() {
+std::string CameraFetcher::TakeProblem() {
   const std::lock_guard lock(mutex_);
   return std::exchange(problem_, "");
 }

@@ -25,7 +25,7 @@ class CameraFetcher {
 
   // Returns the reason why no pictures come from the robot's camera.  Returns "" if pictures come,
   // if none has come for less than 10 s, or if the reason was returned before.
-  std::string NewProblem();
+  std::string TakeProblem();
 
  private:
   void Fetch();

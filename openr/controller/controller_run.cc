@@ -85,7 +85,7 @@ bool Session::WaitForNextStep() {
   try {
     port_.Check();
     int step_ms = 0;
-    if (g_stops == 0 && !port_.HasNewStep(&step_ms)) return false;
+    if (g_stops == 0 && !port_.TakeNewStep(&step_ms)) return false;
     if (clock_.iterations() == 0) first_frame_ = port_.frame();
     const auto next = clock_.Next(Clock::now(), std::chrono::milliseconds(step_ms));
     port_.ReceiveUntil(next, [] { return g_stops != 0; });

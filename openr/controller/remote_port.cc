@@ -75,7 +75,7 @@ void RemotePort::Check() const {
   if (failure_) std::rethrow_exception(failure_);
 }
 
-bool RemotePort::HasNewStep(int* step_ms) {
+bool RemotePort::TakeNewStep(int* step_ms) {
   *step_ms = std::exchange(step_ms_, 0);
   return *step_ms > 0;
 }
@@ -177,7 +177,7 @@ void RemotePort::CopyNewPicture() {
   Uint8* const buffer = camera_->CopyNewPicture(&rgb) ? CameraBuffer() : nullptr;
   const auto size = static_cast<size_t>(3 * constants_->camera.width * constants_->camera.height);
   if (buffer != nullptr && rgb.size() == size) std::memcpy(buffer, rgb.data(), size);
-  const std::string problem = camera_->NewProblem();
+  const std::string problem = camera_->TakeProblem();
   if (!problem.empty()) Say("no images of the camera: " + problem);
 }
 

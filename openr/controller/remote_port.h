@@ -52,10 +52,10 @@ class RemotePort : public ControllerPort {
   // Returns whether the robot stands.  Only a robot that stands takes commands.
   bool Stands() const;
 
-  // Returns whether ControllerCore has sent the lights since the last call of HasNewStep().
+  // Returns whether ControllerCore has sent the lights since the last call of TakeNewStep().
   // ControllerCore sends the lights in each iteration of its loop, so this tells that the iteration
   // is complete.  Sets `*step_ms` to the time step.
-  bool HasNewStep(int* step_ms);
+  bool TakeNewStep(int* step_ms);
 
   // Returns the frame number of the newest sensor values.
   uint32_t frame() const { return core_.Sensors().frame; }
@@ -128,7 +128,7 @@ class RemotePort : public ControllerPort {
   std::string playing_;      // file of the motion that plays for the controller; "": none
   uint32_t play_frame_ = 0;  // frame number in the answer to MTN_PLAY for this motion
   // Time step that came with the last SendLeds(); 0: SendLeds() was not called since the last
-  // HasNewStep().
+  // TakeNewStep().
   int step_ms_ = 0;
   int rounded_ms_ = 0;  // the rounded time step that the user was told last; 0: none
   bool is_continued_ = false;

@@ -39,7 +39,7 @@ uint64_t Dispatcher::Run(const Limits& limits) {
   if (system_->powered_off()) Stop();
   const Current saved = t_current;
   t_current.system = system_;
-  Fiber* const fiber = NextIdleFiber();
+  Fiber* const fiber = TakeIdleFiber();
   running_ = fiber;
   fiber->SwitchFrom(&caller_);
   running_ = nullptr;
@@ -47,7 +47,7 @@ uint64_t Dispatcher::Run(const Limits& limits) {
   return delivered_ - run_began_at_;
 }
 
-Fiber* Dispatcher::NextIdleFiber() {
+Fiber* Dispatcher::TakeIdleFiber() {
   if (idle_.empty()) {
     fibers_.push_back(std::make_unique<Fiber>());
     fibers_.back()->Prepare(&FiberMain, this);
@@ -367,7 +367,7 @@ void Dispatcher::DeliverReply(Object* object, OwnedMessage message) {
   Fiber* const waiting = object->delivery.blocked();
   object->delivery.set_blocked(nullptr);
   t_current = {system_, object, object->is_image};
-  idle_.push_back(running_);  // lets NextIdleFiber() continue the loop of this fiber later
+  idle_.push_back(running_);  // lets TakeIdleFiber() continue the loop of this fiber later
   SwitchTo(waiting);
 }
 
@@ -381,7 +381,7 @@ OwnedMessage Dispatcher::WaitFor(uint64_t box) {
     object->delivery.set_blocked(running_);
     object->wait.box = box;
     object->wait.since_us = system_->now_us();
-    SwitchTo(NextIdleFiber());
+    SwitchTo(TakeIdleFiber());
     t_current = saved;
   }
   const auto found = object->boxes.arrived.find(box);
@@ -394,7 +394,7 @@ OwnedMessage Dispatcher::WaitFor(uint64_t box) {
 void Dispatcher::Abandon() {
   ASSERT(running_ != nullptr && t_current.object != nullptr, "only a handler can be abandoned");
   FinishHandler(t_current.object);
-  Fiber* const next = NextIdleFiber();
+  Fiber* const next = TakeIdleFiber();
   // Does not prepare the running fiber (stack) for its next use here, because this code still runs
   // on it.  Recycle() does so after the switch to the next fiber.
   abandoned_ = running_;

@@ -95,7 +95,7 @@ class Dispatcher {
   void CallEntry(Object* object);
   void FinishHandler(Object* object);
   void FinishImage(Object* object);
-  Fiber* NextIdleFiber();
+  Fiber* TakeIdleFiber();
   void SwitchTo(Fiber* fiber);
   void Recycle();
 

@@ -73,7 +73,7 @@ TEST_F(MarshallerTest, ARegionOfAReplacedSubjectStaysExported) {
   RCRegion* const region = NewRegion("before");
   Message out;
   ASSERT_EQ(Carry(Notification({region}), &out), "");
-  EXPECT_THAT(ours.ForgetExportedBy(wire.payload._u.notify.subject), testing::ElementsAre(region));
+  EXPECT_THAT(ours.TakeExportedBy(wire.payload._u.notify.subject), testing::ElementsAre(region));
   EXPECT_TRUE(ours.HasExported(region->MemID()));
   const Message answer = Answer({NotifyOf(out).data[0].srcRCR});
   openr_wire_Message back{};
@@ -90,7 +90,7 @@ TEST_F(MarshallerTest, ARegionThatThePeerDroppedIsNotExported) {
   RCRegion* const region = NewRegion("before");
   Message out;
   ASSERT_EQ(Carry(Notification({region}), &out), "");
-  ours.ForgetExportedBy(wire.payload._u.notify.subject);
+  ours.TakeExportedBy(wire.payload._u.notify.subject);
   theirs.ReleaseImported(NotifyOf(out).data[0].srcRCR);
   ours.PeerDropped(theirs.TakeDroppedTokens());
   EXPECT_FALSE(ours.HasExported(region->MemID()));
@@ -115,7 +115,7 @@ TEST_F(MarshallerTest, ANewPeerHasNoRegionOfTheLostOne) {
   RCRegion* const region = NewRegion("before");
   Message out;
   ASSERT_EQ(Carry(Notification({region}), &out), "");
-  ours.ForgetExportedBy(wire.payload._u.notify.subject);
+  ours.TakeExportedBy(wire.payload._u.notify.subject);
   ours.PeerIsLost();
   EXPECT_FALSE(ours.HasExported(region->MemID()));
   LetGo(region);
@@ -193,7 +193,7 @@ TEST_F(MarshallerTest, ARegionSentTwiceIsExportedTwice) {
   ASSERT_EQ(Carry(Notification({region}), &first), "");
   ASSERT_EQ(Carry(Notification({region}), &second), "");
   EXPECT_NE(NotifyOf(first).data[0].srcRCR, NotifyOf(second).data[0].srcRCR);
-  EXPECT_EQ(ours.ForgetExported().size(), 2u);
+  EXPECT_EQ(ours.TakeExported().size(), 2u);
   theirs.CompleteSend(Answer({NotifyOf(first).data[0].srcRCR}));
   EXPECT_TRUE(theirs.HasImported(region->MemID())) << "the second is still out";
   EXPECT_EQ(std::string(NotifyOf(second).data[0].srcRCR->Base(), 5), "twice");

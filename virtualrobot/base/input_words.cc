@@ -26,7 +26,7 @@ std::string ReadPercent(std::string_view text, int* percent) {
   return is_good ? "" : fmt::format("'{}' is no percentage from 0% to 100%", text);
 }
 
-std::string RemoveForTime(std::vector<std::string>* words, std::optional<int64_t>* frames) {
+std::string TakeForDuration(std::vector<std::string>* words, std::optional<int64_t>* frames) {
   const size_t count = words->size();
   if (count < 2 || (*words)[count - 2] != "for") return "";
   int64_t duration_us = 0;

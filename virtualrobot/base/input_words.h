@@ -16,6 +16,6 @@ std::string ReadPercent(std::string_view text, int* percent);
 
 // Removes "for DURATION" from the end of `words`, the words of an input, if it is there, and sets
 // `frames` to the duration in frames, at least one.  Returns "" or the error.
-std::string RemoveForTime(std::vector<std::string>* words, std::optional<int64_t>* frames);
+std::string TakeForDuration(std::vector<std::string>* words, std::optional<int64_t>* frames);
 
 }  // namespace openr_host

@@ -113,7 +113,8 @@ std::optional<Faults::Place> Faults::PlaceOf(Kind kind, int sensor) const {
 std::string Faults::ReadBreak(std::string_view rest, Inputs::Action* action) {
   std::vector<std::string> words = SplitInput(rest);
   Fault fault{Kind::kJammed, 0, {}};
-  if (std::string problem = RemoveForTime(&words, &fault.frames); !problem.empty()) return problem;
+  if (std::string problem = TakeForDuration(&words, &fault.frames); !problem.empty())
+    return problem;
   if (words.size() < 2) return "needs a joint, a sensor or a locator, and a fault";
   if (words[1] == kMissingName) return ReadMissing(words, fault, action);
   size_t kind = 0;
@@ -186,7 +187,8 @@ void Faults::ReportMissingLimbs() const {
 std::string Faults::ReadHeat(std::string_view rest, Inputs::Action* action) {
   std::vector<std::string> words = SplitInput(rest);
   Fault fault{Kind::kHot, 0, {}};
-  if (std::string problem = RemoveForTime(&words, &fault.frames); !problem.empty()) return problem;
+  if (std::string problem = TakeForDuration(&words, &fault.frames); !problem.empty())
+    return problem;
   if (words.size() != 2 || (words[0] != "body" && words[0] != "battery"))
     return "needs body or battery and one temperature";
   if (std::string problem = ReadWhole(words[1], kHeatMinC, kHeatMaxC, &fault.amount);
@@ -200,7 +202,8 @@ std::string Faults::ReadHeat(std::string_view rest, Inputs::Action* action) {
 std::string Faults::ReadDraw(std::string_view rest, Inputs::Action* action) {
   std::vector<std::string> words = SplitInput(rest);
   Fault fault{Kind::kDraw, 0, {}};
-  if (std::string problem = RemoveForTime(&words, &fault.frames); !problem.empty()) return problem;
+  if (std::string problem = TakeForDuration(&words, &fault.frames); !problem.empty())
+    return problem;
   if (words.size() != 1) return "needs one current in mA";
   if (std::string problem = ReadWhole(words[0], 1, kDrawMaxMa, &fault.amount); !problem.empty())
     return problem;

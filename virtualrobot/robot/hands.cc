@@ -116,7 +116,7 @@ std::string Hands::ReadPress(std::string_view rest, Inputs::Action* action) {
     return "";
   }
   std::optional<int64_t> frames;
-  if (std::string problem = RemoveForTime(&words, &frames); !problem.empty()) return problem;
+  if (std::string problem = TakeForDuration(&words, &frames); !problem.empty()) return problem;
   if (words.empty() || words.size() > 2) return "needs one sensor";
   int percent = kPressPercent;
   if (words.size() == 2) {
@@ -144,7 +144,7 @@ std::string Hands::ReadPress(std::string_view rest, Inputs::Action* action) {
 std::string Hands::ReadSet(std::string_view rest, Inputs::Action* action) {
   std::vector<std::string> words = SplitInput(rest);
   std::optional<int64_t> frames;
-  if (std::string problem = RemoveForTime(&words, &frames); !problem.empty()) return problem;
+  if (std::string problem = TakeForDuration(&words, &frames); !problem.empty()) return problem;
   if (words.size() != 2) return "needs one sensor and one value";
   std::vector<int> sensors;
   if (std::string problem = FindSensors(words[0], &sensors); !problem.empty()) return problem;
@@ -187,7 +187,7 @@ std::string Hands::ReadRelease(std::string_view rest, Inputs::Action* action) {
 std::string Hands::ReadTurn(std::string_view rest, Inputs::Action* action) {
   std::vector<std::string> words = SplitInput(rest);
   Turn turn;
-  if (std::string problem = RemoveForTime(&words, &turn.frames); !problem.empty()) return problem;
+  if (std::string problem = TakeForDuration(&words, &turn.frames); !problem.empty()) return problem;
   if (words.size() != 2) return "needs one joint and one angle in degrees";
   const int joint = robot_.model.JointNamed(words[0]);
   if (joint < 0) {
@@ -219,7 +219,7 @@ std::string Hands::ReadTurn(std::string_view rest, Inputs::Action* action) {
 std::string Hands::ReadPush(std::string_view rest, Inputs::Action* action) {
   std::vector<std::string> words = SplitInput(rest);
   std::optional<int64_t> frames;
-  if (std::string problem = RemoveForTime(&words, &frames); !problem.empty()) return problem;
+  if (std::string problem = TakeForDuration(&words, &frames); !problem.empty()) return problem;
   Push push{0, Vector3d::Zero(), frames.value_or(kPushFrames)};
   if (words.size() == 5 && words[3] == "at") {
     push.part = robot_.model.FindBody(words[4]);

@@ -30,7 +30,7 @@ std::vector<std::string_view> WordsOf(std::string_view text) {
 
 // Removes "in DURATION" from the end of `words`, the words of an input, if it is there, and sets
 // `frames` to the duration in frames, at least one.  Returns "" or the error.
-std::string RemoveInTime(std::vector<std::string_view>* words, int64_t* frames) {
+std::string TakeInDuration(std::vector<std::string_view>* words, int64_t* frames) {
   const size_t count = words->size();
   if (count < 2 || (*words)[count - 2] != "in") return "";
   int64_t duration_us = 0;
@@ -59,7 +59,7 @@ std::string JointTargets::Read(std::string_view rest, Inputs::Action* action) {
   }
   std::vector<std::string_view> words = WordsOf(rest);
   int64_t frames = 1;
-  if (std::string problem = RemoveInTime(&words, &frames); !problem.empty()) return problem;
+  if (std::string problem = TakeInDuration(&words, &frames); !problem.empty()) return problem;
   std::vector<Goal> goals;
   if (std::string problem = ReadGoals(words, &goals); !problem.empty()) return problem;
   *action = [this, goals, frames] { Begin(goals, frames); };
