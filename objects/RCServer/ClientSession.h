@@ -2,7 +2,7 @@
 // ClientSession: the connection of one client, without the network.  It takes the bytes that arrive
 // and returns the bytes to send next.
 //
-//   session.Receive(bytes, size);               // bytes have arrived
+//   session.Receive(bytes, size);            // bytes have arrived
 //   size = session.NextAnswers(buffer);      // while nothing is being sent
 //   if (size == 0) size = session.NextEvents(buffer);
 //
