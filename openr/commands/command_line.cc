@@ -110,7 +110,7 @@ class HelpFormatter : public CLI::Formatter {
   }
 
  private:
-  // Returns the words before the name of a subcommand of `command` when the user calls it, with a
+  // Returns the words that the user types before the name of a subcommand of `command`, with a
   // blank at the end, such as "openr rc HOST ".
   std::string WordsUpTo(const CLI::App& command) const {
     std::string words = command.get_parent() == nullptr ? "" : WordsUpTo(*command.get_parent());

@@ -76,8 +76,8 @@ CommandInfo DescribeCommand(const CLI::App& app, const std::string& above) {
   info.description = app.get_description();
   info.footer = app.get_footer();
   info.takes_input = app.get_prefix_command();
-  // Leaves out options without a group.  Such options are hidden from users, because only openr
-  // itself gives them to a program that it starts.
+  // Leaves out options that are in no group of the help.  They are hidden from users, because only
+  // openr itself gives them to a program that it starts.
   const auto is_shown = [](const CLI::Option* option) { return !option->get_group().empty(); };
   for (const CLI::Option* const option : app.get_options(is_shown))
     (option->get_positional() ? info.positionals : info.options).push_back(DescribeOption(*option));

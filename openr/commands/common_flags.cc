@@ -92,7 +92,7 @@ void CheckRobots(const SimulationOptions& options) {
 
 void AddCostFlag(CLI::App* command, SimulationOptions* options) {
   const auto check = [](const std::string& name) {
-    // Checks a copy, because a check of CLI11 may change the text that it gets.
+    // Checks a copy of `name`, because a check of CLI11 may change the text that it gets.
     std::string checked = name;
     return name == "zero" ? "" : IsDataFile("--cost", kCostFile)(checked);
   };
@@ -149,7 +149,7 @@ CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name, int64_t
 }
 
 double RateOf(const std::string& text) {
-  // Returns 0, which stands for no limit (RunPlan::rate).
+  // Returns 0, which stands for a rate without limit (RunPlan::rate).
   if (text == "max") return 0;
   char* end = nullptr;
   const double rate = std::strtod(text.c_str(), &end);

@@ -21,12 +21,14 @@ void AddCommonFlags(CLI::App* command, SimulationOptions* options);
 // Adds the flags of commands that run several robots: --robots and --together.  Also allows several
 // --stick flags.  Must be called after AddCommonFlags().
 void AddRobotsFlags(CLI::App* command, SimulationOptions* options);
-// Throws CLI::ValidationError if flags about several robots do not fit together.
+// Throws CLI::ValidationError if flags about several robots contradict each other.
 void CheckRobots(const SimulationOptions& options);
 
-// Adds --battery, a flag of all commands that run robots.
+// Adds --battery, which says how full the battery of the robots is, and whether it drains.  All
+// commands that run robots have this flag.
 void AddBatteryFlag(CLI::App* command, SimulationOptions* options);
-// Adds --cost, a flag of all commands that run robots.
+// Adds --cost, which names the file of the cost model.  All commands that run robots have this
+// flag.
 void AddCostFlag(CLI::App* command, SimulationOptions* options);
 
 // Adds the flag --images to `command`.  The value of the flag names the source of the pictures that

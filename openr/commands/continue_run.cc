@@ -95,7 +95,8 @@ class ContinuedRun {
     if (recorder_ != nullptr) recorder_->Listen(simulation);
   }
 
-  // Returns the folder of the original Memory Stick.  The replay uses a copy of this stick.
+  // Returns the folder of the Memory Stick with which the run was recorded, or that the user has
+  // given instead.  The replay uses a copy of this stick.
   std::string StickName() const {
     if (!options_.replay.stick.empty()) return options_.replay.stick;
     return TraceReader(options_.replay.file).header().stick;

@@ -120,8 +120,8 @@ void DistributedRun::ShortenTimeouts() {
 void DistributedRun::Describe(nlohmann::ordered_json* report) const {
   if (workers_ == nullptr) return;
   (*report)["processes"] = DescribeProcesses(*workers_);
-  // Leaves out the hash of the messages, because no free run is like another and nobody could
-  // compare it.
+  // Leaves out the trace hash, because the messages of two free-running runs are never the same, so
+  // a comparison of their hashes would say nothing.
   if (is_free_) report->erase("trace_hash");
   for (const auto& [id, bytes] : workers_->HeapMax())
     (*report)["objects"][static_cast<size_t>(id)]["heap_bytes_max"] = bytes;

@@ -169,8 +169,8 @@ std::unique_ptr<WorkerGroup> MakeWorkerGroup(const PlacementFlags& flags, const 
   const auto wrong_hosts = WrongHosts(options.placement, flags.bus.address);
   if (!wrong_hosts.empty()) throw CLI::ValidationError("--placement", Render(wrong_hosts));
   options.bus = flags.bus;
-  // Takes a fixed name if processes run on other hosts, because their users have to start `openr
-  // join` with the same name.
+  // Gives the run a fixed name if processes run on other hosts, because the users there have to
+  // start `openr join` with the same name.
   if (options.bus.run.empty())
     options.bus.run = options.placement.host_of.empty() ? UniqueRunName() : "openr";
   const int watched_s = WatchedLease(flags);

@@ -37,7 +37,8 @@ class SharedConsole {
 // error and returns 1 instead.
 int WithConsole(int exit_code, const SharedConsole& console);
 
-// Starts this program again if the images of a stick need the library of AddressSanitizer.
+// Starts this program again with the library of AddressSanitizer if images of a stick need this
+// library, because it must be loaded before the program.
 void StartWithSanitizersOf(const SimulationOptions& simulation);
 
 // Sets the members of `plan` that depend on `stick`: the length of the runs, the properties and the

@@ -278,7 +278,8 @@ int JoinInChild(const JoinFlags& flags, bool is_known, pid_t* child, std::string
     throw std::runtime_error(fmt::format("pipe: {}", strerror(errno)));
   *child = CopyProcess(Flushed::kNone, Orphan::kIsKilled);
   if (*child < 0) throw std::runtime_error(fmt::format("fork: {}", strerror(errno)));
-  // Calls exit() and not EndCopy(), because this copy is a whole worker and runs its exit handlers.
+  // Calls exit() and not EndCopy(), because this copy of the process is a whole worker and has to
+  // run its exit handlers.
   if (*child == 0) exit(JoinInThisProcess(flags, is_known, ends[1]));
   close(ends[1]);
   g_child = *child;

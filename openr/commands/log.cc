@@ -136,7 +136,8 @@ void LogInfo(const LogFlags& flags) {
   if (duration_s) {
     fmt::print("  {:.3f} s\n", *duration_s);
   } else {
-    // Leaves out the name of the file, with which the error begins, because the line above has it.
+    // Leaves out the name of the file, with which the error begins, because the line that was
+    // printed first has this name already.
     fmt::print("  no times: {}\n", why_not.substr(flags.file.size() + 2));
   }
 }

@@ -98,8 +98,8 @@ void FromCsv(const FromCsvFlags& flags) {
     motion = ParseMotionCsv(ReadInput(flags.file, {"table of openr mtn dump", ".csv"}));
   } catch (const std::runtime_error& error) {
     const std::string text = error.what();
-    // Adds the name of the file only to errors of the table, because errors of reading begin with
-    // it already.
+    // Adds the name of the file only to errors in the content of the CSV file, because errors in
+    // reading the file begin with its name already.
     throw std::runtime_error(text.find(flags.file) == 0 ? text : flags.file + ": " + text);
   }
   SetNames(flags, &motion);

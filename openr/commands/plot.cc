@@ -107,8 +107,8 @@ Table TableOfMotionLog(const PlotFlags& flags, const std::string& bytes) {
 }
 
 // Reads the file as a table.  The first bytes of the file tell its format.  A file whose first
-// bytes tell nothing is read as CSV, or as MCAP if its name ends so, because the error message must
-// then be about MCAP.
+// bytes tell nothing is read as CSV.  If its name ends in .mcap, it is read as MCAP, so that the
+// error message is about MCAP.
 Table ReadTable(const PlotFlags& flags) {
   const std::string bytes = BytesOf(flags.file);
   if (bytes.starts_with(kMcapMagic)) return ReadWithProgress(ReadMcapTable, flags.file, bytes);

@@ -103,7 +103,8 @@ RcAction RcJointAction(RcCommand command, const std::string& unit) {
   return [command, unit](remote::Connection* robot, const RcFlags& flags) {
     const Device joint = FindDevice(robot, rcdeviceJOINT, flags.device);
     const double in_force = LimitValue(robot, command, joint.index, flags.value);
-    // Compares hundredths of a degree, because the robot has no finer numbers.
+    // Compares the accepted value with the wanted value in hundredths of a degree, because the
+    // robot has no finer numbers.
     const bool limited =
         std::lround(in_force * kCdegPerDeg) != std::lround(flags.value * kCdegPerDeg);
     const std::string why =
@@ -142,7 +143,8 @@ void RcSensorsAction(remote::Connection* robot, const RcFlags& flags) {
 void RcPlayAction(remote::Connection* robot, const RcFlags& flags) {
   if (!flags.with.empty() && !flags.log.empty()) return RcPlayWithAction(robot, flags);
   remote::LogReader log(robot);
-  // Skips the records that the robot has already, because they are of earlier motions.
+  // Skips the records that the robot's log has before the motion begins, because they are of
+  // earlier motions.
   if (!flags.log.empty()) log.SkipOld();
   const remote::PlayAnswer play = robot->PlayMotion(flags.file, flags.loops, flags.key_frames);
   const int per_vector = flags.key_frames > 0 ? flags.key_frames : DEFAULT_KEYFRAMES_PER_VECTOR;

@@ -328,8 +328,8 @@ void CommandedRun::BeginRewind(LiveServer* live, Runner* runner, Watchdog* watch
 }
 
 // Returns the text that follows the name of the crash record in the finding about a crash; nullopt
-// if the finding need not name the record.  Names the record, with no text behind it, if the run
-// has the default stick, because users do not know the folder of that stick's record.
+// if the finding need not name the record.  Returns "" if the run has the default stick: the
+// finding then names the record, because users do not know in which folder it is.
 std::optional<std::string> CommandedRun::PlaceOfCrashRecord() const {
   if (stick_.is_default()) return "";
   return std::nullopt;
@@ -443,8 +443,8 @@ int RunJobs(const RunFlags& flags) {
   return WriteReport(report, flags) && is_good ? kExitGood : kExitWrong;
 }
 
-// Prints a note if the default stick is to run in a folder that has a stick, as `openr new` makes
-// one, because a person in such a folder expects this stick.
+// Prints a note if the run uses the default stick although the current folder has a stick (MS),
+// such as `openr new` makes.  A person in such a folder expects that stick to run.
 void NoteOwnStick(const SimulationOptions& options) {
   if (options.stick.empty() && HoldsOpenR("MS"))
     fmt::print(stderr,

@@ -19,7 +19,7 @@ using Run = RunStatusList::Run;
 // once a second.
 constexpr double kSilent_s = 3;
 constexpr double kEnded_s = 10;   // time for which a run is shown after its end
-constexpr size_t kStateMax = 40;  // most characters of an object's state in the table
+constexpr size_t kStateMax = 40;  // largest number of characters of an object's state in the table
 
 // The process in which an object runs, and the host of this process.
 struct ProcessHost {
@@ -86,9 +86,9 @@ size_t LineWidth(const Widths& widths) {
 }
 
 // Returns the width of each column, so that a row of the table of openr top has at most `columns`
-// characters.  First shortens the last column, the state.  Then leaves out columns in the order of
-// kGoes, the least important first, until the row is short enough.  Space that is then left goes to
-// the state.
+// characters.  First shortens the last column, the state.  Then leaves out columns, the least
+// important first (kGoes), until the row is short enough.  Space that is then left goes to the
+// state.
 Widths WidthsFor(const std::vector<Row>& rows, size_t columns) {
   constexpr size_t kStateMin = 12;
   constexpr Column kGoes[] = {kPriority, kPid, kHost, kP99, kMean, kDrops, kProcess};
