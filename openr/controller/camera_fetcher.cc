@@ -33,7 +33,7 @@ void CameraFetcher::Fetch() {
         std::string rgb = robot.TakePicture(kLargestLayer).Rgb();
         const std::lock_guard lock(mutex_);
         picture_ = std::move(rgb);
-        // The loop adds 1, so the attempts are counted from 0 again.
+        // Sets the count of attempts so that the loop, which adds 1, counts from 0 again.
         tries = -1;
       } catch (const remote::Error& error) {
         if (error.status() != rcerrorBUSY && error.status() != rcerrorNO_PICTURE) throw;

@@ -16,7 +16,8 @@ RobotCommand LimitCommand(RcCommand command, int joint, Sint32 value, const std:
 JointCommands::JointCommands(const RobotConstants* robot) : robot_(robot) {
   for (int j = 0; j < robot->numJoints; ++j) {
     SentCommand sent;
-    // Begins with the limits that a robot has after its start, so that the first change is noticed.
+    // Begins with the limits of speed and acceleration that a robot has after its start, so that
+    // the first change of a limit is noticed.
     sent.speed = robot->joints[j].maxSpeedCdeg;
     sent.acceleration = robot->defaultAccelerationCdeg;
     sent_.push_back(sent);

@@ -21,7 +21,8 @@ namespace remote = openr::remote;
 using Clock = std::chrono::steady_clock;
 
 constexpr int kFrameMs = 8;
-// Longest wait for packets of the robot without a look whether Ctrl-C was pressed.
+// Longest time for which RemotePort waits for packets of the robot.  After each wait it looks
+// whether Ctrl-C was pressed.
 constexpr std::chrono::milliseconds kSlice{50};
 // Number of events from the robot after which RemotePort looks for the robot's answers to commands,
 // even if more events wait.  Without this limit many events could keep RemotePort from reading the

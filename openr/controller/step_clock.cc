@@ -30,7 +30,7 @@ std::string StepClock::Begin(Time now) {
   begin_ = now;
   planned_ = next_;
   if (now - next_ <= kLate) return "";
-  planned_ = now;  // does not make up for a late iteration, so that the next ones keep their length
+  planned_ = now;  // a late iteration does not make the next iterations shorter
   if (warned_ != Time{} && now - warned_ < std::chrono::seconds(1)) return "";
   warned_ = now;
   return fmt::format("the time step of {:g} ms cannot be held: this iteration took {:.0f} ms",
