@@ -18,28 +18,28 @@ enum class Look {
 
 struct Curve {
   Look look = Look::kFirst;
-  // Text in the legend, where all curves with the same label share one entry.
+  // Text in the legend, which names all curves with the same label only once.
   std::string label;
   std::vector<double> x, y;  // coordinates of the points of the curve; x rises
 };
 
 struct Panel {
   std::string title;
-  std::string note;  // short text to the right of the panel's title
+  std::string note;  // short text to the right of `title`
   std::vector<Curve> curves;
-  double y_span_min = 0;  // smallest span of this panel's vertical axis; 0: uses Chart::y_span_min
+  double y_span_min = 0;  // smallest span of the vertical axis; 0: uses Chart::y_span_min
 };
 
 struct Chart {
   std::string title;
   std::string subtitle;
-  std::string x_label, y_label;  // labels of the two axes, which all panels share, with units
-  int columns = 3;               // number of panels in a row; >= 1
+  std::string x_label, y_label;  // labels of the two axes, which all diagrams share, with units
+  int columns = 3;               // number of diagrams in a row; >= 1
   // Smallest span of a vertical axis, in the unit of the axis, so that small noise does not fill
   // the plot.
   double y_span_min = 4;
-  double plot_width = 320, plot_height = 128;  // size of a panel's plot, in points
-  std::vector<Panel> panels;                   // the panels of the picture, row by row
+  double plot_width = 320, plot_height = 128;  // size of the plot in a diagram, in points
+  std::vector<Panel> panels;                   // the diagrams of the picture, row by row
 };
 
 enum class FileType { kSvg, kPng };

@@ -19,10 +19,10 @@ namespace {
 constexpr double kMargin = 24;
 constexpr double kTickRoom = 40;  // width to the left of each plot, for the numbers at its axis
 constexpr double kColumnGap = 22, kRowGap = 14;
-constexpr double kTitleRoom = 22;  // height above each plot, for the title of its panel
-constexpr double kHeadRoom = 76;   // height above the first row of panels
+constexpr double kTitleRoom = 22;  // height above each plot, for the title of its diagram
+constexpr double kHeadRoom = 76;   // height above the first row of diagrams
 constexpr double kAxisLabelRoom = 22;
-constexpr double kFootRoom = 52;   // height below the last row of panels
+constexpr double kFootRoom = 52;   // height below the last row of diagrams
 constexpr double kPngScale = 1.5;  // pixels per unit of a picture in a PNG file
 
 struct Rgb {
@@ -162,7 +162,8 @@ class Painter {
     cairo_save(cairo_);
     cairo_rectangle(cairo_, plot.x, plot.y, plot.width, plot.height);
     cairo_clip(cairo_);
-    // Draws the reference first, because its wide line would cover the others.
+    // Draws the curves with the look kReference first, because their wide lines would cover the
+    // others.
     for (const Look look : {Look::kReference, Look::kFirst, Look::kSecond, Look::kMarks}) {
       for (const Curve& curve : panel.curves) {
         if (curve.look == look) DrawCurve(curve, plot, y_span);
@@ -210,8 +211,8 @@ class Painter {
     cairo_set_dash(cairo_, nullptr, 0, 0);
   }
 
-  // Draws the legend at the right end of the space above the panels.  It has an entry for each
-  // label: a short line in the look of the curves with this label, and the label.
+  // Draws the legend at the right end of the space above the diagrams.  For each label, it has a
+  // short line in the look of the curves with this label, and the label itself.
   void DrawLegend(double width) {
     std::vector<const Curve*> entries;
     for (const Panel& panel : chart_.panels) {
