@@ -11,8 +11,8 @@
 namespace openr_host {
 namespace {
 
-// The name of a column of a table that has the time, and the factor that converts this time to
-// seconds.
+// A column with the time: its name in the first line of a CSV file, and the factor that converts
+// its values to seconds.
 struct TimeColumn {
   const char* name;
   double factor;

@@ -38,7 +38,8 @@ struct QuantityPlace {
 };
 
 // Splits the name of a quantity into its parts: "robots[1].joint.LF_j1" is the member "LF_j1" of
-// the topic "joint" of robot 1. A name without a group belongs to the topic "base".
+// the topic "joint" of robot 1. A name that has no such first part, as "x_m", belongs to the topic
+// "base".
 QuantityPlace PlaceOfQuantity(const std::string& name) {
   QuantityPlace place;
   std::string rest = name;

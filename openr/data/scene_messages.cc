@@ -57,8 +57,8 @@ void AddShape(const render::Shape& shape, const Eigen::Isometry3d& pose, Json* e
     json["bottom_scale"] = json["top_scale"] = 1;
     (*entity)["cylinders"].push_back(json);
   } else {
-    // Writes a box as a ball if the radius of its edges is at least half of its longest side,
-    // because such a box is a ball.
+    // Writes a box with rounded edges as a ball if the radius of the edges is at least half of the
+    // longest side, because such a box is a ball.
     const bool is_ball = 2 * shape.radius_m >= shape.size_m.maxCoeff();
     (*entity)[is_ball ? "spheres" : "cubes"].push_back(json);
   }

@@ -195,8 +195,8 @@ class ChartMaker {
           CurveOf(*series, request_, static_cast<size_t>(4 * chart_.plot_width)));
       for (double& value : panel.curves.back().y) value *= unit.factor;
       const AngleGroup* const group = AngleGroupOf(series->name);
-      // Adds no legend entry for a quantity whose whole name is the title of its panel, because the
-      // title says which curve it is.
+      // Gives the curve no label for the legend if the whole name of the quantity is the title of
+      // the chart's panel, because the title then says which curve it is.
       if (group == nullptr || chosen.title == series->name) continue;
       panel.curves.back().look = group->look;
       panel.curves.back().label = group->label;
