@@ -26,7 +26,8 @@ namespace openr_host {
 namespace {
 
 // Reads a value of the type T at `offset` of a message's bytes, `content`, into `value`.  Returns
-// false if the bytes end before, because only the beginning of a long message is kept.
+// false if the bytes end before the end of the value, because only the beginning of a long message
+// is kept.
 template <typename T>
 bool ReadAt(const std::string& content, size_t offset, T* value) {
   if (offset > content.size() || content.size() - offset < sizeof(T)) return false;
@@ -418,8 +419,8 @@ std::string MessageInParentheses(uint64_t number, const std::string& said) {
 
 std::string_view ContentView(const Message& message, std::string* copy) {
   if (message.kind != PayloadKind::kHashed) return PayloadView(message, copy);
-  // Returns no content for a message without an antEnvMsg, because such a message only wakes an
-  // object whose wait has timed out.
+  // Returns no content for a message without an antEnvMsg, the header of messages of the network
+  // stack.  Such a message only wakes an object whose wait has timed out.
   if (message.size < sizeof(antEnvMsg)) return {};
   const auto& request = *reinterpret_cast<const antEnvMsg*>(message.payload);
   if (message.size < AntMessageSize(request)) return {};
