@@ -25,7 +25,7 @@ struct StackWalk {
   uintptr_t* addresses;
   size_t max;
   size_t count = 0;
-  bool is_outside = false;  // true: the walk of the stack has passed the signal handler's frames
+  bool is_outside = false;  // true: the walk has passed the stack frames of the signal handler
 };
 
 _Unwind_Reason_Code StoreFrame(_Unwind_Context* context, void* data) {

@@ -12,10 +12,10 @@ class Object;
 
 // The call stack of an object at a signal that its code has caused.  Made in the handler of this
 // signal.  A stack may be so damaged that walking it crashes again, so the signal handler calls
-// BeginEnding() first, which prepares for a second signal.  Frames are named by file and offset,
-// not by address, so that the same crash gives the same text in each run.  Functions of the runtime
-// that called the object's handler are left out, and so are those that announced a fault which
-// the runtime has found itself (robot_fault.h).
+// BeginEnding() first, which prepares for a second signal.  Stack frames are named by file and
+// offset, not by address, so that the same crash gives the same text in each run.  Functions of the
+// runtime that called the object's handler are left out, and so are those that announced a fault
+// which the runtime has found itself (robot_fault.h).
 class CrashStack {
  public:
   // Walks the stack of `object`.  `context` is the third argument of the signal handler, which has
@@ -47,7 +47,7 @@ class CrashStack {
     // The loaded file that has the code of this stack frame; null: no file has it.
     const char* file = nullptr;
     uintptr_t offset = 0;
-    bool is_own = false;  // true if the code of this frame is in the object's image
+    bool is_own = false;  // true if the code of this stack frame is in the object's image
   };
 
   void Add(uintptr_t address, const Object& object);

@@ -26,7 +26,8 @@ const char* EntryOf(const Object& object, uint32_t selector) {
   return extra == object.entry_names.end() ? "" : extra->second.c_str();
 }
 
-// Returns the kind of `message` in words, with a blank in front; "" for plain bytes.
+// Returns the kind of `message` in words, with a blank in front, such as " notification"; "" for a
+// message of kind PayloadKind::kBytes.
 const char* KindInWords(const Message& message) {
   switch (message.kind) {
     case PayloadKind::kNotify:
