@@ -1,5 +1,5 @@
-// Draws a graph of objects in the language of Graphviz: a box per object, with its observers on the
-// left and its subjects on the right.
+// Draws a graph of objects in the language of Graphviz: a rectangle for each object, with its
+// observers on the left and its subjects on the right.
 #include <fmt/format.h>
 
 #include <map>
@@ -35,7 +35,7 @@ std::string Escaped(const std::string& text) {
   return result;
 }
 
-// Returns the part of a service's full name that stands in the object's box: "Move" of
+// Returns the part of a service's full name that stands in the rectangle of the object: "Move" of
 // "RCServer.Move.MoveCommand.S".  The other parts are drawn elsewhere: the name of the object above
 // its services, and the type of the data (MoveCommand) beside the connection.
 std::string ShortName(const std::string& service) {
@@ -65,10 +65,9 @@ class DotWriter {
   }
 
  private:
-  // Draws an object as a rectangle, called a box here.  A part of the robot (a system object) gets
-  // two boxes: one on the left with its subjects, one on the right with its observers.  So all
-  // connections can run from left to right, although sensor values come from the robot and commands
-  // go to it.
+  // Draws an object as a rectangle.  A part of the robot (a system object) gets two rectangles: one
+  // on the left with its subjects, one on the right with its observers.  So all connections can run
+  // from left to right, although sensor values come from the robot and commands go to it.
   void AddObject(size_t index) {
     const GraphObject& object = graph_.objects[index];
     const std::string node = fmt::format("o{}", index);
@@ -88,7 +87,7 @@ class DotWriter {
       if (!(service.is_subject ? with_subjects : with_observers)) continue;
       ports_[{object.robot, service.name}] = fmt::format("{}:s{}", node, i);
       // Services without a connection in CONNECT.CFG are not drawn, because they would only make
-      // the box larger.
+      // the rectangle of the object larger.
       if (wires_.count({object.robot, service.name}) == 0) continue;
       (service.is_subject ? right : left) +=
           fmt::format("<tr><td port=\"s{}\" align=\"{}\">{}</td></tr>", i,
@@ -133,8 +132,8 @@ class DotWriter {
 
   const GraphView& graph_;
   std::map<std::pair<int, std::string>, int> wires_;
-  // The place of each service in the drawing: the box of its object and its row in this box, such
-  // as "o1:s2".  The key is the number of the robot and the name of the service.
+  // The place of each service in the drawing: the rectangle of its object and its row in this
+  // rectangle, such as "o1:s2".  The key is the number of the robot and the name of the service.
   std::map<std::pair<int, std::string>, std::string> ports_;
   std::string text_;
 };
