@@ -179,7 +179,8 @@ void LiveEvents::UpdateRates() {
   if (passed_us >= 0 && passed_us < kRateUs) return;
   rates_us_ = system.now_us();
   const auto update = [passed_us](Rate* rate, uint64_t count) {
-    // Counts begin anew when an object is loaded again or nobody watched the graph for a time.
+    // Takes the whole count if it is smaller than before: the count of messages begins at 0 again
+    // when an object is loaded again, or when nobody has watched the event "graph" for a time.
     const uint64_t more = count >= rate->count ? count - rate->count : count;
     rate->per_s = passed_us > 0 ? static_cast<double>(more) / InSeconds(passed_us) : 0;
     rate->count = count;

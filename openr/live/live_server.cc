@@ -121,7 +121,8 @@ bool LiveServer::AnswerLines(Client* client) {
       answer = AnswerTo(client, request);
     } catch (const JsonTooDeep& error) {
       answer = {{"error", error.what()}};
-      // Looks for the id, because the client may wait for an answer to this request.
+      // Looks for the request's id in the text of the line, because JSON that is nested too deeply
+      // is not read, and the client may wait for the answer with this id.
       const nlohmann::json id = PlainMember(line, "id");
       if (!id.is_null()) request["id"] = id;
     } catch (const std::exception& error) {
