@@ -20,7 +20,8 @@ std::string DegreeRange(const Range& range) {
   return fmt::format("{:.1f} to {:.1f}", Degrees(range.min), Degrees(range.max));
 }
 
-// Returns both colours of a light that has another colour in mode B, such as "red or blue".
+// Returns the colour of a light.  Returns two colours, such as "red or blue", for a light of the
+// ERS-7's face that has another colour in mode B of the face.
 std::string ColourOf(const Led& led) {
   if (led.colour_b.empty() || led.colour_b == led.colour) return led.colour;
   return fmt::format("{} or {}", led.colour, led.colour_b);
