@@ -20,12 +20,12 @@ constexpr double kShiftStepMs = 4;
 constexpr double kNearMs = 16;
 constexpr double kLagToleranceMs = 0.01;
 
-// A cubic curve through points.  Its slope at a point is the slope of the line through both
-// neighbours of the point.
+// A cubic curve through the positions of a joint, which gives the positions between the records of
+// a log.  Its slope at a record is the slope of the line through both neighbours of the record.
 class Curve {
  public:
-  // Makes a curve through the points (time, value).  REQUIRES: two or more points, and rising
-  // times.
+  // Makes a curve through the points (time, position in degrees).  REQUIRES: two or more points,
+  // and rising times.
   Curve(const std::vector<double>& times, const std::vector<double>& values)
       : times_(times), values_(values), slopes_(times.size()) {
     const size_t last = times.size() - 1;

@@ -39,7 +39,7 @@ std::vector<double> PlayTimes(const LogFile& log, const MtnFile& motion, int per
 
 std::vector<double> TimesOf(const LogFile& log) {
   std::vector<double> times_ms;
-  int loop_begin = 0;  // number of key frames in all earlier repetitions
+  int loop_begin = 0;  // number of key frames in all earlier repetitions of the motion
   for (size_t i = 0; i < log.records.size(); ++i) {
     const int now = log.records[i].key_frame;
     const int before = i > 0 ? log.records[i - 1].key_frame : -1;

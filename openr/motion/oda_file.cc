@@ -13,7 +13,7 @@ namespace {
 constexpr size_t kOdaHead = 64;    // number of bytes in the file before the directory
 constexpr size_t kOdaEntry = 144;  // number of bytes of a directory entry
 constexpr size_t kOdaName = 128;   // number of bytes of the name in a directory entry
-constexpr size_t kStemMax = 8;     // most characters of a file name before its extension
+constexpr size_t kStemMax = 8;     // largest length of a file name without its extension
 
 uint32_t U32At(std::string_view bytes, size_t at) {
   uint32_t value = 0;
