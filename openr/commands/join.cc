@@ -77,8 +77,8 @@ void OnEndSignal(int signal) {
   if (g_ended_by == 0) g_ended_by = signal;
 }
 
-// Installs OnEndSignal() as the handler of three signals, with the additional `flags` of
-// sigaction().  A signal that this process was started to ignore, for example by nohup, stays
+// Installs OnEndSignal() as the handler of SIGINT, SIGTERM and SIGHUP, with the additional `flags`
+// of sigaction().  A signal that this process was started to ignore, for example by nohup, stays
 // ignored.
 void HandleEndSignals(int flags) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
@@ -86,7 +86,8 @@ void HandleEndSignals(int flags) {
     sigaction(signal, nullptr, &action);
     if (action.sa_handler == SIG_IGN) continue;
     action.sa_handler = &OnEndSignal;
-    // Runs the handler on the alternate stack, because an object may have used up its own stack.
+    // Runs the signal handler on the alternate stack, because an object may have used up its own
+    // stack.
     action.sa_flags = SA_ONSTACK | flags;
     sigemptyset(&action.sa_mask);
     sigaction(signal, &action, nullptr);
@@ -348,7 +349,8 @@ void AddJoinCommand(CLI::App* app, int* exit_code) {
   command->add_flag("--restart", flags->restarts,
                     "Come again, with objects as at the beginning, when it ends before the run is "
                     "over: by a crash, or because the run cannot be reached");
-  // Hides the flags from the help, because only openr run gives them, and no user does.
+  // Hides --child-of, --crash-log and --session from the help, because only openr run gives these
+  // flags, and no user does.
   command->add_option("--child-of", flags->parent)->group("");
   command->add_option("--crash-log", flags->crash_log)->group("");
   command->add_option("--session", flags->worker.session)->group("");

@@ -70,7 +70,7 @@ std::string Positionals(const CommandInfo& command) {
 }
 
 // Returns the line that shows how to call `command`.  `call` are the words up to the name of the
-// command, with the positionals of the commands above it: "openr rc HOST move".
+// command, with the positionals of its parent commands: "openr rc HOST move".
 std::string Synopsis(const CommandInfo& command, const std::string& call) {
   std::string text = call;
   if (!command.options.empty()) text += " [" + Italic("OPTIONS") + "]";

@@ -115,8 +115,8 @@ int RunProgram(int argc, char** argv) {
     PrintFailure(Explain(error), as_json);
     return kExitWrong;
   } catch (const std::system_error& error) {
-    // If standard output cannot be written, fmt::print() has thrown this error, so the answer of
-    // the command is lost.
+    // Reports the answer of the command as lost if standard output has an error, because
+    // fmt::print() has then thrown this exception.
     if (std::ferror(stdout) != 0) {
       NoteLostAnswer(error.code().value());
     } else {

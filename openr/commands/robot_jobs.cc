@@ -180,7 +180,7 @@ SimulationOptions RobotJobs::Options() {
   options.robots = 1;
   // Protects the stick, because all robots share it.
   options.writable_stick = false;
-  // Opens no ports, because all robots would open the same.
+  // Opens no ports, because all robots would open the same ports.
   options.host_network = false;
   options.log_level = flags_.log == "error" ? 1 : flags_.log == "warning" ? 2 : 3;
   options.console = [this](std::string_view text) { Print(text); };
@@ -217,7 +217,7 @@ void RobotJobs::RunInCopy(int robot, int answer) {
   };
   const EndingAction action([&](Ending* ending) {
     NoteTheEnding(*ending, &simulation_);
-    // Ends a line that the robot has begun, because Print() prints only whole lines.
+    // Ends a line that the robot has begun to print, because Print() prints only whole lines.
     if (!line_.empty()) Print("\n");
     WriteAll(answer, JsonText(report()));
     ending->answered = true;

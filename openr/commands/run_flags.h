@@ -55,8 +55,8 @@ void DescribeRunFlags(CLI::App* command, RunFlags* flags);
 void AddDataLogFlags(CLI::App* command, DataLogOptions* options, std::string* timeline);
 
 // Returns whether the run has a panel.  The flags --panel, --no-panel and --listen decide.  Without
-// them, the run has a panel if the panel is built and standard error is a terminal, on which a
-// person sees the address of the panel.
+// them, the run has a panel if the panel is installed and standard output is a terminal (without
+// --json), because a person then looks at the run.
 bool WantsPanel(const RunFlags& flags);
 
 // Returns the plan of the run that the flags describe.  Throws CLI::ValidationError if two flags

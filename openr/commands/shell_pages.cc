@@ -46,9 +46,9 @@ void WritePages(const CommandInfo& program, const std::string& output) {
       fmt::format("wrote {} to {}\n", Counted(program.commands.size() + 1, "page"), output));
 }
 
-// The words of all inputs (docs/inputs.md) that the script of `openr completion` offers.  They
-// stand here again because the runtime and the robots of a run define them, and `openr completion`
-// has no run.
+// The words of all inputs (docs/inputs.md) that the script of `openr completion` offers.  This list
+// repeats what the runtime and the robots of a run define, because `openr completion` has no run
+// that it could ask.
 constexpr const char* kInputs[] = {"battery",
                                    "break JOINT SENSOR FAULT for",
                                    "charger on off",
