@@ -1,7 +1,7 @@
 // DataLog: writes the quantities of a run to a file while the run goes on (--log-data).
 //
-// A line of a CSV file, or a message of an MCAP file, is written after each frame of 8 ms.  A line
-// or a message has the values that NumbersOf() (openr/explore/quantity.h) returns, under the same
+// A line of a CSV file, or a message of an MCAP file, is written after each frame of 8 ms.  It has
+// the values of all quantities that NumbersOf() (openr/explore/quantity.h) names, under these
 // names.
 #pragma once
 

@@ -38,7 +38,7 @@ struct QuantityPlace {
 };
 
 // Splits the name of a quantity into its parts: "robots[1].joint.LF_j1" is the member "LF_j1" of
-// the topic "joint" of robot 1. A name that has no such first part, as "x_m", belongs to the topic
+// the topic "joint" of robot 1. A name without such a topic, as "x_m", is a member of the topic
 // "base".
 QuantityPlace PlaceOfQuantity(const std::string& name) {
   QuantityPlace place;

@@ -12,7 +12,7 @@ extern const char kPosesSchema[];  // schema of foxglove.FrameTransforms
 extern const char kSceneSchema[];  // schema of foxglove.SceneUpdate
 extern const char kImageSchema[];  // schema of foxglove.CompressedImage
 
-// Levels of a message of the type foxglove.Log.
+// Numbers for the severity of a message of the type foxglove.Log.
 constexpr int kLogInfo = 2, kLogWarning = 3, kLogError = 4;
 
 // Returns the schema (JSON Schema, as text) of a topic of an MCAP file.  Each message of the topic

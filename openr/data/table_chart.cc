@@ -52,7 +52,8 @@ std::string PanelOf(const std::string& name) {
 bool IsLike(const std::string& name, const std::string& wanted) {
   std::string pattern;
   for (const char c : wanted) {
-    // '[' as in robots[1].x_m stands for itself: only '*' has a meaning.
+    // Only '*' has a special meaning in `wanted`.  So '[', as in robots[1].x_m, and '?' get a '\',
+    // because fnmatch() gives them a meaning, too.
     if (c == '[' || c == '?') pattern += '\\';
     pattern += c;
   }
@@ -81,8 +82,8 @@ Curve CurveOf(const Series& series, const PlotRequest& request, size_t points_ma
     const auto first = curve.y.begin() + static_cast<ptrdiff_t>(begin);
     const auto last = curve.y.begin() + static_cast<ptrdiff_t>(std::min(begin + stretch, count));
     const auto [low, high] = std::minmax_element(first, last);
-    // Adds the two points in the order of their times, because the curve is drawn from left to
-    // right.
+    // Adds the lowest and the highest point of the interval in the order of their times, because
+    // the curve is drawn from left to right.
     for (const auto point : {std::min(low, high), std::max(low, high)}) {
       thin.x.push_back(curve.x[static_cast<size_t>(point - curve.y.begin())]);
       thin.y.push_back(*point);
