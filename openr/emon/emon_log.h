@@ -27,7 +27,7 @@ struct EmonLog {
     uint32_t context = 0;
     uint32_t thread = 0;
     uint32_t oid = 0;
-    std::string meta_space;  // meta space of the object; "" if the record does not have it
+    std::string meta_space;  // the object's environment, such as mCOOP; "": not in the record
   };
 
   // Exception code of the processor.  If no line of the crash record has it, it is taken from the
@@ -38,7 +38,7 @@ struct EmonLog {
   // Address of the instruction that failed or, if it is in the delay slot of a branch, of this
   // branch.
   std::optional<uint32_t> epc;
-  std::optional<uint32_t> context;  // context of the object that crashed
+  std::optional<uint32_t> context;  // context (a number) of the object that crashed
   std::array<std::optional<uint32_t>, kRobotRegisters> registers;
   std::vector<Object> objects;
   // Words of the stack dump; the key is the address of the word.
