@@ -195,7 +195,7 @@ class RecordFile {
 
   const std::string* const name_;
   int descriptor_ = -1;
-  off_t begin_ = 0;  // size of the file before this record was added
+  off_t begin_ = 0;  // size of the file before this crash record was added
   int error_ = 0;    // errno of the first call that failed; 0: none failed
 };
 
@@ -269,8 +269,8 @@ void WriteRecordInSignal(Ending* ending, RobotException* exception, const void* 
     ending->finding.Add("; record: ").Add(*name).Add(**g_place);
 }
 
-// Handles SIGSEGV, SIGBUS, SIGFPE and SIGILL: ends the process with a crash record if an object was
-// running.
+// Handles SIGSEGV, SIGBUS, SIGFPE and SIGILL.  Ends the process with a crash record if an object
+// was running, unless ContinueInSignal() lets the object go on.
 void OnCrashSignal(int signal, siginfo_t* info, void* context) {
   if (signal == SIGFPE && ContinueInSignal(*info, context)) return;
   Ending ending;
@@ -282,8 +282,8 @@ void OnCrashSignal(int signal, siginfo_t* info, void* context) {
   text.Add("EXCEPTION ").Add(name.text());
   const bool is_overflow = StackMemory::AnyGuardContains(info->si_addr);
   // Prints only an address that the object has accessed.  The address of the instruction (SIGFPE,
-  // SIGILL) and an address in a stack guard differ from run to run, so they are left out; the call
-  // stack in the crash record shows the place of the crash.
+  // SIGILL) and an address just beyond a full stack differ from run to run, so they are left out;
+  // the call stack in the crash record shows the place of the crash.
   const bool is_access = (signal == SIGSEGV || signal == SIGBUS) && !is_overflow;
   if (is_access)
     text.Add(" at address 0x").AddNumber(reinterpret_cast<uint64_t>(info->si_addr), 16);

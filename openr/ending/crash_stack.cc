@@ -65,8 +65,8 @@ CrashStack::CrashStack(const Object& object, const void* context) {
   while (last_own > 0 && !frames_[last_own - 1].is_own) --last_own;
   if (last_own > 0) count_ = last_own;
   // If the runtime itself has found the fault and announced it, drops the innermost stack frames,
-  // so that the first frame is of the object's code.  The dropped stack frames belong only to the
-  // announcement.
+  // so that the first stack frame is of the object's code.  The dropped stack frames belong only to
+  // the announcement.
   if (last_own > 0 && AnnouncedFault()[0] != '\0') {
     size_t first_own = 0;
     while (!frames_[first_own].is_own) ++first_own;

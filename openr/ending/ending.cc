@@ -29,7 +29,7 @@ constexpr int kHandledSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIG
 EndingAction* g_newest = nullptr;
 Ending* g_ending = nullptr;
 Current g_current;          // the object and handler that ran when the end of the process began
-bool g_is_awaited = false;  // true while an EndingAnswer exists: the end is reported
+bool g_is_awaited = false;  // true while an EndingAnswer exists, which reports an early end
 int g_answer = -1;
 // The file that also gets the JSON answer of a command whose run has ended early.  Its paths are
 // made together with the EndingAnswer, because OnSignalDuringEnding() must not allocate memory.
@@ -76,8 +76,8 @@ EndingAction::EndingAction(std::function<void(Ending*)> action)
 EndingAction::~EndingAction() { g_newest = outer_; }
 
 void RunEndingActions(Ending* ending) {
-  // Takes the list away first, so that no action is called twice if an action ends the process,
-  // too.
+  // Takes the list of EndingActions out of g_newest first, so that no action is called twice if an
+  // action itself ends the process.
   for (EndingAction* each = std::exchange(g_newest, nullptr); each != nullptr; each = each->outer_)
     each->action_(ending);
 }
