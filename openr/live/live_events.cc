@@ -29,7 +29,8 @@ constexpr int64_t kMs = 1'000'000;  // a millisecond in nanoseconds
 // The least virtual time over which messages are counted to compute a rate.
 constexpr int64_t kRateUs = 500'000;
 
-// The largest number of earlier lines that a client gets when it begins to watch the event "log".
+// The largest number of lines, printed by objects before, that a client gets when it begins to
+// watch the event "log".
 constexpr size_t kFirstLines = 200;
 
 double InSeconds(int64_t time_us) { return static_cast<double>(time_us) / 1e6; }

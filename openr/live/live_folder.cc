@@ -34,7 +34,7 @@ bool IsOpen(const std::string& path) {
   if (path.size() >= sizeof address.sun_path) return false;
   std::memcpy(address.sun_path, path.c_str(), path.size() + 1);
   const int descriptor = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-  if (descriptor < 0) return true;  // the answer is not known, and the run may go on
+  if (descriptor < 0) return true;  // nothing is known about the socket, and its run may go on
   const bool is_refused =
       connect(descriptor, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 &&
       (errno == ECONNREFUSED || errno == ENOENT);
