@@ -39,7 +39,9 @@ struct JointDifference {
   // fewer than kSamplesMin records are left for the comparison, or when the best shift is the
   // largest that was tried.
   std::optional<double> lag_ms;
-  std::optional<double> gain;  // the gain of the formula above; nullopt when lag_ms is nullopt
+  // The factor by which the positions in motion A are multiplied to get those in B, after B was
+  // shifted by the lag; nullopt when lag_ms is nullopt.
+  std::optional<double> gain;
   // Root of the mean square of the difference between motions B and A, after B was shifted by the
   // lag.
   std::optional<double> rms_after_lag_deg;

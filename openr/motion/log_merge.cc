@@ -21,7 +21,7 @@ void RequireSameMoment(const LogFile& real, const LogFile& other, size_t i) {
         i, a.key_frame, b.key_frame));
   }
   // Does not compare the commanded positions in the first record of the logs of two robots, because
-  // the robots got these commands before the motion.
+  // the robots got these commands before the motion, so they may differ.
   if (i == 0) return;
   const std::vector<const JointConstants*> joints = LoggedJoints(*real.robot);
   for (size_t j = 0; j < joints.size(); ++j) {

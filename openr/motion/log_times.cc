@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kPlayedFrameMs = 8;
 
-// Plays `motion` as the robot does, with `per_vector` key frames in each command vector, and makes
-// a record at the end of each command vector.  Returns the times of these records, up to the first
-// record whose key frame is not the same as in the log.
+// Plays `motion` as the robot does, with at most `per_vector` key frames in each command vector,
+// and makes a record at the end of each command vector.  Returns the times of these records, up to
+// the first record whose key frame is not the same as in the log.
 std::vector<double> PlayTimes(const LogFile& log, const MtnFile& motion, int per_vector) {
   MtnPlayer player;
   // Lets the motion repeat more often than the log has records, so that the log ends before the

@@ -20,7 +20,7 @@ namespace openr_host {
 std::vector<double> TimesOf(const LogFile& log);
 
 // Returns the time of each record of `log`, in ms.  Plays `motion`, the motion of the log, to find
-// when each record was made.  Tries all numbers of key frames per command vector, and uses the
+// when each record was made.  Tries 2, 4, 6 and 8 key frames per command vector, and uses the
 // number that gives the key frames of the log.
 std::vector<double> TimesOf(const LogFile& log, const MtnFile& motion);
 
