@@ -102,7 +102,8 @@ std::string Summary(const Json& result, const ExploreFlags& flags) {
 bool WriteFailure(const Json& result, const ExploreFlags& flags) {
   if (flags.file.empty()) return true;
   if (!result.contains("failure")) {
-    // Removes an old schedule file, which would look like the result of this exploration.
+    // Removes the schedule file of an earlier exploration, because it would look like the result of
+    // this exploration.
     RemoveFile(flags.file);
     return true;
   }

@@ -28,8 +28,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Shows the failing run of a schedule file on the panel.  `answer` describes how the run ended;
-// ReplayDeviations() has returned it.  Returns the exit code.
+// Shows the failing run of a schedule file (openr explore -o) on the panel.  `answer` describes how
+// the run ended; ReplayDeviations() has returned it.  Returns the exit code.
 int ShowFailure(const ExploreFlags& flags, const ExploredStick& stick, uint64_t seed,
                 const Json& deviations, const Json& answer) {
   ShowOptions show = flags.show;

@@ -8,8 +8,8 @@
 
 namespace openr_host {
 
-// Repeats the failing run of the schedule file that --replay names, and says whether it fails in
-// the same way.  Returns the exit code.
+// Repeats the failing run of the schedule file (openr explore -o) that --replay names, and says
+// whether the run fails in the same way.  Returns the exit code.
 int ReplayFailure(ExploreFlags flags);
 
 // Runs the failing run once more and writes its recording.  `answer` describes how the run ended

@@ -58,8 +58,8 @@ void RcPoseAction(remote::Connection* robot, const RcFlags& flags) {
     const double in_force = robot->InForce(answer);
     json[goals[i].joint] = in_force;
     text += fmt::format("\n  {:<12} {:8.2f} deg", goals[i].joint, in_force);
-    // Allows the accepted position to differ by a little more than 0.005 degrees from the goal,
-    // because the robot rounds to hundredths of a degree.
+    // Allows the accepted position to differ by a little more than 0.005 degrees from the wanted
+    // position, because the robot rounds to hundredths of a degree.
     if (std::abs(in_force - goals[i].degrees) > 0.006) {
       text += fmt::format(", the limit of this joint; {:.2f} asked for", goals[i].degrees);
     }

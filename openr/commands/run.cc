@@ -189,7 +189,7 @@ class CommandedRun {
   EventScript events_;
   Recorder recorder_;
   std::unique_ptr<DataLog> data_log_;   // log of --log-data; null: the flag was not given
-  std::unique_ptr<Timeline> timeline_;  // timeline of --timeline; null: the flag was not given
+  std::unique_ptr<Timeline> timeline_;  // file of --timeline; null: the flag was not given
   DistributedRun distribution_;
   Rewind rewind_;
   const SimulationOptions options_;
@@ -407,7 +407,7 @@ bool CommandedRun::FinishFiles() {
   return good;
 }
 
-// Writes the report of the run, with the facts that workers send, and then ends the worker
+// Writes the report of the run, which also describes the worker processes, and ends these
 // processes.  Returns false after printing an error.
 bool CommandedRun::Report() {
   distribution_.ReportLosses();
