@@ -30,7 +30,8 @@ struct Rgb {
 };
 constexpr Rgb kBackground{1, 1, 1}, kPlotBackground{0.975, 0.978, 0.982}, kGrid{0.88, 0.89, 0.90},
     kFrame{0.62, 0.64, 0.67}, kInk{0.13, 0.15, 0.18}, kPaleInk{0.38, 0.41, 0.45};
-// Grey, and two colours that people with any colour vision can tell apart (Okabe and Ito).
+// Grey, and two colours of the palette of Okabe and Ito, which people with any colour vision can
+// tell apart.
 constexpr Rgb kGrey{0.66, 0.68, 0.71}, kBlue{0.0, 0.40, 0.64}, kVermilion{0.80, 0.32, 0.0};
 
 struct Rect {
