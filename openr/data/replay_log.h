@@ -1,4 +1,5 @@
-// Replays a recording and writes files about it: the data of each frame, a timeline.
+// Replays a recording and writes files about it: the quantities of each frame, and a timeline that
+// shows when each handler ran.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +11,9 @@ namespace openr_host {
 
 class Replayer;
 
-// Replays a recording up to `until_us`.  Writes a log of data if `options.file` is not "", and a
-// timeline if `timeline` is not "".  Shows the progress on the terminal `descriptor`; -1: shows
-// none.  Returns "", or the error that happened while a file was
+// Replays a recording up to `until_us`.  Writes the quantities of each frame to `options.file`, and
+// a timeline of the handlers to `timeline`; "": writes no such file.  Shows the progress on the
+// terminal `descriptor`; -1: shows none.  Returns "", or the error that happened while a file was
 // written.  Throws std::runtime_error when a file cannot be created or another run is writing to
 // it.
 std::string LogReplay(Replayer* replayer, const DataLogOptions& options,

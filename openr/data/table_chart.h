@@ -1,5 +1,5 @@
-// Makes charts of tables: a panel for each quantity, or a panel for each joint with its commanded
-// angle, its measured angle and the angle of the body.
+// Makes charts of tables: a diagram for each quantity, or a diagram for each joint with its
+// commanded angle, its measured angle and its angle on the simulated body.
 #pragma once
 
 #include <string>
@@ -19,9 +19,9 @@ struct PlotRequest {
 };
 
 // Returns the chart of the quantities that `request` asks for.  A joint has three angles: the
-// commanded angle, the measured angle, and the angle of the body.  They share a panel, unless the
-// request has the whole name of one of them.  Throws std::runtime_error when the table has no
-// quantity with a wanted name, or no values in the wanted time.
+// commanded angle, the measured angle, and its angle on the simulated body.  They share a diagram,
+// unless the request has the whole name of one of them.  Throws std::runtime_error when the table
+// has no quantity with a wanted name, or no values in the wanted time.
 chart::Chart ChartOf(const Table& table, const PlotRequest& request);
 
 }  // namespace openr_host
