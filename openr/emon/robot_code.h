@@ -57,7 +57,7 @@ class RobotCode {
   // The address for which the code was linked, minus its address in the headers.  It is not 0 for a
   // .BIN: this file was linked at 0x400000, and only its headers were moved to 0 (binary.md 1.5).
   uint32_t moved_by_ = 0;
-  uint32_t loaded_by_ = 0;  // address on the robot, minus the address for which the code was linked
+  uint32_t loaded_by_ = 0;  // distance by which the robot has moved the code when it loaded it
 };
 
 }  // namespace openr_host
