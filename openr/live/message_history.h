@@ -81,7 +81,7 @@ class MessageHistory {
                                  const std::string& observer) const;
 
   System& system_;
-  int sink_ = 0;  // id of the trace sink, which keeps the messages; 0: no messages are recorded now
+  int sink_ = 0;  // id of the function that the trace calls for each message; 0: none is kept
   std::map<Ends, ConnectionMessages> connections_;
 };
 
