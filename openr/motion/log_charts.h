@@ -1,4 +1,4 @@
-// Charts of motions and of the logs of motions: one panel for each joint.
+// Charts of motions and of the logs of motions: one diagram for each joint.
 #pragma once
 
 #include <string>

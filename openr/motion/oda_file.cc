@@ -10,7 +10,7 @@
 namespace openr_host {
 namespace {
 
-constexpr size_t kOdaHead = 64;    // number of bytes in the file before the directory
+constexpr size_t kOdaHead = 64;    // number of bytes before the directory of the ODA container
 constexpr size_t kOdaEntry = 144;  // number of bytes of a directory entry
 constexpr size_t kOdaName = 128;   // number of bytes of the name in a directory entry
 constexpr size_t kStemMax = 8;     // largest length of a file name without its extension
