@@ -91,6 +91,17 @@ std::vector<std::string> AllNames() {
 INSTANTIATE_TEST_SUITE_P(All, CorpusTest, testing::ValuesIn(AllNames()),
                          [](const auto& test) { return test.param; });
 
+// fuzz.py takes no notice of a misspelt key.
+TEST(FuzzTargetsTest, DescriptionsHaveOnlyKeysThatTheScriptReads) {
+  const std::set<std::string> known = {"reads", "seeds", "words", "numbers", "max_bytes", "counts"};
+  const nlohmann::json targets = DescribedTargets();
+  for (const auto& [name, target] : targets.items()) {
+    for (const auto& [key, value] : target.items()) {
+      EXPECT_TRUE(known.contains(key)) << name << ": " << key;
+    }
+  }
+}
+
 TEST(FuzzTargetsTest, EachTargetIsDescribedAndHasAFolderOfItsOwnName) {
   std::set<std::string> described, known;
   const nlohmann::json targets = DescribedTargets();

@@ -177,6 +177,8 @@ def fuzz(name, found, seconds, seed, planted=False):
         seconds *= PLANTED_WAIT
     command += [f"-max_total_time={seconds}", f"-artifact_prefix={crashes}/"]
     folders = [kept] + seeds
+    # Else an input is also kept for taking a known branch another number of times.
+    command += [] if found.get("counts", True) else ["-use_counters=0"]
     command += [f"-dict={words}"] if os.path.getsize(words) > 0 else []  # it refuses an empty one
     sizes = [os.path.getsize(os.path.join(folder, file))
              for folder in folders for file in os.listdir(folder)]
