@@ -147,14 +147,16 @@ extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t siz
 }
 
 // Makes an input of two others.  Does so once in a while, because inputs would only grow; the
-// result 0 makes libFuzzer choose another change.
+// result 0 makes libFuzzer choose another change.  If inputs are programs, the second is a seed in
+// a third of the cases, because few other programs finish what they begin, such as a transfer.
 extern "C" size_t LLVMFuzzerCustomCrossOver(const uint8_t* first, size_t first_size,
                                             const uint8_t* second, size_t second_size, uint8_t* out,
                                             size_t size_max, unsigned int seed) {
   openr_host::FuzzRandom random(seed + 1);
   if (random() % (has_steps ? 4 : 8) != 0) return 0;
   const std::string one(reinterpret_cast<const char*>(first), first_size);
-  const std::string other(reinterpret_cast<const char*>(second), second_size);
+  std::string other(reinterpret_cast<const char*>(second), second_size);
+  if (has_steps && !seeds.empty() && random() % 3 == 0) other = seeds[random() % seeds.size()];
   return Put(has_steps ? openr_host::JoinSteps(one, StartsOf(one), other, StartsOf(other), &random)
                        : openr_host::JoinTexts(one, other, &random),
              out, size_max);
