@@ -99,6 +99,7 @@ std::string MutateTextOrBytes(const std::string& bytes, size_t size_max,
                               openr_host::FuzzRandom* random) {
   const bool is_text = openr_host::IsText(bytes);
   if (!is_text && (*random)() % 3 == 0) return openr_host::MutateNumber(bytes, random);
+  if (!is_text && (*random)() % 4 == 0) return openr_host::MutateTextIn(bytes, words, random);
   if (is_text ? (*random)() % 3 != 0 : (*random)() % 16 == 0) {
     return openr_host::MutateText(bytes, words, random);
   }

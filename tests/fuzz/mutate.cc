@@ -26,6 +26,8 @@ struct Piece {
 
 bool IsOfWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
+bool IsOfText(char c) { return std::isprint(static_cast<unsigned char>(c)) != 0 || c == '\n'; }
+
 bool IsOfSymbol(char c) { return std::ispunct(static_cast<unsigned char>(c)) != 0 && c != '_'; }
 
 // Returns the longest pieces of `text` whose characters all fit.
@@ -182,6 +184,18 @@ std::string MutateText(std::string_view text, const FuzzWords& words, FuzzRandom
     lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(to), line);
   }
   return TextOf(lines);
+}
+
+std::string MutateTextIn(std::string bytes, const FuzzWords& words, FuzzRandom* random) {
+  constexpr size_t kTextBytesMin = 8;  // shorter rows are mostly numbers
+  std::vector<Piece> texts = PiecesOf(bytes, IsOfText);
+  std::erase_if(texts, [](const Piece& piece) { return piece.size < kTextBytesMin; });
+  if (texts.empty()) return bytes;
+  const Piece chosen = texts[Below(texts.size(), random)];
+  std::string text =
+      MutateText(std::string_view(bytes).substr(chosen.begin, chosen.size), words, random);
+  text.resize(std::min(std::max(text.size(), chosen.size), bytes.size() - chosen.begin));
+  return bytes.replace(chosen.begin, text.size(), text);
 }
 
 std::string MutateNumber(std::string bytes, FuzzRandom* random) {

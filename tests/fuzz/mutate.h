@@ -21,6 +21,12 @@ bool IsText(std::string_view bytes);
 // has no words.
 std::string MutateText(std::string_view text, const FuzzWords& words, FuzzRandom* random);
 
+// Changes one of the texts in `bytes`, as MutateText() does.  A text is a row of at least 8
+// characters without control characters, such as a section of an image.  Bytes behind the text stay
+// in their places: a text that becomes shorter ends with NULs, and a longer text covers the bytes
+// behind it.  Returns `bytes` themselves if they have no text.
+std::string MutateTextIn(std::string bytes, const FuzzWords& words, FuzzRandom* random);
+
 // Changes a number of 1, 2 or 4 bytes, little-endian: to a near one, a small one, or a limit of a
 // type.  Returns `bytes` themselves if there are too few.
 std::string MutateNumber(std::string bytes, FuzzRandom* random);

@@ -88,6 +88,34 @@ TEST(MutateTest, BytesWithoutWordsStayAsTheyAre) {
   EXPECT_EQ(MutateText("", {}, &random), "");
 }
 
+TEST(MutateTest, ATextBetweenOtherBytesIsChangedAndTheBytesBehindItStay) {
+  const auto input = [](std::string text) {
+    text.resize(14);
+    return "\x01" + text + "\x02";
+  };
+  std::set<std::string> found;
+  FuzzRandom random(1);
+  for (int i = 0; i < 5000; ++i) found.insert(MutateTextIn(input("object a 128"), {}, &random));
+  EXPECT_TRUE(found.contains(input("object a 127")));
+  EXPECT_TRUE(found.contains(input("object a 5")));
+  EXPECT_TRUE(found.contains(input("object a 1280")));  // over a NUL
+}
+
+TEST(MutateTest, ATextAtTheEndOfOtherBytesDoesNotGrow) {
+  std::set<std::string> found;
+  FuzzRandom random(1);
+  for (int i = 0; i < 5000; ++i) found.insert(MutateTextIn("\x01object 16", {}, &random));
+  EXPECT_TRUE(found.contains("\x01object 17"));
+  EXPECT_TRUE(found.contains("\x01object 12"));  // of 128
+  for (const std::string& bytes : found) EXPECT_EQ(bytes.size(), 10u);
+}
+
+TEST(MutateTest, ShortTextsBetweenOtherBytesStayAsTheyAre) {
+  FuzzRandom random(1);
+  EXPECT_EQ(MutateTextIn("\x01x 12345\x02", {}, &random), "\x01x 12345\x02");
+  EXPECT_EQ(MutateTextIn("", {}, &random), "");
+}
+
 TEST(MutateTest, ANumberOfFewBytesIsChanged) {
   std::set<std::string> found;
   FuzzRandom random(1);
