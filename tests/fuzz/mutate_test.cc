@@ -226,6 +226,28 @@ TEST(FuzzStatesTest, FilesOnTheStickOfTheRemoteControlAreAState) {
   EXPECT_EQ(StateOf("remote_control", ""), before);
 }
 
+TEST(FuzzStatesTest, SetsThatReachTheRobotAndConnectionsOfTheGatewayAreAState) {
+  const std::string connect("\x10\xd0\xd0\xa0\0\xd0", 6), one_item("\x50\1\1a\xd0", 5);
+  const uint64_t before = StateOf("gateway", "");
+  const uint64_t connected = StateOf("gateway", connect);
+  EXPECT_NE(connected, before);
+  EXPECT_NE(StateOf("gateway", connect + one_item), connected);
+  EXPECT_EQ(StateOf("gateway", one_item), before);
+}
+
+TEST(FuzzStatesTest, WhatAnAcceptedImageSaysIsAState) {
+  const std::string folder = OPENR_FUZZ_FOLDER "/corpus/image/";
+  std::ifstream in(folder + "small.bin", std::ios::binary);
+  const std::string image{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  std::string other = image;
+  other.replace(other.find(" 128 "), 5, " 255 ");
+  EXPECT_NE(StateOf("image", image), 0u);
+  EXPECT_NE(StateOf("image", other), StateOf("image", image));
+  EXPECT_NE(StateOf("image", Compress(image)), StateOf("image", image));
+  other.replace(other.find("object"), 6, "OBJECT");
+  EXPECT_EQ(StateOf("image", other), 0u);
+}
+
 TEST(FuzzStatesTest, StatesAreNotNotedWithoutAListener) {
   noted_state = 0;
   FindFuzzTarget("remote_control")->run("");

@@ -213,6 +213,10 @@ bool fuzz::gateway(std::string_view bytes) {
   // Each service listens, and has a connection, and the last one may be closing.
   FuzzCheck(stack->endpoint_count() <= 3 * std::size(kPorts), "endpoints are given back");
   FuzzCheck(!system.powered_off(), "the robot goes on");
+  // Notes the size of the largest set that has arrived and the number of connections, because all
+  // sizes and numbers have the same branches.
+  ReachFuzzState(
+      static_cast<uint64_t>(std::min(chat->data_max, 4) * 8 + std::min(peers.closed(), 7)));
   return chat->data_max > 2 && peers.closed() > 2;
 }
 
