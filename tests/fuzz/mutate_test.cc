@@ -235,6 +235,14 @@ TEST(FuzzStatesTest, SetsThatReachTheRobotAndConnectionsOfTheGatewayAreAState) {
   EXPECT_EQ(StateOf("gateway", one_item), before);
 }
 
+TEST(FuzzStatesTest, TheSizeOfAPictureIsAState) {
+  const std::string pixels(12, 'x');
+  EXPECT_NE(StateOf("camera_picture", "P6 2 2 255\n" + pixels), 0u);
+  EXPECT_NE(StateOf("camera_picture", "P6 4 1 255\n" + pixels),
+            StateOf("camera_picture", "P6 2 2 255\n" + pixels));
+  EXPECT_EQ(StateOf("camera_picture", "P6 3 3 255\n" + pixels), 0u);  // some pixels are missing
+}
+
 TEST(FuzzStatesTest, WhatAnAcceptedImageSaysIsAState) {
   const std::string folder = OPENR_FUZZ_FOLDER "/corpus/image/";
   std::ifstream in(folder + "small.bin", std::ios::binary);
