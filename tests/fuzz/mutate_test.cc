@@ -243,6 +243,17 @@ TEST(FuzzStatesTest, TheSizeOfAPictureIsAState) {
   EXPECT_EQ(StateOf("camera_picture", "P6 3 3 255\n" + pixels), 0u);  // some pixels are missing
 }
 
+TEST(FuzzStatesTest, TheNumberOfFunctionsThatAreCalledIsAState) {
+  std::ifstream in(OPENR_FUZZ_FOLDER "/corpus/gateway_wire/call", std::ios::binary);
+  const std::string call{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  constexpr size_t kSelectorAt = 1 + 5 * 4;  // behind the size of the piece and five words
+  std::string other = call;
+  other[kSelectorAt] = static_cast<char>(other[kSelectorAt] + 1);
+  EXPECT_EQ(StateOf("gateway_wire", call), 1u);
+  EXPECT_EQ(StateOf("gateway_wire", call + call), 1u);
+  EXPECT_EQ(StateOf("gateway_wire", call + other), 2u);
+}
+
 TEST(FuzzStatesTest, WhatAnAcceptedImageSaysIsAState) {
   const std::string folder = OPENR_FUZZ_FOLDER "/corpus/image/";
   std::ifstream in(folder + "small.bin", std::ios::binary);
