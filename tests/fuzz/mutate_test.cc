@@ -214,6 +214,7 @@ TEST(FuzzStatesTest, EachCommandThatServeAcceptsIsAState) {
   EXPECT_NE(run, 0u);
   EXPECT_NE(StateOf("serve", R"({"do":"step","count":2})"), run);
   EXPECT_EQ(StateOf("serve", R"({"do":"step","frames":2})"), 0u);
+  EXPECT_NE(StateOf("serve", R"({"do":"act","frames":2})"), StateOf("serve", R"({"do":"act"})"));
 }
 
 TEST(FuzzStatesTest, FilesOnTheStickOfTheRemoteControlAreAState) {

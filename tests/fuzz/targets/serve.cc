@@ -11,9 +11,14 @@ namespace openr_host {
 
 bool fuzz::serve(std::string_view bytes) {
   auto request = TryParseJson<nlohmann::json>(bytes);
-  if (request.is_discarded() || !CompleteRequest(&request).empty()) return false;
-  const auto command = request["do"].get<std::string>();
-  ReachFuzzState(HashBytes(command.data(), command.size()));
+  if (request.is_discarded()) return false;
+  std::string given;  // names of the parameters that the request has, before the others are added
+  if (request.is_object()) {
+    for (const auto& [key, value] : request.items()) given += key + ' ';
+  }
+  if (!CompleteRequest(&request).empty()) return false;
+  given += request["do"].get<std::string>();
+  ReachFuzzState(HashBytes(given.data(), given.size()));
   return request.value("frames", nlohmann::json()) > 70;
 }
 
