@@ -71,12 +71,15 @@ Picture ReadPpm(const std::string& bytes, const std::string& file) {
   const int max = HeaderNumber(bytes, 65535, &at, file);
   if (max != 255) Fail(file, fmt::format("PPM with values up to {}; only 255 is read", max));
   ++at;  // skips the one blank character that ends a PPM header
-  Picture picture = Empty(width, height);
-  if (at > bytes.size() || bytes.size() - at < picture.rgb.size()) {
-    Fail(file,
-         fmt::format("is cut off: {} bytes of pixels, {} x {} need {}",
-                     bytes.size() - std::min(at, bytes.size()), width, height, picture.rgb.size()));
+  // Checks the number of bytes before it makes the picture, because a short file may name a size
+  // that needs much memory.
+  const size_t needed = size_t{3} * static_cast<size_t>(width) * static_cast<size_t>(height);
+  const size_t found = bytes.size() - std::min(at, bytes.size());
+  if (found < needed) {
+    Fail(file, fmt::format("is cut off: {} bytes of pixels, {} x {} need {}", found, width, height,
+                           needed));
   }
+  Picture picture = Empty(width, height);
   std::memcpy(picture.rgb.data(), bytes.data() + at, picture.rgb.size());
   return picture;
 }
