@@ -78,6 +78,9 @@ TEST_F(StickWithoutReplacementTest, AFileIsReplacedByRenamingTheOldOneFirst) {
     EXPECT_EQ(Read(Motion("OLD.MTN")), Bytes{2});
     EXPECT_EQ(Files(), std::vector<std::string>{"OLD.MTN"});
   }
+  Write(Motion("EMPTY.MTN"), {});
+  EXPECT_TRUE(StickStore::Replace(Motion("EMPTY.MTN"), Motion("OLD.MTN")));
+  EXPECT_EQ(Read(Motion("OLD.MTN")), Bytes{});
 }
 
 TEST_F(StickWithoutReplacementTest, AFolderIsNeitherReplacedNorMoved) {

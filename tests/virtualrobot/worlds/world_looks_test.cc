@@ -65,6 +65,8 @@ TEST(WorldLooksTest, RobotsHaveStarts) {
   EXPECT_EQ(StartOf(World{}, 2).y_m, -0.5);
   EXPECT_EQ(ErrorOfFields(R"(, "starts": [{"place_m":[1]}])"),
             "w.json: starts[0].place_m: has 1 numbers, must have x and y");
+  EXPECT_EQ(ErrorOfFields(R"(, "starts": [{"place_m":[1,2],"yaw":90}])"),
+            "w.json: starts[0]: 'yaw' is unknown; known here: place_m, yaw_deg");
 }
 
 TEST(WorldLooksTest, ARampCannotBeMoved) {

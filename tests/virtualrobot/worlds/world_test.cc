@@ -45,6 +45,11 @@ TEST(WorldTest, FlatBoxIsRefused) {
             "w.json: boxes[0].size_m: box 'wall' is 0.1 x 2 x 0 m, edges must be > 0");
 }
 
+TEST(WorldTest, ABoxThatIsTooFarAwayIsRefused) {
+  EXPECT_EQ(ErrorWith("[1, 0, 0.25]", "[1001, 0, 0.25]"),
+            "w.json: boxes[0]: 'wall' is larger, or further away, than 1000 m");
+}
+
 TEST(WorldTest, NegativeFrictionIsRefused) {
   EXPECT_EQ(ErrorWith("0.4", "-0.4"), "w.json: friction: is -0.4, must be >= 0");
 }
@@ -138,6 +143,16 @@ TEST(WorldThingTest, EveryShapeIsRead) {
                                   "rpy_deg":[90,0,0]})")
                              .things.at(0);
   EXPECT_TRUE((box.R_WT * Vector3d::UnitY()).isApprox(Vector3d::UnitZ(), 1e-12));
+}
+
+TEST(WorldThingTest, AnglesAreAtMostAWholeTurn) {
+  const auto with_roll = [](const char* roll) {
+    return std::string(R"({"shape":"box","name":"q","size_m":[1,1,1],"centre_m":[0,0,1],)") +
+           "\"rpy_deg\":[" + roll + ",0,0]}";
+  };
+  EXPECT_NO_THROW(With(with_roll("360")));
+  EXPECT_EQ(ErrorOfThing(with_roll("361")),
+            "w.json: things[0].rpy_deg: is [361, 0, 0], angles must be -360 to 360");
 }
 
 // A ramp of 0.3 m that rises 0.4 m: its upper face begins at the start and ends 0.3 m ahead.
