@@ -12,7 +12,8 @@
 namespace openr_host {
 namespace {
 
-// Throws std::runtime_error if `number` is not among the numbers that `fractions` allows.
+// Throws std::runtime_error if `fractions` does not allow `number`, which has a fraction or an
+// exponent.
 template <typename Json>
 void CheckFraction(const Json& number, Fractions fractions) {
   if (fractions == Fractions::kNone)

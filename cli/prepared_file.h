@@ -1,4 +1,4 @@
-// PreparedFile: a file that a signal handler will replace.
+// PreparedFile: a file that a signal handler will write in place of the old file of this name.
 #pragma once
 
 #include <cstddef>

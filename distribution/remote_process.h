@@ -54,8 +54,8 @@ class RemoteProcess {
 
   // ---- Loss and restart of the worker
 
-  // Counts the worker as lost, also in the stand-ins for its objects (Object::is_lost).  Releases
-  // nothing, which is enough in a run that ends.
+  // Counts the worker as lost, also in the stand-ins for its objects (Object::is_lost).  Does not
+  // give back the regions of the worker, so it suffices only in a run that ends.
   void SetLost();
   // Counts the worker as lost and releases everything that belongs to it while the run goes on.
   // Regions that were sent to the worker go back to their subjects.  Also ends the waits of all

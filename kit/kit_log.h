@@ -83,9 +83,9 @@ void AppendKitLog(const std::string& file, const KitLog& log);
 // Replaces the content of the log file `file` by `log`.
 void WriteKitLog(const std::string& file, const KitLog& log);
 
-// Removes from the log `file` of earlier builds all failures and repairs, and each image whose file
-// no longer exists.  Called at the beginning of a build, so that failures of earlier builds do not
-// count.
+// Removes from the log `file` of earlier builds all failures, all repairs of sources that the kit
+// has made in them, and each image whose file no longer exists.  Called at the beginning of a
+// build, so that failures of earlier builds do not count.
 void CleanKitLog(const std::string& file);
 
 }  // namespace openr_host

@@ -43,8 +43,8 @@ class TcpClient : public openr_host::CodeObject {
   TcpClient& Reset(Place place = Place::Here());
 
   bool done() const { return script_.empty(); }
-  // Describes the step that the script waits in and the bytes received so far: "to hear 'PONG\n',
-  // has heard ''".  Returns "" when the script is done.
+  // Describes the step of the test's script in which this client waits, and the bytes received so
+  // far: "to hear 'PONG\n', has heard ''".  Returns "" when the script is done.
   std::string WaitsFor() const;
   // Returns the line of the test that added the step in which the script waits.  REQUIRES: !done().
   const Place& place() const;

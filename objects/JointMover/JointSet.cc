@@ -35,8 +35,8 @@ JointSet::SetGoal(int joint, Sint32 urad)
     const JointConstants& limits = robot_->joints[joint];
     const Sint32 goal = Clamp(urad, limits.minUrad, limits.maxUrad);
     if (gain_[joint] == gainWAITING) {
-        // Keeps the goal until the gain is on, because the vector before must command the measured
-        // position (see Wake()).
+        // Keeps the goal until the gain is on, because the first command vector with the gain must
+        // command the measured position, so that the joint does not jump (see Wake()).
         wakeGoal_[joint] = goal;
     } else {
         trajectory_[joint].SetGoal(goal);

@@ -206,7 +206,8 @@ MoverCore::BeginMotion()
     player_.Start(&motion_, loops_, keyFramesPerVector_);
     Enter(moverMTN);
     Report(0, 0);
-    // A motion of one key frame is over at its beginning: it has no gap to play.
+    // A motion of one key frame is over at its beginning, because a motion plays the frames between
+    // its key frames.
     if (!player_.IsPlaying()) EndMotion();
 }
 

@@ -51,7 +51,7 @@ StickStore::ReadMotions()
     ReadNames(".MTN");
 }
 
-// Reads the names of all files in the folder of the motions that have this extension.  Returns false
+// Reads the names of all files with the extension `extension` in the folder of motions.  Returns false
 // if the folder cannot be read; `errno` then has the reason.
 bool
 StickStore::ReadNames(const char* extension)
@@ -139,8 +139,9 @@ bool
 StickStore::Replace(const std::string& from, const std::string& to)
 {
     if (rename(from.c_str(), to.c_str()) == 0) return true;
-    // Stops on a full, protected or damaged stick: a second rename() may succeed there, although the
-    // bytes of `from` are lost.
+    // Goes on only if the file system may refuse to replace a file.  After another error, such as
+    // that of a full or damaged stick, a second rename() might put a file without its bytes in the
+    // place of a whole one.
     if (errno != EEXIST && errno != EACCES) return false;
     // Gives the file `to` another name and tries again, because the file system may refuse to
     // rename a file to a name that exists.  No source says whether the robot's file system refuses

@@ -9,9 +9,9 @@
 
 // Size of a buffer for the name of a motion file, in bytes.
 const int MTN_NAME_SIZE = 16;
-// Checks that `given` is an 8+3 file name without a path, and writes it to `name`, in upper case
-// and padded with zeros.  When `given` is not such a name, returns false and sets `error` to the
-// reason (Hohl 2004, 5.3.7).
+// Checks that `given` is an 8+3 file name without a path, and writes it to `name`, in upper case; the
+// rest of `name` is filled with zero bytes.  When `given` is not such a name, returns false and sets
+// `error` to the reason (Hohl 2004, 5.3.7).
 bool MtnFileName(const char* given, char name[MTN_NAME_SIZE], std::string* error);
 
 // The folder of motions on the Memory Stick (Hohl 2004, 5.3.7).

@@ -46,8 +46,8 @@ struct RcList {
     bool Read(RcReader* in);
 };
 
-// Largest number of entries in one part of the list.  The limit is below 59, the number of names of
-// 12 characters for which a packet has room.
+// Largest number of files in one answer to a request for a list of files, which is sent in parts.
+// The limit is below 59, the number of names of 12 characters for which a packet has room.
 const int RC_MAX_LIST_ENTRIES = 50;
 
 struct RcUploadBegin {

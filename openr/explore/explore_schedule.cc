@@ -220,8 +220,9 @@ ScriptedSchedule::Spot ScriptedSchedule::SpotOf(const Deviation& deviation) {
   using Kind = Deviation::Kind;
   const Kind kind = deviation.kind;
   const bool of_entry = kind == Kind::kDelay || kind == Kind::kCost;
-  // The returned place of a deviation has a time only for a tie.  The time of a delay or a cost
-  // changes when other deviations are removed; the number of the message or call (nth) does not.
+  // Keeps the time only of a deviation that orders messages of the same time (kTie).  The time at
+  // which a message is delayed or a handler takes longer changes when other deviations are removed;
+  // the number of the message or call (nth) does not.
   return {kind,
           kind == Kind::kTie ? deviation.time_us : 0,
           deviation.nth,

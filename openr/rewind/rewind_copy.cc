@@ -132,8 +132,8 @@ void Rewind::Prepare(const SavedStick& stick, ProcessFiles* files, const PlainJs
   for (size_t i = 0; i < networks_.size(); ++i) networks_[i]->Repeat(std::move(network_inputs[i]));
 }
 
-// Gives this view the input lines that the original run received at the view's present time and
-// after the view's present number of messages.
+// Gives this view, a run that is played again, the input lines that the original run received at
+// the moment at which the view is now: at the same time and after the same number of messages.
 void Rewind::AddDueInputs() {
   while (!lines_.empty() && lines_.front().time_us == system().now_us() &&
          lines_.front().messages == system().message_count()) {

@@ -105,8 +105,9 @@ class ServedRun {
   std::string crash_log_;
   ConsoleLog console_;
   Recorder recorder_;
-  // Answers requests to rewind the run, which live_ passes on.  Makes no checkpoints, because
-  // Begin() is never called: the program that drives the run goes back by forks of this process.
+  // Refuses requests to rewind the run that come through its socket (live_).  Makes no checkpoints,
+  // because Begin() is never called: the client of `openr serve` goes back in another way, by
+  // copies of this process.
   Rewind rewind_;
   RunClock clock_{0};
   RobotClients clients_;

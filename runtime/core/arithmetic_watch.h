@@ -1,9 +1,9 @@
-// Finds the instruction of a handler that makes a NaN or an infinity, or uses a denormal number:
-// such operations raise SIGFPE while the handler's own code runs.
+// ArithmeticWatch: finds the instruction of a handler that makes a NaN or an infinity, or uses a
+// denormal number: such operations raise SIGFPE while the handler's own code runs.
 //
 // Functions of the SDK and of the C library are not the handler's own code, so their operations do
-// not raise SIGFPE.  Objects of the classes ApiScope and LibraryScope (current.h) tell the watch
-// when such a call begins and ends.
+// not raise SIGFPE.  Objects of the classes ApiScope and LibraryScope (current.h) tell the
+// ArithmeticWatch when such a call begins and ends.
 #pragma once
 
 namespace openr_host {

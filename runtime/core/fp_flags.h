@@ -41,8 +41,8 @@ inline unsigned FpState() { return _mm_getcsr(); }
 // Sets the register MXCSR (the floating-point flags and their mask bits) to `state`, which
 // FpState() has returned.
 inline void SetFpState(unsigned state) { _mm_setcsr(state); }
-// Makes exactly the floating-point operations that set one of the flags `kinds` raise SIGFPE, and
-// clears these flags.
+// Clears the flags `kinds`.  From now on a floating-point operation that sets one of them raises
+// SIGFPE, and an operation that sets other flags does not.
 inline void SetFpTraps(unsigned kinds) {
   _mm_setcsr((_mm_getcsr() | kFpAll << kFpMaskShift) & ~(kinds << kFpMaskShift | kinds));
 }

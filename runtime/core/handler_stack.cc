@@ -7,10 +7,11 @@
 // Calls function(argument) with the stack pointer at `top`, a multiple of 16.
 //
 // `function` may save registers of its caller on the new stack.  These registers hold addresses of
-// the host, which must not get onto this stack, so they are set to 0 before the call.  The address
-// of this code's frame on the old stack is kept at the top of the new stack.  `.cfi_escape` tells
-// exceptions and debuggers to read the address there: the canonical frame address is *(rsp + 8) +
-// 16.
+// the host, which differ from run to run, so they are set to 0 before the call: an object that
+// reads bytes of its stack that it has not written finds the same bytes in every run.  One such
+// address must be kept, that of this code's frame on the old stack.  It lies at the top of the new
+// stack, above all frames of the object.  `.cfi_escape` tells exceptions and debuggers to read the
+// address there: the canonical frame address is *(rsp + 8) + 16.
 extern "C" void openr_call_on_stack(void (*function)(void*), void* argument, void* top);
 asm(R"(
     .text

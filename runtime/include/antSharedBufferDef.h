@@ -6,11 +6,11 @@
 #include <MemoryRegion.h>
 #include <antTypes.h>
 
-// A shared buffer; 16 bytes on the robot.  A copy of this object refers to the same memory.
+// A reference to a buffer that a program shares with the network stack.  The object has 16 bytes on
+// the robot; the buffer has a multiple of 4096.  A copy of the object refers to the same buffer.
 //
 // The network stack makes the buffer (antEnvCreateSharedBufferMsg).  The program calls Map(), uses
-// the buffer, calls UnMap() and sends antEnvDestroySharedBufferMsg.  Sizes are rounded up to pages
-// of 4096 bytes.
+// the buffer, calls UnMap() and sends antEnvDestroySharedBufferMsg.
 class antSharedBuffer {
  public:
   antSharedBuffer() : region_(0), base_(0), size_(0), cookie_(0) {}

@@ -64,8 +64,9 @@ class UdpEndpoint : public Endpoint {
   int64_t sent_in_frame_ = 0;         // bytes sent in this frame; the pool limits their number
 
   std::optional<Operation> send_;
-  // Number of the message in whose handler the program has sent the last Send to this UDP endpoint;
-  // 0 if the program sent it with Call().
+  // Number of the message in whose handler the program has last asked this UDP endpoint to send a
+  // datagram (the operation Send).  0 if the program asked with antEnvMsg::Call(), which is not
+  // kept.
   uint64_t last_send_cause_ = 0;
   std::optional<Operation> receive_;
 };

@@ -42,8 +42,8 @@ void TouchBox(const Eigen::Vector3d& centre_W, const Eigen::Matrix3d& R_WB,
               std::vector<TouchPoint>* points);
 
 // Adds to `points` the points, at most kBoxPointsMax, at which `cylinder` touches `thing`.  They
-// are points on the rims of both cylinders, and on the line of each side that faces the other
-// cylinder.  REQUIRES: both are cylinders.
+// are points on the rims of both cylinders, and, for each cylinder, points on that straight line of
+// its curved side which is nearest to the other cylinder.  REQUIRES: both are cylinders.
 void TouchCylinders(const WorldThing& cylinder, const WorldThing& thing,
                     std::vector<TouchPoint>* points);
 

@@ -19,9 +19,9 @@ constexpr double kMeanShare = 0.08;
 // If the motors give a steady heat, the body's temperature rises in the end by kBodyPerW_k for each
 // W. kBodyTime_s is the time constant of this rise.
 constexpr double kBodyPerW_k = 2.5, kBodyTime_s = 600;
-// If the battery gives a steady current, its temperature rises in the end by
-// kBatteryUsual_k * (r^2 - 1), where r is the current divided by kUsualMa.  kBatteryTime_s is the
-// time constant of this rise.
+// If the battery gives a steady current that is r times the usual one (kUsualMa) and r is above 1,
+// its temperature has risen by kBatteryUsual_k * (r^2 - 1) in the end.  kBatteryTime_s is the time
+// constant of this rise.
 constexpr double kBatteryUsual_k = 5, kBatteryTime_s = 1200;
 // Rise of the battery's temperature, in kelvin, to which a long charge leads.
 constexpr double kChargingBattery_k = 6;

@@ -49,8 +49,8 @@ class Hands {
   struct Turn {
     double angle_rad = 0;  // the angle to which the hand moves the joint now
     double goal_rad = 0;   // the angle at which the hand stops
-    // Number of frames for which the hand goes on to turn the joint.  nullopt: the hand goes on
-    // until an input releases the joint.
+    // Number of frames for which the person's hand goes on turning the joint.  nullopt: the hand
+    // goes on until an input releases the joint.
     std::optional<int64_t> frames;
   };
 
