@@ -65,9 +65,7 @@ double Servo::Drive(double angle_rad, double speed_rad_s) const {
 TorqueLine Servo::Step(double angle_rad, double speed_rad_s, double step_s) const {
   const bool is_driven = enabled_ && strength() > 0;
   TorqueLine line = is_driven ? MotorLine(angle_rad, speed_rad_s, step_s) : LimpLine(speed_rad_s);
-  double beyond_rad = 0;
-  if (angle_rad > hard_rad_.max) beyond_rad = angle_rad - hard_rad_.max;
-  if (angle_rad < hard_rad_.min) beyond_rad = angle_rad - hard_rad_.min;
+  const double beyond_rad = angle_rad - std::clamp(angle_rad, hard_rad_.min, hard_rad_.max);
   if (beyond_rad != 0) {
     const double stiffness_nm = settings_.stop_stiffness_per_rad * stall_nm_;
     line.zero_speed_nm -= stiffness_nm * beyond_rad;

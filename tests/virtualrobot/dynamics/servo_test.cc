@@ -51,6 +51,31 @@ TEST_F(ServoTest, AShiftOf16DoesNotDisableTheJoint) {
   EXPECT_GT(servo_.Drive(0, 0), 0);
 }
 
+TEST_F(ServoTest, EachStepOfAShiftAbove16DoublesTheGainUpTo32) {
+  const auto drive = [this](uint16_t gain, uint16_t shift) {
+    Servo servo(joint_, ServoSettings{});
+    JointCommand command = At(0.1);
+    command.gains = {.p = gain, .p_shift = shift};
+    servo.BeginFrame(command, 0);
+    return servo.Drive(0, 0);
+  };
+  EXPECT_DOUBLE_EQ(drive(22, 18), drive(88, 16));
+  EXPECT_EQ(drive(22, 40), drive(22, 32));
+}
+
+TEST_F(ServoTest, AJammedJointIsPulledToItsPlace) {
+  JointDisturbance disturbance;
+  JointCommand command = At(0);
+  servo_.BeginFrame(command, 0);
+  const double free_nm = servo_.Step(0, 0, kStep_s).zero_speed_nm;
+  command.disturbance = &disturbance;
+  servo_.BeginFrame(command, 0);
+  EXPECT_EQ(servo_.Step(0, 0, kStep_s).zero_speed_nm, free_nm);
+  disturbance.jammed_rad = 0.001;
+  EXPECT_NEAR(servo_.Step(0, 0, kStep_s).zero_speed_nm - free_nm,
+              ServoSettings{}.jam_stiffness_per_rad * joint_.stall_torque_nm * 0.001, 1e-12);
+}
+
 TEST_F(ServoTest, DriveIsReportedBeyondItsClampButTheMotorGetsNoMore) {
   servo_.BeginFrame(At(Radians(90)), 0);
   EXPECT_GT(servo_.Drive(0, 0), 4 * kDriveFull);

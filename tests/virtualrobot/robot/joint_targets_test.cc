@@ -70,6 +70,13 @@ TEST_F(JointTargetsTest, WithoutADurationTheGoalIsReachedInOneFrame) {
   EXPECT_EQ(SetPoints("neck_pan", 2), (std::vector<double>{-20, -20}));
 }
 
+TEST_F(JointTargetsTest, AGoalInDegreesIsReachedToTheMicroradian) {
+  Add("target neck_pan 60");
+  SetPoints("neck_pan", 1);
+  EXPECT_EQ(devices().joints[static_cast<size_t>(model.JointNamed("neck_pan"))].target_urad,
+            1'047'198);
+}
+
 TEST_F(JointTargetsTest, ABegunFrameCountsAsAWholeOne) {
   Add("target neck_pan 20 in 9ms");
   EXPECT_EQ(SetPoints("neck_pan", 3), (std::vector<double>{10, 20, 20}));

@@ -69,6 +69,11 @@ TEST(WorldLooksTest, RobotsHaveStarts) {
             "w.json: starts[0]: 'yaw' is unknown; known here: place_m, yaw_deg");
 }
 
+TEST(WorldLooksTest, AnUnknownFieldOfTheLightIsRefused) {
+  EXPECT_EQ(ErrorOfFields(R"(, "light": {"colour":[1,1,1]})"),
+            "w.json: light: 'colour' is unknown; known here: direction_deg, ambient");
+}
+
 TEST(WorldLooksTest, ARampCannotBeMoved) {
   EXPECT_EQ(ErrorOfRow(R"({"shape":"ramp","name":"r","size_m":[1,1,1],"start_m":[0,0,0],
                            "mass_kg":1})"),
