@@ -64,15 +64,16 @@ TEST_F(ServoTest, EachStepOfAShiftAbove16DoublesTheGainUpTo32) {
 }
 
 TEST_F(ServoTest, AJammedJointIsPulledToItsPlace) {
+  const double angle_rad = 0.002;
   JointDisturbance disturbance;
-  JointCommand command = At(0);
-  servo_.BeginFrame(command, 0);
-  const double free_nm = servo_.Step(0, 0, kStep_s).zero_speed_nm;
+  JointCommand command = At(angle_rad);
+  servo_.BeginFrame(command, angle_rad);
+  const double free_nm = servo_.Step(angle_rad, 0, kStep_s).zero_speed_nm;
   command.disturbance = &disturbance;
-  servo_.BeginFrame(command, 0);
-  EXPECT_EQ(servo_.Step(0, 0, kStep_s).zero_speed_nm, free_nm);
-  disturbance.jammed_rad = 0.001;
-  EXPECT_NEAR(servo_.Step(0, 0, kStep_s).zero_speed_nm - free_nm,
+  servo_.BeginFrame(command, angle_rad);
+  EXPECT_EQ(servo_.Step(angle_rad, 0, kStep_s).zero_speed_nm, free_nm);
+  disturbance.jammed_rad = 0.003;
+  EXPECT_NEAR(servo_.Step(angle_rad, 0, kStep_s).zero_speed_nm - free_nm,
               ServoSettings{}.jam_stiffness_per_rad * joint_.stall_torque_nm * 0.001, 1e-12);
 }
 
