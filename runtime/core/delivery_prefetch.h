@@ -1,16 +1,12 @@
 // PrefetchDeliveries(): loads what the next deliveries need into the processor's cache.
 #pragma once
 
-#include <OPENR/ObjcommMessages.h>
-
 #include <cstdint>
 
 #include "runtime/core/code_object.h"
-#include "runtime/core/connection_state.h"
 #include "runtime/core/message.h"
 #include "runtime/core/object.h"
 #include "runtime/core/object_table.h"
-#include "runtime/core/region_table.h"
 
 namespace openr_host {
 
@@ -31,50 +27,35 @@ namespace openr_host {
 // Loads into the cache what the deliveries of the messages after `message` in its list need.
 // Without this, a run with thousands of objects spends most of its time waiting for memory.  A
 // delivery reads a chain of records: the message, its receiver, the receiver's table of entries,
-// the entry, the state of the subject or observer, its links.  The address of each record is known
-// only when the record before it has been read, so each call loads for each of the next six
-// messages one record of the chain: the first one for the sixth message, and the last one for the
-// first message.
+// the entry, the state of the subject or observer.  The address of each record is known only when
+// the record before it has been read, so each call loads for each of the next five messages one
+// record of the chain: the first record for the fifth message, and the last one for the first
+// message.
 //
-// Does nothing if fewer than five messages follow, because a run with few messages uses few
+// Does nothing if fewer than four messages follow, because a run with few messages uses few
 // objects, which are in the cache already.
 [[gnu::always_inline]] inline void PrefetchDeliveries(const Message& message,
-                                                      const ObjectTable& objects,
-                                                      const RegionTable& regions) {
+                                                      const ObjectTable& objects) {
   const Message* const first = message.next;
   const Message* const second = first == nullptr ? nullptr : first->next;
   const Message* const third = second == nullptr ? nullptr : second->next;
   const Message* const fourth = third == nullptr ? nullptr : third->next;
-  const Message* const fifth = fourth == nullptr ? nullptr : fourth->next;
-  if (fifth == nullptr) return;
+  if (fourth == nullptr) return;
   const auto entry_of = [&objects](const Message* each) {
     return FindCodeEntry(*objects.GetKnown(each->target), each->selector);
   };
 
   if (const CodeEntry* const entry = entry_of(first)) {
-    // A link is an ObserverLink of a subject, of which a notification reads three lines.
-    if (entry->subject_state != nullptr) PrefetchLines(entry->subject_state->links.data(), 3);
-    if (entry->observer_state != nullptr) PrefetchLines(entry->observer_state->held.data());
-  }
-  if (const CodeEntry* const entry = entry_of(second)) {
     if (entry->subject_state != nullptr) PrefetchLines(entry->subject_state, 2);
     if (entry->observer_state != nullptr) PrefetchLines(entry->observer_state, 2);
   }
-  if (second->kind == PayloadKind::kNotify) {
-    const auto& data = reinterpret_cast<const ONotifyMessage*>(second->payload)->data[0];
-    PrefetchLines(data.srcRCR);
-    PrefetchLines(regions.AddressOfSlot(data.memID));
-  }
-  PrefetchLines(entry_of(third));
-  PrefetchLines(reinterpret_cast<uintptr_t>(objects.GetKnown(fourth->target)->code_entries) +
-                sizeof(void*) * uintptr_t{fourth->selector - oentryBASE});
-  const Object* const receiver = objects.GetKnown(fifth->target);
+  PrefetchLines(entry_of(second));
+  PrefetchLines(reinterpret_cast<uintptr_t>(objects.GetKnown(third->target)->code_entries) +
+                sizeof(void*) * uintptr_t{third->selector - oentryBASE});
+  const Object* const receiver = objects.GetKnown(fourth->target);
   PrefetchLines(receiver);
   PrefetchLines(&receiver->entry_count);
-  // The sender of a notification or ready is mostly the receiver of what the handler sends back.
-  // Checks the sender, because a message from another process may name any object as its sender.
-  if (const Object* const sender = objects.Get(fifth->sender)) PrefetchLines(&sender->entry_count);
-  PrefetchLines(fifth->next, 3);
+  PrefetchLines(fourth->next, 3);
 }
 
 }  // namespace openr_host

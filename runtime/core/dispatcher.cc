@@ -226,7 +226,7 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
 
 // Delivers `message` to its receiver, and takes it over.
 [[gnu::always_inline]] inline void Dispatcher::Deliver(Message* message) {
-  PrefetchDeliveries(*message, system_->object_table(), system_->regions());
+  PrefetchDeliveries(*message, system_->object_table());
   Object* const object = system_->object_table().GetKnown(message->target);
   const bool is_plain = object->is_plain && are_deliveries_free_ && !message->is_reply;
   if (!is_plain) [[unlikely]]

@@ -115,12 +115,6 @@ class RegionTable {
     return true;
   }
 
-  // Returns the address of the slot that `id` names, for a prefetch only: there may be no such
-  // slot.
-  uintptr_t AddressOfSlot(uint32_t id) const {
-    return reinterpret_cast<uintptr_t>(slots_.data()) + sizeof(Slot) * uintptr_t{(id & 0xffff) - 1};
-  }
-
   // Returns the number of live regions that `owner` owns.
   int CountOf(ObjectId owner) const;
   int live_count() const { return live_count_; }
