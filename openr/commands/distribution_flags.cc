@@ -145,10 +145,10 @@ std::vector<std::string> WordsOf(const std::string& text) {
 }
 
 // Returns the lease of the workers that this run starts: the seconds without a sign of life after
-// which a worker counts as dead.  It is the value of --dds-lease; without this flag it is long.
-// With --restart it is short, because DDS keeps data for a dead worker until its lease is over, and
-// that makes the restart slow (bus.h).  A worker under a debugger (--wrap) gets the long lease even
-// then, because the user may stop it for long.
+// which a worker counts as dead.  The lease is the value of --dds-lease.  Without this flag the
+// lease is long, but short with --restart, because DDS keeps data for a dead worker until its lease
+// is over, which makes the restart slow (bus.h).  A worker under a debugger (--wrap) gets the long
+// lease also with --restart, because the user may stop the worker for long.
 int WatchedLease(const PlacementFlags& flags) {
   if (flags.bus.lease_s != 0) return flags.bus.lease_s;
   return flags.restarts > 0 && flags.wrapper.empty() ? kReturningLease_s : kWatchedLease_s;
