@@ -275,6 +275,15 @@ def main():
     return 0 if good == len(names) else 1
 
 
+def planted_line(name, result, is_found):
+    """Returns the line that says how the search for the planted bug of a target has ended."""
+    line = f"{name:16} {'found' if is_found else 'NOT FOUND'} after {result['executions']:,} executions"
+    if not is_found and result["status"] == 0:  # libFuzzer has ended, and not the limit of processor time
+        line += (f"; the machine was too busy: {PLANTED_SECONDS * PLANTED_WAIT} s did not give the target "
+                 f"its {PLANTED_SECONDS} s of processor time")
+    return line
+
+
 def planted_bugs(known, options):
     if options.argument and options.argument not in known:
         sys.exit(f"fuzz: there is no target '{options.argument}'")
@@ -282,8 +291,7 @@ def planted_bugs(known, options):
     def find(name):
         result = fuzz(name, known[name], PLANTED_SECONDS, options.seed or 1, planted=True)
         is_found = "openr_fuzz: the planted bug" in result["text"]
-        LINE.say(f"{name:16} {'found' if is_found else 'NOT FOUND'} after "
-                 f"{result['executions']:,} executions")
+        LINE.say(planted_line(name, result, is_found))
         return is_found
 
     names = [options.argument] if options.argument else list(known)

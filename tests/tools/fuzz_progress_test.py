@@ -100,6 +100,43 @@ check("a good run is one line", reported("ERROR", b"", status=0),
       ["mtn                       5 executions       6 edges  0 crashes"])
 
 
+def arguments_of(found, seed=None, planted=False):
+    """Returns the arguments with which fuzz() starts the fuzz program for the target mtn."""
+    with tempfile.TemporaryDirectory() as folder:
+        program = Path(folder) / "openr_fuzz"
+        program.write_text("#!/bin/sh\nprintf '%s\\n' \"$@\"\n", encoding="utf-8")
+        program.chmod(0o755)
+        before, fuzz.PROGRAM, fuzz.WORK = (fuzz.PROGRAM, fuzz.WORK), str(program), folder
+        try:
+            return fuzz.fuzz("mtn", found, 5, seed, planted)["text"].splitlines()
+        finally:
+            fuzz.PROGRAM, fuzz.WORK = before
+
+
+SEEDS = {"seeds": ["tests/fuzz/corpus/mtn/*"]}
+verdict("counts of branches keep an input, unless the target says that they do not",
+        ["-use_counters=0" in arguments_of({**SEEDS, **counts})
+         for counts in ({}, {"counts": True}, {"counts": False})] == [False, False, True])
+verdict("the program is told the seed of a run, and none if there is none",
+        [[word for word in arguments_of(SEEDS, seed) if word.startswith("-seed=")]
+         for seed in (7, 0, None)] == [["-seed=7"], ["-seed=0"], []])
+verdict("a search for the planted bug may take ten times as long as its processor time",
+        [[word for word in arguments_of(SEEDS, 1, planted) if word.startswith("-max_total_time")]
+         for planted in (False, True)] == [["-max_total_time=5"], ["-max_total_time=50"]])
+
+ENDED_BY_CPU, ENDED_BY_CLOCK = -24, 0  # statuses; the first is SIGXCPU
+check("a search that had its processor time says only that it found nothing",
+      fuzz.planted_line("mtn", {"executions": 5000, "status": ENDED_BY_CPU}, False),
+      "mtn              NOT FOUND after 5,000 executions")
+check("a search that the clock ended says so",
+      fuzz.planted_line("mtn", {"executions": 5, "status": ENDED_BY_CLOCK}, False),
+      "mtn              NOT FOUND after 5 executions; the machine was too busy: "
+      "600 s did not give the target its 60 s of processor time")
+check("a bug that is found needs no reason",
+      fuzz.planted_line("mtn", {"executions": 5, "status": 77}, True),
+      "mtn              found after 5 executions")
+
+
 def seconds_of_main(*arguments):
     """Returns the seconds that main() gives to each target."""
     given = []
