@@ -73,6 +73,18 @@ ProcessCopy StartCopy(Orphan orphan, const std::function<void(int answers)>& wor
   return {child, ends[0]};
 }
 
+std::string StartThroughCopy(const std::function<int()>& start) {
+  const pid_t copy = CopyProcess(Flushed::kNone, Orphan::kGoesOn);
+  if (copy < 0) return std::strerror(errno);
+  if (copy == 0) _exit(start());  // an errno is less than 256, so it fits into an exit status
+  const int status = WaitForEnd(copy);
+  if (WIFSIGNALED(status)) {
+    return fmt::format("the process that was to start it was killed by signal {} ({})",
+                       WTERMSIG(status), strsignal(WTERMSIG(status)));
+  }
+  return WEXITSTATUS(status) == 0 ? "" : std::strerror(WEXITSTATUS(status));
+}
+
 std::string ReadToEnd(int descriptor, std::FILE* echo, const std::function<void()>& while_waiting) {
   constexpr int kPauseMs = 200;  // time between two calls of `while_waiting`
   std::string text;

@@ -72,6 +72,13 @@ struct ProcessCopy {
 // REQUIRES: the process has one thread.
 ProcessCopy StartCopy(Orphan orphan, const std::function<void(int answers)>& work);
 
+// Calls `start`, which starts a program and returns 0 or an errno, in a copy of this process that
+// ends at once, so that the program is not a child of this process.  So this process need not wait
+// for the end of the program, and no zombie is left.  Returns the reason why the program was not
+// started; "" if it was started.
+// REQUIRES: `start` calls only functions that are allowed after fork().
+std::string StartThroughCopy(const std::function<int()>& start);
+
 // Returns the text that is read from `descriptor` until its end or an error.  If `echo` is not
 // null, also writes the text to `echo` as soon as it arrives.  Calls `while_waiting`, if this
 // function is not null, about every 200 ms.

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -38,18 +37,6 @@ std::vector<std::string> WordsOf(const PanelOptions& options) {
 }
 
 }  // namespace
-
-std::string StartThroughCopy(const std::function<int()>& start) {
-  const pid_t copy = CopyProcess(Flushed::kNone, Orphan::kGoesOn);
-  if (copy < 0) return std::strerror(errno);
-  if (copy == 0) _exit(start());  // an errno is less than 256, so it fits into an exit status
-  const int status = WaitForEnd(copy);
-  if (WIFSIGNALED(status)) {
-    return fmt::format("the process that was to start it was killed by signal {} ({})",
-                       WTERMSIG(status), strsignal(WTERMSIG(status)));
-  }
-  return WEXITSTATUS(status) == 0 ? "" : std::strerror(WEXITSTATUS(status));
-}
 
 PanelProcess::PanelProcess(const PanelOptions& options) {
   int ends[2];

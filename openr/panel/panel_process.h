@@ -1,7 +1,6 @@
 // PanelProcess, with which a run starts the server of its panel.
 #pragma once
 
-#include <functional>
 #include <string>
 
 #include "openr/panel/panel.h"
@@ -26,13 +25,6 @@ class PanelProcess {
  private:
   int pipe_ = -1;
 };
-
-// Calls `start`, which starts a program and returns 0 or an errno, in a copy of this process that
-// ends at once, so that the program is not a child of this process.  So this process need not wait
-// for the end of the program, and no zombie is left.  Returns the reason why the program was not
-// started; "" if it was started.
-// REQUIRES: `start` calls only functions that are allowed after fork().
-std::string StartThroughCopy(const std::function<int()>& start);
 
 // Returns whether the panel is installed: the built page and the library that serves it.
 bool HasPanel();

@@ -5,6 +5,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <string>
 
@@ -102,6 +103,16 @@ TEST(ProcessCopyTest, ExitCodeAfterASignalIsThatOfAnError) {
     _exit(0);
   }
   EXPECT_EQ(ExitCodeOf(WaitForEnd(killed)), kExitWrong);
+}
+
+TEST(ProcessCopyTest, ACopyThatFailsToStartAProgramGivesTheReason) {
+  EXPECT_EQ(StartThroughCopy([] { return 0; }), "");
+  EXPECT_EQ(StartThroughCopy([] { return ENOENT; }), "No such file or directory");
+  EXPECT_EQ(StartThroughCopy([] {
+              kill(getpid(), SIGKILL);
+              return 0;
+            }),
+            "the process that was to start it was killed by signal 9 (Killed)");
 }
 
 }  // namespace

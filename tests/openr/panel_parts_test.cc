@@ -355,15 +355,5 @@ TEST(PanelProcessTest, AServerThatCannotBeStartedIsSaid) {
             "openr: no panel: it cannot be started: Too many open files\n");
 }
 
-TEST(PanelProcessTest, ACopyThatFailsToStartTheServerGivesTheReason) {
-  EXPECT_EQ(StartThroughCopy([] { return 0; }), "");
-  EXPECT_EQ(StartThroughCopy([] { return ENOENT; }), "No such file or directory");
-  EXPECT_EQ(StartThroughCopy([] {
-              kill(getpid(), SIGKILL);
-              return 0;
-            }),
-            "the process that was to start it was killed by signal 9 (Killed)");
-}
-
 }  // namespace
 }  // namespace openr_host
