@@ -91,7 +91,7 @@ class DataCheck {
   }
 
   void Run() {
-    if (troubles_.empty()) return;
+    if (problems_.empty()) return;
     for (const auto& [name, file] : files_) {
       CheckCalls(name, file);
       CheckRegions(name, file);
@@ -111,17 +111,17 @@ class DataCheck {
       if (close == std::string::npos) continue;
       const std::string name = (*it)[1];
       const std::string body = code.substr(open + 1, close - open - 1);
-      const std::string trouble = SendProblem(MembersOf(body));
-      // Removes the name of a type from types_ and troubles_ if the program has two types of this
+      const std::string problem = SendProblem(MembersOf(body));
+      // Removes the name of a type from types_ and problems_ if the program has two types of this
       // name, because the check does not know data of which of the two types a call of SetData()
       // sends.
       if (!seen_.insert(name).second) {
         types_.erase(name);
-        troubles_.erase(name);
+        problems_.erase(name);
         continue;
       }
       types_[name] = {WordsOf((*it)[2]), VirtualFunctionsIn(body)};
-      if (!trouble.empty()) troubles_[name] = trouble;
+      if (!problem.empty()) problems_[name] = problem;
     }
   }
 
@@ -134,12 +134,12 @@ class DataCheck {
   }
 
   // Returns the type of the data in a call SetData(&variable, sizeof measured), if such data cannot
-  // be sent (`troubles_`); "" for other types.  `measured` is the argument of sizeof: the name of a
+  // be sent (`problems_`); "" for other types.  `measured` is the argument of sizeof: the name of a
   // type, or `variable` again.
   std::string TypeOf(const std::string& code, const std::string& variable,
                      const std::string& measured) const {
-    if (troubles_.contains(measured)) return measured;
-    for (const auto& [type, trouble] : troubles_) {
+    if (problems_.contains(measured)) return measured;
+    for (const auto& [type, problem] : problems_) {
       const std::regex declared("\\b" + type + "[ \t]+" + variable + "[ \t]*[;=(]");
       if (std::regex_search(code, declared)) return type;
     }
@@ -158,7 +158,7 @@ class DataCheck {
                     PlaceAt(name, file.text, static_cast<size_t>(it->position(0))),
                     fmt::format("{} {}; SetData() sends the bytes of it, and what they point to "
                                 "is not there at the receiver: send plain values and arrays",
-                                type, troubles_.at(type)));
+                                type, problems_.at(type)));
     }
   }
 
@@ -231,7 +231,7 @@ class DataCheck {
   std::map<std::string, File> files_;
   std::map<std::string, DataType> types_;
   std::set<std::string> seen_;                   // names of all types found so far
-  std::map<std::string, std::string> troubles_;  // reasons why a type cannot be sent, by its name
+  std::map<std::string, std::string> problems_;  // reasons why a type cannot be sent, by its name
 };
 
 }  // namespace

@@ -105,16 +105,16 @@ void AddValues(const CommandInfo& command, const DataNames& names, std::string* 
 // Adds to the bash script the code that completes an input, such as "press chin".  The input begins
 // after `place` words of the command line.
 void AddInputs(const std::vector<InputInfo>& inputs, size_t place, std::string* script) {
-  std::string verbs, cases;
+  std::string kinds, cases;
   for (const InputInfo& input : inputs) {
-    verbs += (verbs.empty() ? "" : " ") + input.verb;
-    cases += fmt::format("        {}) words='{}|' ;;\n", input.verb, fmt::join(input.words, " "));
+    kinds += (kinds.empty() ? "" : " ") + input.kind;
+    cases += fmt::format("        {}) words='{}|' ;;\n", input.kind, fmt::join(input.words, " "));
   }
   *script += fmt::format(
       "\n      [ ${{#given[@]}} -eq {} ] && words='{}|'\n"
       "      [ ${{#given[@]}} -gt {} ] && case ${{given[{}]}} in\n{}        *) words='|' ;;\n"
       "      esac ",
-      place, verbs, place, place, cases);
+      place, kinds, place, place, cases);
 }
 
 // Adds to the bash script, for each command, a pattern of the shell's `case` statement.  The code

@@ -10,7 +10,7 @@ namespace openr_host {
 
 // An input (docs/inputs.md), such as "press chin".
 struct InputInfo {
-  std::string verb;                // first word of the input, such as "press"
+  std::string kind;                // first word of the input, such as "press"
   std::vector<std::string> words;  // the words that may follow, such as names of sensors
 };
 

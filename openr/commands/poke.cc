@@ -167,12 +167,12 @@ class RunConsole {
     int robot = 0;
     const char* const end = number.data() + number.size();
     const auto [at, error] = std::from_chars(number.data(), end, robot);
-    if (error != std::errc() || at != end) return Complain("'" + number + "' is no number");
+    if (error != std::errc() || at != end) return PrintProblem("'" + number + "' is no number");
     robot_ = robot;
     return true;
   }
 
-  bool Complain(const std::string& problem) {
+  bool PrintProblem(const std::string& problem) {
     fmt::print(stderr, "openr: {}\n", problem);
     return false;
   }
@@ -213,7 +213,7 @@ class RunConsole {
   template <typename Text>
   bool Print(Json request, Text text) {
     const Json answer = Ask(std::move(request));
-    if (answer.contains("error")) return Complain(answer.at("error").get<std::string>());
+    if (answer.contains("error")) return PrintProblem(answer.at("error").get<std::string>());
     PrintAnswer(text(answer));
     // Sends the answer on at once, because a program may read it through a pipe and wait for it.
     FlushAnswer();
@@ -227,10 +227,10 @@ class RunConsole {
 std::vector<std::string> RunConsole::WordsAfter(const std::vector<std::string>& words) {
   const std::vector<std::string> usages = NamesIn({{"do", "inputs"}}, "inputs", "usage");
   if (words.empty()) {
-    std::vector<std::string> verbs = {"status",   "objects", "object", "sensors", "joints",
-                                      "findings", "robot",   "help",   "quit"};
-    for (const std::string& usage : usages) verbs.push_back(usage.substr(0, usage.find(' ')));
-    return verbs;
+    std::vector<std::string> commands = {"status",   "objects", "object", "sensors", "joints",
+                                         "findings", "robot",   "help",   "quit"};
+    for (const std::string& usage : usages) commands.push_back(usage.substr(0, usage.find(' ')));
+    return commands;
   }
   if (words[0] == "object") {
     if (words.size() > 1) return {};

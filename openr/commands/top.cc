@@ -56,7 +56,7 @@ class Top {
   // heard.
   int Once() {
     while (runs_.empty() && NowUs() < flags_.wait_us && interrupts_.count() == 0) Listen();
-    if (runs_.empty()) return Complain();
+    if (runs_.empty()) return PrintProblem();
     const bool is_one = flags_.bus.run != "*";
     const int64_t until_us = std::max(NowUs(), is_one ? 0 : kOthersUs);
     while (NowUs() < until_us && interrupts_.count() == 0) Listen();
@@ -92,7 +92,7 @@ class Top {
     return text + (flags_.once ? "" : "\n");
   }
 
-  int Complain() const {
+  int PrintProblem() const {
     const bool is_one = flags_.bus.run != "*";
     throw std::runtime_error(fmt::format(
         "no run{} was heard within {} s in DDS domain {} at {}: a run speaks if objects are placed "

@@ -22,7 +22,7 @@ inline constexpr char kStepHelp[] =
 
 // The first words of the commands, which the Tab key completes at the prompt of openr replay
 // --step.
-inline const std::vector<std::string> kStepVerbs = {"step",   "back",   "goto",  "run",  "break",
-                                                    "breaks", "delete", "print", "help", "quit"};
+inline const std::vector<std::string> kStepCommands = {"step",   "back",   "goto",  "run",  "break",
+                                                       "breaks", "delete", "print", "help", "quit"};
 
 }  // namespace openr_host

@@ -284,11 +284,12 @@ class Stepper {
     SaveBreaks();
   }
 
-  // Handles the commands that take a number: step, back and delete.  `verb` is the first word of
-  // the line, `rest` the text after it.  Returns false if `verb` is another command.
-  bool HandleNumberCommand(const std::string& verb, const std::string& rest) {
-    const bool steps = verb == "step" || verb == "s", backs = verb == "back" || verb == "b";
-    if (!steps && !backs && verb != "delete") return false;
+  // Handles the commands that take a number: step, back and delete.  `command` is the first word of
+  // the line, `rest` the text after it.  Returns false if `command` is another command.
+  bool HandleNumberCommand(const std::string& command, const std::string& rest) {
+    const bool steps = command == "step" || command == "s",
+               backs = command == "back" || command == "b";
+    if (!steps && !backs && command != "delete") return false;
     const auto number = rest.empty() ? std::optional<uint64_t>(1) : NumberIn(rest);
     if (!number) {
       fmt::print("'{}' is no number\n", rest);
@@ -308,28 +309,28 @@ class Stepper {
   bool HandleCommand(const std::string& line) {
     went_back_ = false;
     std::istringstream words(line);
-    std::string verb, rest;
-    words >> verb;
+    std::string command, rest;
+    words >> command;
     std::getline(words >> std::ws, rest);
     rest.erase(rest.find_last_not_of(" \t\r") + 1);
-    if (HandleNumberCommand(verb, rest)) return true;
-    if (verb == "goto" || verb == "g") {
+    if (HandleNumberCommand(command, rest)) return true;
+    if (command == "goto" || command == "g") {
       Goto(rest);
-    } else if (verb == "run" || verb == "r") {
+    } else if (command == "run" || command == "r") {
       RunOn();
-    } else if (verb == "break") {
+    } else if (command == "break") {
       Break(rest);
-    } else if (verb == "breaks") {
+    } else if (command == "breaks") {
       for (size_t i = 1; i <= breaks_.size(); ++i) fmt::print("{}: {}\n", i, breaks_.text(i));
-    } else if (verb == "print" || verb == "p") {
+    } else if (command == "print" || command == "p") {
       printer_.Print(rest);
-    } else if (verb == "quit" || verb == "q") {
+    } else if (command == "quit" || command == "q") {
       return false;
-    } else if (verb == "help" || verb == "h") {
+    } else if (command == "help" || command == "h") {
       fmt::print("{}", kStepHelp);
-    } else if (!verb.empty()) {
-      fmt::print("no command '{}'{}; 'help' tells the commands\n", verb,
-                 DidYouMean(verb, kStepVerbs));
+    } else if (!command.empty()) {
+      fmt::print("no command '{}'{}; 'help' tells the commands\n", command,
+                 DidYouMean(command, kStepCommands));
     }
     return true;
   }
@@ -360,11 +361,11 @@ std::vector<std::string> Stepper::QuantitiesFor(const std::string& start) const 
 // the Tab key completes `start`, the word that the user is typing.
 std::vector<std::string> Stepper::WordsAfter(const std::vector<std::string>& words,
                                              const std::string& start) const {
-  if (words.empty()) return kStepVerbs;
-  const std::string& verb = words[0];
-  const bool is_break = verb == "break" && words.size() > 1;
+  if (words.empty()) return kStepCommands;
+  const std::string& command = words[0];
+  const bool is_break = command == "break" && words.size() > 1;
   std::vector<std::string> names;
-  if (verb == "break" && words.size() == 1)
+  if (command == "break" && words.size() == 1)
     return {"object", "service", "state", "finding", "when"};
   if (is_break && words.size() == 2 && (words[1] == "object" || words[1] == "state")) {
     for (const auto& object : replayer_->system().objects()) names.push_back(object->name);
@@ -377,7 +378,7 @@ std::vector<std::string> Stepper::WordsAfter(const std::vector<std::string>& wor
     }
   } else if (is_break && words.size() == 2 && words[1] == "when") {
     names = QuantitiesFor(start);
-  } else if ((verb == "print" || verb == "p") && words.size() == 1) {
+  } else if ((command == "print" || command == "p") && words.size() == 1) {
     names = QuantitiesFor(start);
     for (const char* const what :
          {"queue", "waiting", "objects", "joints", "findings", "hash", "message"})

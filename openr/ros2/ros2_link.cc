@@ -41,15 +41,15 @@ Ros2Link::Ros2Link(Bus* bus, std::string space, SimulationOptions* options, Say 
   robots_.resize(static_cast<size_t>(options->robots));
   for (size_t i = 0; i < robots_.size(); ++i) {
     robots_[i].space = robots_.size() == 1 ? space_ : space_ + std::to_string(i);
-    robots_[i].complaints = std::make_unique<Ros2Complaints>(robots_[i].space, say_);
+    robots_[i].problems = std::make_unique<Ros2Problems>(robots_[i].space, say_);
   }
   options->network_filter = [this, outer = options->network_filter](
                                 int index, std::unique_ptr<Network> inner) {
     Robot& robot = robots_.at(static_cast<size_t>(index));
     const std::string topic = robot.space + kCommandTopic;
     auto client = std::make_unique<JointClient>(
-        std::move(inner), [topic, complaints = robot.complaints.get()](const std::string& why) {
-          complaints->Add(fmt::format("{}: the robot refuses: {}", topic, why));
+        std::move(inner), [topic, problems = robot.problems.get()](const std::string& why) {
+          problems->Add(fmt::format("{}: the robot refuses: {}", topic, why));
         });
     robot.client = client.get();
     std::unique_ptr<Network> result = std::move(client);
@@ -76,7 +76,7 @@ void Ros2Link::AfterFrame() {
   clock_.Publish(now_us);
   for (Robot& robot : robots_) {
     const std::string problem = robot.topics->Publish(now_us);
-    if (!problem.empty()) robot.complaints->Add(robot.space + "/image_raw: " + problem);
+    if (!problem.empty()) robot.problems->Add(robot.space + "/image_raw: " + problem);
     ApplyCommands(&robot);
     ApplyInputs(&robot);
   }
@@ -85,7 +85,7 @@ void Ros2Link::AfterFrame() {
 void Ros2Link::ApplyCommands(Robot* robot) {
   const std::string topic = robot->space + kCommandTopic;
   if (robot->commands->HasMisfit()) {
-    robot->complaints->Add(
+    robot->problems->Add(
         topic +
         ": a publisher does not match and is not heard; it has to be reliable and to speak "
         "XCDR1, which is the default of ROS 2");
@@ -98,7 +98,7 @@ void Ros2Link::ApplyCommands(Robot* robot) {
     if (!command) break;
     std::map<int, JointTarget> targets;
     const std::string problem = ReadJointCommand(*command, robot->robot->model(), &targets);
-    if (!problem.empty()) robot->complaints->Add(fmt::format("{}: refused: {}", topic, problem));
+    if (!problem.empty()) robot->problems->Add(fmt::format("{}: refused: {}", topic, problem));
     robot->client->SetTargets(targets);
   }
   robot->frames_waiting = is_waiting ? robot->frames_waiting + 1 : 0;
@@ -106,7 +106,7 @@ void Ros2Link::ApplyCommands(Robot* robot) {
     robot->frames_waiting = 0;
     // Drops the joint targets, because the robot must not move later by an old command.
     robot->client->GiveUp();
-    robot->complaints->Add(fmt::format(
+    robot->problems->Add(fmt::format(
         "{}: the remote control of the robot has not taken a command for 1 s, it is given up; is "
         "RCServer on the stick and started, and has it less than eight clients?",
         topic));
@@ -118,24 +118,24 @@ void Ros2Link::ApplyCommands(Robot* robot) {
 void Ros2Link::ApplyInputs(Robot* robot) {
   const std::string topic = robot->space + kInputTopic;
   if (robot->inputs->HasMisfit()) {
-    robot->complaints->Add(topic +
-                           ": a publisher does not match and is not heard; it has to be "
-                           "reliable, which is the default of ROS 2");
+    robot->problems->Add(topic +
+                         ": a publisher does not match and is not heard; it has to be "
+                         "reliable, which is the default of ROS 2");
   }
   for (int i = 0; i < Ros2Texts::kWaitingMax; ++i) {
     const std::optional<std::string> line = robot->inputs->Take();
     if (!line) return;
     const std::string problem =
         simulation_->system().inputs().Add(robot->robot->parts().robot_index, *line);
-    if (!problem.empty()) robot->complaints->Add(fmt::format("{}: refused: {}", topic, problem));
+    if (!problem.empty()) robot->problems->Add(fmt::format("{}: refused: {}", topic, problem));
   }
 }
 
 void Ros2Link::End() {
-  for (const Robot& robot : robots_) robot.complaints->PrintLeftOutCount();
+  for (const Robot& robot : robots_) robot.problems->PrintLeftOutCount();
 }
 
-void Ros2Complaints::Add(const std::string& what) {
+void Ros2Problems::Add(const std::string& what) {
   if (said_.contains(what)) return;
   if (said_.size() == kMax) {
     ++unsaid_count_;
@@ -146,10 +146,10 @@ void Ros2Complaints::Add(const std::string& what) {
   if (said_.size() == kMax) say_(fmt::format("ROS 2: no more of this is said of /{}", robot_));
 }
 
-void Ros2Complaints::PrintLeftOutCount() const {
+void Ros2Problems::PrintLeftOutCount() const {
   if (unsaid_count_ == 0) return;
   say_(fmt::format("ROS 2: /{}: {} not said", robot_,
-                   Counted(static_cast<uint64_t>(unsaid_count_), "more complaint") +
+                   Counted(static_cast<uint64_t>(unsaid_count_), "more problem") +
                        (unsaid_count_ == 1 ? " was" : " were")));
 }
 

@@ -25,14 +25,14 @@ std::string WrongNamespace(const std::string& name);
 
 // Prints messages about problems of one robot with ROS 2. Prints the same text only once, because a
 // problem may come again with each frame.  Prints at most kMax different texts.
-class Ros2Complaints {
+class Ros2Problems {
  public:
   using Say = std::function<void(const std::string& line)>;
   static constexpr size_t kMax = 20;
 
-  // Makes a Ros2Complaints for the robot with the namespace `robot` in ROS 2; each message to the
+  // Makes a Ros2Problems for the robot with the namespace `robot` in ROS 2; each message to the
   // user begins with this namespace.
-  Ros2Complaints(std::string robot, Say say) : robot_(std::move(robot)), say_(std::move(say)) {}
+  Ros2Problems(std::string robot, Say say) : robot_(std::move(robot)), say_(std::move(say)) {}
 
   void Add(const std::string& what);
   // Prints how many messages to the user were left out because kMax messages had been printed.
@@ -48,7 +48,7 @@ class Ros2Complaints {
 
 class Ros2Link {
  public:
-  using Say = Ros2Complaints::Say;  // type of a function that prints a message
+  using Say = Ros2Problems::Say;  // type of a function that prints a message
 
   // Changes `options`, from which the simulation is made later.  The network of each robot gets a
   // JointClient, which sends the robot the commands of ROS 2.  A recorder must have been put into
@@ -64,7 +64,7 @@ class Ros2Link {
   // Publishes clock and sensors, and passes to the robots the commands and inputs that ROS 2 has
   // sent.  Called after each frame of 8 ms.
   void AfterFrame();
-  // Prints for each robot how many messages Ros2Complaints has left out.  Called when the run is
+  // Prints for each robot how many messages Ros2Problems has left out.  Called when the run is
   // over.
   void End();
 
@@ -76,7 +76,7 @@ class Ros2Link {
     std::unique_ptr<RobotTopics> topics;
     std::unique_ptr<Ros2JointCommands> commands;
     std::unique_ptr<Ros2Texts> inputs;
-    std::unique_ptr<Ros2Complaints> complaints;
+    std::unique_ptr<Ros2Problems> problems;
     int frames_waiting = 0;
   };
 

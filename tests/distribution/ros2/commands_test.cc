@@ -72,37 +72,37 @@ TEST(Ros2CommandsTest, AnInvalidCommandIsRefusedOnceByName) {
   EXPECT_EQ(OccurrencesOf("1 names, 0 positions", result.err), 1u);
 }
 
-TEST(Ros2CommandsTest, AfterTwentyComplaintsTheRestIsCounted) {
+TEST(Ros2CommandsTest, AfterTwentyProblemsTheRestIsCounted) {
   Ros2Run run({});
   for (int i = 0; i < 25; ++i) run.peer().Do({"command", kTopic, "j" + std::to_string(i) + "=0"});
   ASSERT_TRUE(run.program().WaitFor("ROS 2: no more of this is said of /aibo"));
   const ProgramResult& result = run.End();
   EXPECT_EQ(OccurrencesOf("is no joint of", result.err), 20u);
-  EXPECT_THAT(result.err, HasSubstr("ROS 2: /aibo: 5 more complaints were not said"));
+  EXPECT_THAT(result.err, HasSubstr("ROS 2: /aibo: 5 more problems were not said"));
 }
 
-TEST(Ros2ComplaintsTest, EachOnceAndTheRestIsCounted) {
+TEST(Ros2ProblemsTest, EachOnceAndTheRestIsCounted) {
   std::vector<std::string> said;
-  Ros2Complaints complaints("aibo", [&](const std::string& line) { said.push_back(line); });
+  Ros2Problems problems("aibo", [&](const std::string& line) { said.push_back(line); });
   for (int round = 0; round < 2; ++round) {
-    for (int i = 0; i < 23; ++i) complaints.Add("text " + std::to_string(i));
+    for (int i = 0; i < 23; ++i) problems.Add("text " + std::to_string(i));
   }
   ASSERT_EQ(said.size(), 21u);
   EXPECT_EQ(said[0], "ROS 2: text 0 (said once)");
   EXPECT_EQ(said[20], "ROS 2: no more of this is said of /aibo");
-  complaints.PrintLeftOutCount();
-  EXPECT_EQ(said.back(), "ROS 2: /aibo: 6 more complaints were not said");
+  problems.PrintLeftOutCount();
+  EXPECT_EQ(said.back(), "ROS 2: /aibo: 6 more problems were not said");
 }
 
-TEST(Ros2ComplaintsTest, WithoutComplaintsNothingIsPrinted) {
+TEST(Ros2ProblemsTest, WithoutProblemsNothingIsPrinted) {
   std::vector<std::string> said;
-  Ros2Complaints complaints("aibo", [&](const std::string& line) { said.push_back(line); });
-  complaints.Add("text");
-  complaints.PrintLeftOutCount();
+  Ros2Problems problems("aibo", [&](const std::string& line) { said.push_back(line); });
+  problems.Add("text");
+  problems.PrintLeftOutCount();
   EXPECT_EQ(said.size(), 1u);
 }
 
-TEST(Ros2CommandsTest, OneRobotsComplaintsDoNotSilenceAnothers) {
+TEST(Ros2CommandsTest, OneRobotsProblemsDoNotSilenceAnothers) {
   Ros2Run run({"--robots", "2", "--body", "ideal"});
   for (int i = 0; i < 21; ++i)
     run.peer().Do({"command", "rt/aibo0/joint_command", "j" + std::to_string(i) + "=0"});

@@ -15,7 +15,7 @@ std::vector<std::string> FirstWords(std::string_view text, std::string_view desi
   return words;
 }
 
-std::string Complaints(std::string_view text) {
+std::string Problems(std::string_view text) {
   std::vector<Diagnostic> diagnostics;
   ReadRecords("A.CFG", text, "ERS-210", &diagnostics);
   return Render(diagnostics);
@@ -25,7 +25,7 @@ using Words = std::vector<std::string>;
 
 TEST(LineFileTest, EmptyFileHasNoRecords) {
   EXPECT_EQ(FirstWords(""), Words{});
-  EXPECT_EQ(Complaints(""), "");
+  EXPECT_EQ(Problems(""), "");
 }
 
 TEST(LineFileTest, CommentsAndBlankLinesAreNoRecords) {
@@ -77,36 +77,34 @@ TEST(LineFileTest, EveryDesignGetsAllRecords) {
 
 TEST(LineFileTest, SectionHeaderMayHaveBlanksAroundAndInside) {
   EXPECT_EQ(FirstWords("  [ ERS-220 ] \r\nbot\r\n"), Words{});
-  EXPECT_EQ(Complaints("  [ ERS-220 ] \r\nbot\r\n"), "");
+  EXPECT_EQ(Problems("  [ ERS-220 ] \r\nbot\r\n"), "");
 }
 
-TEST(LineFileTest, SectionOfARobotOfOnesOwnIsNoMistake) {
-  EXPECT_EQ(Complaints("[MYDOG]\nx\n"), "");
-}
+TEST(LineFileTest, SectionOfARobotOfOnesOwnIsNoMistake) { EXPECT_EQ(Problems("[MYDOG]\nx\n"), ""); }
 
 TEST(LineFileTest, SectionInOtherCaseHoldsWithAWarning) {
   EXPECT_EQ(FirstWords("[ers-210]\ndog\n"), Words{"dog"});
-  EXPECT_EQ(Complaints("[ers-210]\ndog\n"),
+  EXPECT_EQ(Problems("[ers-210]\ndog\n"),
             "A.CFG:1: warning: section [ers-210] is read as [ERS-210]; write [ERS-210], the robot "
             "may not ignore case\n[ers-210]\n^\n");
 }
 
 TEST(LineFileTest, MisspeltSectionIsPointedOut) {
-  EXPECT_EQ(Complaints("[ERS210]\ndog\n"),
+  EXPECT_EQ(Problems("[ERS210]\ndog\n"),
             "A.CFG:1: warning: no robot design 'ERS210' is known; did you mean 'ERS-210'?\n"
             "[ERS210]\n^\n");
 }
 
 TEST(LineFileTest, SectionWithoutBracketIsReadAsMeant) {
   EXPECT_EQ(FirstWords("[ERS-220\nbot\n"), Words{});
-  EXPECT_EQ(Complaints("[ERS-220\nbot\n"),
+  EXPECT_EQ(Problems("[ERS-220\nbot\n"),
             "A.CFG:1: section header without ']'; write [ERS-220] (read so here)\n"
             "[ERS-220\n^\n");
 }
 
 TEST(LineFileTest, NothingMayFollowASectionHeader) {
   EXPECT_EQ(FirstWords("[ERS-220]  bot\nbot2\n"), Words{});
-  EXPECT_EQ(Complaints("[ERS-220]  bot\n"),
+  EXPECT_EQ(Problems("[ERS-220]  bot\n"),
             "A.CFG:1: nothing may follow a section header; write this on a line of its own\n"
             "[ERS-220]  bot\n"
             "           ^\n");
@@ -114,22 +112,22 @@ TEST(LineFileTest, NothingMayFollowASectionHeader) {
 
 TEST(LineFileTest, RecordsOfANamelessSectionAreSkipped) {
   EXPECT_EQ(FirstWords("a\n[]\nb\n[ERS-210]\nc\n"), (Words{"a", "c"}));
-  EXPECT_EQ(Complaints("[ ]\nb\n"),
+  EXPECT_EQ(Problems("[ ]\nb\n"),
             "A.CFG:1: section without a robot design; its records are skipped\n[ ]\n^\n");
 }
 
 TEST(LineFileTest, LineWithNulIsSkippedAndOthersHold) {
   const std::string text("a\nb\0c\nd\n", 8);
   EXPECT_EQ(FirstWords(text), (Words{"a", "d"}));
-  EXPECT_EQ(Complaints(text),
+  EXPECT_EQ(Problems(text),
             "A.CFG:2: NUL byte in the line; skipped; is this a binary or a UTF-16 file?\n"
             "(not shown)\n");
 }
 
-TEST(LineFileTest, BinaryFileGivesOneComplaintNotThousands) {
+TEST(LineFileTest, BinaryFileGivesOneProblemNotThousands) {
   std::string text;
   for (int i = 0; i < 3000; ++i) text += std::string("\0\x7f\n", 3);
-  EXPECT_EQ(Complaints(text),
+  EXPECT_EQ(Problems(text),
             "A.CFG:1: NUL byte in the line; skipped, as 2999 more; is this a binary or a UTF-16 "
             "file?\n(not shown)\n");
 }
@@ -141,28 +139,28 @@ TEST(LineFileTest, LineOfTheGreatestLengthHolds) {
 TEST(LineFileTest, OverlongLineIsSkippedAndNotShownWhole) {
   const std::string text = "a\n" + std::string(1025, 'x') + "\nb\n";
   EXPECT_EQ(FirstWords(text), (Words{"a", "b"}));
-  EXPECT_EQ(Complaints(text), "A.CFG:2: line of 1025 bytes, the limit is 1024; skipped\n" +
-                                  std::string(60, 'x') + "...\n");
+  EXPECT_EQ(Problems(text), "A.CFG:2: line of 1025 bytes, the limit is 1024; skipped\n" +
+                                std::string(60, 'x') + "...\n");
 }
 
 TEST(LineFileTest, ByteOrderMarkIsDroppedWithAWarning) {
   EXPECT_EQ(FirstWords("\xef\xbb\xbf"
                        "a\n"),
             Words{"a"});
-  EXPECT_EQ(Complaints("\xef\xbb\xbf"
-                       "a\n"),
+  EXPECT_EQ(Problems("\xef\xbb\xbf"
+                     "a\n"),
             "A.CFG: warning: starts with a UTF-8 byte order mark, which the robot would read as "
             "part of the first line; save it without\n");
 }
 
 TEST(LineFileTest, ControlByteInARecordIsRefused) {
   EXPECT_EQ(FirstWords("a\nb\x1a\nc\n"), (Words{"a", "c"}));
-  EXPECT_EQ(Complaints("b\x1a\n"),
+  EXPECT_EQ(Problems("b\x1a\n"),
             "A.CFG:1: byte 0x1a in a record; only text, blanks and tabs are allowed\nb?\n ^\n");
 }
 
 TEST(LineFileTest, CommentsMayHoldAnyByteButNul) {
-  EXPECT_EQ(Complaints("# \x1b$B \x93\xfa\x96\x7b\n"), "");
+  EXPECT_EQ(Problems("# \x1b$B \x93\xfa\x96\x7b\n"), "");
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ std::vector<std::string> Paths(std::string_view text, std::string_view design = 
   return paths;
 }
 
-std::string Complaints(std::string_view text, std::string_view design = "ERS-210") {
+std::string Problems(std::string_view text, std::string_view design = "ERS-210") {
   return Render(ParseObjectConfig("OBJECT.CFG", text, design).diagnostics);
 }
 
@@ -41,37 +41,37 @@ TEST(ObjectConfigTest, OnlySectionsOfTheRobotHold) {
 
 TEST(ObjectConfigTest, LowerCaseIsAsGoodAsUpperCase) {
   EXPECT_EQ(Paths("/ms/open-r/mw/objs/vision.bin\n"), (List{"/ms/open-r/mw/objs/vision.bin"}));
-  EXPECT_EQ(Complaints("/ms/open-r/mw/objs/vision.bin\n"), "");
+  EXPECT_EQ(Problems("/ms/open-r/mw/objs/vision.bin\n"), "");
 }
 
 TEST(ObjectConfigTest, PathOutsideTheStickIsRefused) {
-  EXPECT_EQ(Complaints("/home/dog/A.BIN\n"),
+  EXPECT_EQ(Problems("/home/dog/A.BIN\n"),
             "OBJECT.CFG:1: object path '/home/dog/A.BIN' does not begin with /MS/, the root of the "
             "Memory Stick\n/home/dog/A.BIN\n^\n");
 }
 
 TEST(ObjectConfigTest, PathThatLacksTheRootGetsASuggestion) {
-  EXPECT_EQ(Complaints(" OPEN-R/MW/OBJS/A.BIN\n"),
+  EXPECT_EQ(Problems(" OPEN-R/MW/OBJS/A.BIN\n"),
             "OBJECT.CFG:1: object path 'OPEN-R/MW/OBJS/A.BIN' does not begin with /MS/, the root "
             "of the Memory Stick; did you mean '/MS/OPEN-R/MW/OBJS/A.BIN'?\n"
             " OPEN-R/MW/OBJS/A.BIN\n ^\n");
 }
 
 TEST(ObjectConfigTest, BackslashesAreRefusedWithTheRightPath) {
-  EXPECT_EQ(Complaints("/MS\\A.BIN\n"),
+  EXPECT_EQ(Problems("/MS\\A.BIN\n"),
             "OBJECT.CFG:1: object path '/MS\\A.BIN' has a backslash; did you mean '/MS/A.BIN'?\n"
             "/MS\\A.BIN\n"
             "   ^\n");
 }
 
 TEST(ObjectConfigTest, DotsCannotLeaveTheStick) {
-  EXPECT_EQ(Complaints("/MS/../A.BIN\n"),
+  EXPECT_EQ(Problems("/MS/../A.BIN\n"),
             "OBJECT.CFG:1: object path '/MS/../A.BIN' has a part that is only dots; write the "
             "whole path\n/MS/../A.BIN\n    ^\n");
 }
 
 TEST(ObjectConfigTest, FolderIsNoObject) {
-  EXPECT_EQ(Complaints("/MS/OPEN-R/\n"),
+  EXPECT_EQ(Problems("/MS/OPEN-R/\n"),
             "OBJECT.CFG:1: object path '/MS/OPEN-R/' has an empty part; write the whole path\n"
             "/MS/OPEN-R/\n"
             "           ^\n");
@@ -80,7 +80,7 @@ TEST(ObjectConfigTest, FolderIsNoObject) {
 TEST(ObjectConfigTest, CommentAfterThePathIsAWarning) {
   EXPECT_EQ(Paths("/MS/A.BIN # mover\n"), List{"/MS/A.BIN"});
   EXPECT_EQ(
-      Complaints("/MS/A.BIN # mover\n"),
+      Problems("/MS/A.BIN # mover\n"),
       "OBJECT.CFG:1: warning: a comment has a line of its own; this one is not read here, the "
       "robot may take it for a part of the record\n"
       "/MS/A.BIN # mover\n"
@@ -89,7 +89,7 @@ TEST(ObjectConfigTest, CommentAfterThePathIsAWarning) {
 
 TEST(ObjectConfigTest, SecondPathIsRefused) {
   EXPECT_EQ(Paths("/MS/A.BIN /MS/B.BIN\n"), List{});
-  EXPECT_EQ(Complaints("/MS/A.BIN /MS/B.BIN\n"),
+  EXPECT_EQ(Problems("/MS/A.BIN /MS/B.BIN\n"),
             "OBJECT.CFG:1: '/MS/B.BIN' after the path; a line holds one path\n"
             "/MS/A.BIN /MS/B.BIN\n"
             "          ^\n");
@@ -97,7 +97,7 @@ TEST(ObjectConfigTest, SecondPathIsRefused) {
 
 TEST(ObjectConfigTest, NameLongerThanTheRobotCanHoldIsAWarning) {
   EXPECT_EQ(Paths("/MS/JOINTMOVER.BIN\n"), List{"/MS/JOINTMOVER.BIN"});
-  EXPECT_EQ(Complaints("/MS/JOINTMOVER.BIN\n"),
+  EXPECT_EQ(Problems("/MS/JOINTMOVER.BIN\n"),
             "OBJECT.CFG:1: warning: 'JOINTMOVER.BIN' is not an 8.3 name; the robot cannot open it\n"
             "/MS/JOINTMOVER.BIN\n"
             "    ^\n");
@@ -105,14 +105,14 @@ TEST(ObjectConfigTest, NameLongerThanTheRobotCanHoldIsAWarning) {
 
 TEST(ObjectConfigTest, PathListedTwiceIsLoadedOnce) {
   EXPECT_EQ(Paths("/MS/A.BIN\n/ms/a.bin\n"), List{"/MS/A.BIN"});
-  EXPECT_EQ(Complaints("/MS/A.BIN\n/ms/a.bin\n"),
+  EXPECT_EQ(Problems("/MS/A.BIN\n/ms/a.bin\n"),
             "OBJECT.CFG:2: warning: '/ms/a.bin' is listed already in line 1; it is loaded once\n"
             "/ms/a.bin\n^\n");
 }
 
 TEST(ObjectConfigTest, SamePathForTwoRobotsIsNoRepetition) {
   constexpr std::string_view kText = "[ERS-210]\n/MS/A.BIN\n[ERS-220]\n/MS/A.BIN\n";
-  EXPECT_EQ(Complaints(kText, kEveryDesign), "");
+  EXPECT_EQ(Problems(kText, kEveryDesign), "");
   EXPECT_EQ(Paths(kText, kEveryDesign).size(), 2u);
 }
 

@@ -23,11 +23,11 @@ std::string WithServices(const std::string& first, const std::string& second) {
 const std::string kSubject = "Service : \"Mover.Move.Data.S\", null, ReadyMove()";
 const std::string kObserver = "Service : \"Mover.Stop.Data.O\", null, NotifyStop()";
 
-std::string Complaints(const std::string& text) { return Render(Parse(text).diagnostics); }
+std::string Problems(const std::string& text) { return Render(Parse(text).diagnostics); }
 
 // Returns all messages about a file whose 4th line, a subject's, is `line`.
-std::string ComplaintsAboutSubject(const std::string& line) {
-  return Complaints(WithServices(line, kObserver));
+std::string ProblemsOfSubject(const std::string& line) {
+  return Problems(WithServices(line, kObserver));
 }
 
 TEST(StubConfigTest, GoodFileIsRead) {
@@ -58,27 +58,27 @@ TEST(StubConfigTest, CrLfTabsAndMissingNewlineMakeNoDifference) {
 }
 
 TEST(StubConfigTest, CountKeywordsHaveTwoSpellings) {
-  EXPECT_EQ(Complaints("ObjectName : Mover\nNumOfSubject : 1\nNumOfObserver : 1\n" + kSubject +
-                       "\n" + kObserver),
+  EXPECT_EQ(Problems("ObjectName : Mover\nNumOfSubject : 1\nNumOfObserver : 1\n" + kSubject + "\n" +
+                     kObserver),
             "");
 }
 
 TEST(StubConfigTest, AnyOtherLineIsAComment) {
-  EXPECT_EQ(Complaints("// stub.cfg of Mover\n# also\nServices follow below\n\n   \n-- Extra care "
-                       "is needed\n" +
-                       kGood + "//Service : \"A.B.C.S\", null\n"),
+  EXPECT_EQ(Problems("// stub.cfg of Mover\n# also\nServices follow below\n\n   \n-- Extra care "
+                     "is needed\n" +
+                     kGood + "//Service : \"A.B.C.S\", null\n"),
             "");
 }
 
 TEST(StubConfigTest, RestOfNameAndCountLinesIsIgnored) {
-  EXPECT_EQ(Complaints("ObjectName : Mover // class\nNumOfOSubject : 1 one\nNumOfOObserver : 1;\n" +
-                       kSubject + "\n" + kObserver + "\nExtra : Tick() // every second\n"),
+  EXPECT_EQ(Problems("ObjectName : Mover // class\nNumOfOSubject : 1 one\nNumOfOObserver : 1;\n" +
+                     kSubject + "\n" + kObserver + "\nExtra : Tick() // every second\n"),
             "");
 }
 
 TEST(StubConfigTest, CountsMayFollowTheServices) {
-  EXPECT_EQ(Complaints(kSubject + "\n" + kObserver +
-                       "\nNumOfOObserver : 1\nNumOfOSubject : 1\nObjectName : Mover\n"),
+  EXPECT_EQ(Problems(kSubject + "\n" + kObserver +
+                     "\nNumOfOObserver : 1\nNumOfOSubject : 1\nObjectName : Mover\n"),
             "");
 }
 
@@ -95,18 +95,18 @@ TEST(StubConfigTest, SubjectsAndObserversAreNumberedApartInFileOrder) {
 }
 
 TEST(StubConfigTest, ObjectPartOfAServiceNeedNotBeTheObjectName) {
-  EXPECT_EQ(ComplaintsAboutSubject("Service : \"Mover1.Move.Data.S\", null, null"), "");
+  EXPECT_EQ(ProblemsOfSubject("Service : \"Mover1.Move.Data.S\", null, null"), "");
 }
 
 TEST(StubConfigTest, SubjectAndObserverMayShareAName) {
-  EXPECT_EQ(Complaints(WithServices("Service : \"M.Move.T.S\", null, null",
-                                    "Service : \"M.Move.T.O\", null, null")),
+  EXPECT_EQ(Problems(WithServices("Service : \"M.Move.T.S\", null, null",
+                                  "Service : \"M.Move.T.O\", null, null")),
             "");
 }
 
 TEST(StubConfigTest, OneFunctionMayServeSeveralServices) {
-  EXPECT_EQ(Complaints(WithServices("Service : \"M.Move.T.S\", F(), F()",
-                                    "Service : \"M.Stop.T.O\", F(), F()")),
+  EXPECT_EQ(Problems(WithServices("Service : \"M.Move.T.S\", F(), F()",
+                                  "Service : \"M.Stop.T.O\", F(), F()")),
             "");
 }
 
@@ -120,7 +120,7 @@ TEST(StubConfigTest, ExtrasComeInFileOrder) {
 
 TEST(StubConfigTest, FunctionWithoutBracketsIsRefused) {
   EXPECT_EQ(
-      ComplaintsAboutSubject(R"(Service : "Mover.Move.Data.S", null, ReadyMove)"),
+      ProblemsOfSubject(R"(Service : "Mover.Move.Data.S", null, ReadyMove)"),
       R"(stub.cfg:4: function 'ReadyMove' has no '()'; write ReadyMove(), or null for no function
 Service : "Mover.Move.Data.S", null, ReadyMove
                                      ^
@@ -128,7 +128,7 @@ Service : "Mover.Move.Data.S", null, ReadyMove
 }
 
 TEST(StubConfigTest, NullInCapitalsIsRefused) {
-  EXPECT_EQ(ComplaintsAboutSubject(R"(Service : "Mover.Move.Data.S", NULL, null)"),
+  EXPECT_EQ(ProblemsOfSubject(R"(Service : "Mover.Move.Data.S", NULL, null)"),
             R"(stub.cfg:4: 'NULL' has no '()'; write null in lower case for no function
 Service : "Mover.Move.Data.S", NULL, null
                                ^
@@ -136,7 +136,7 @@ Service : "Mover.Move.Data.S", NULL, null
 }
 
 TEST(StubConfigTest, BlankBetweenTheBracketsIsRefused) {
-  EXPECT_EQ(ComplaintsAboutSubject(R"(Service : "Mover.Move.Data.S", null, F( ))"),
+  EXPECT_EQ(ProblemsOfSubject(R"(Service : "Mover.Move.Data.S", null, F( ))"),
             R"(stub.cfg:4: write F() with nothing between the brackets, not even a blank
 Service : "Mover.Move.Data.S", null, F( )
                                       ^
@@ -144,7 +144,7 @@ Service : "Mover.Move.Data.S", null, F( )
 }
 
 TEST(StubConfigTest, TrailingCommentIsRefused) {
-  EXPECT_EQ(ComplaintsAboutSubject(R"(Service : "Mover.Move.Data.S", null, F() // go)"),
+  EXPECT_EQ(ProblemsOfSubject(R"(Service : "Mover.Move.Data.S", null, F() // go)"),
             R"(stub.cfg:4: '// go' after F(); a comment needs a line of its own
 Service : "Mover.Move.Data.S", null, F() // go
                                          ^
@@ -152,7 +152,7 @@ Service : "Mover.Move.Data.S", null, F() // go
 }
 
 TEST(StubConfigTest, TrailingSemicolonIsRefused) {
-  EXPECT_EQ(ComplaintsAboutSubject(R"(Service : "Mover.Move.Data.S", null, F();)"),
+  EXPECT_EQ(ProblemsOfSubject(R"(Service : "Mover.Move.Data.S", null, F();)"),
             R"(stub.cfg:4: ';' after F(); remove it
 Service : "Mover.Move.Data.S", null, F();
                                         ^
@@ -160,7 +160,7 @@ Service : "Mover.Move.Data.S", null, F();
 }
 
 TEST(StubConfigTest, WordAfterNullIsRefused) {
-  EXPECT_EQ(ComplaintsAboutSubject(R"(Service : "Mover.Move.Data.S", null, null // dummy)"),
+  EXPECT_EQ(ProblemsOfSubject(R"(Service : "Mover.Move.Data.S", null, null // dummy)"),
             R"(stub.cfg:4: '// dummy' after null; a comment needs a line of its own
 Service : "Mover.Move.Data.S", null, null // dummy
                                           ^
@@ -168,7 +168,7 @@ Service : "Mover.Move.Data.S", null, null // dummy
 }
 
 TEST(StubConfigTest, MissingSecondFunctionIsRefused) {
-  EXPECT_EQ(ComplaintsAboutSubject(R"(Service : "Mover.Move.Data.S", null)"),
+  EXPECT_EQ(ProblemsOfSubject(R"(Service : "Mover.Move.Data.S", null)"),
             R"(stub.cfg:4: second function (ready) is missing; write ', Name()' or ', null'
 Service : "Mover.Move.Data.S", null
                                    ^
@@ -176,7 +176,7 @@ Service : "Mover.Move.Data.S", null
 }
 
 TEST(StubConfigTest, ThirdFunctionIsRefused) {
-  EXPECT_EQ(ComplaintsAboutSubject(R"(Service : "Mover.Move.Data.S", null, F(), G())"),
+  EXPECT_EQ(ProblemsOfSubject(R"(Service : "Mover.Move.Data.S", null, F(), G())"),
             R"(stub.cfg:4: more than two functions; a service has two
 Service : "Mover.Move.Data.S", null, F(), G()
                                         ^
@@ -184,7 +184,7 @@ Service : "Mover.Move.Data.S", null, F(), G()
 }
 
 TEST(StubConfigTest, MissingFunctionsAreRefused) {
-  EXPECT_EQ(ComplaintsAboutSubject("Service : \"Mover.Move.Data.S\""),
+  EXPECT_EQ(ProblemsOfSubject("Service : \"Mover.Move.Data.S\""),
             "stub.cfg:4: comma and two functions must follow the name; write null for no "
             "function\n"
             "Service : \"Mover.Move.Data.S\"\n"
@@ -192,7 +192,7 @@ TEST(StubConfigTest, MissingFunctionsAreRefused) {
 }
 
 TEST(StubConfigTest, EmptyFunctionIsRefused) {
-  EXPECT_EQ(ComplaintsAboutSubject(R"(Service : "Mover.Move.Data.S", , null)"),
+  EXPECT_EQ(ProblemsOfSubject(R"(Service : "Mover.Move.Data.S", , null)"),
             R"(stub.cfg:4: function is missing; write Name(), or null for no function
 Service : "Mover.Move.Data.S", , null
                                ^
@@ -200,7 +200,7 @@ Service : "Mover.Move.Data.S", , null
 }
 
 TEST(StubConfigTest, FunctionThatIsNoNameIsRefused) {
-  EXPECT_EQ(ComplaintsAboutSubject(R"(Service : "Mover.Move.Data.S", 0, null)"),
+  EXPECT_EQ(ProblemsOfSubject(R"(Service : "Mover.Move.Data.S", 0, null)"),
             R"(stub.cfg:4: '0' is not a function; write Name(), or null for none
 Service : "Mover.Move.Data.S", 0, null
                                ^
@@ -208,7 +208,7 @@ Service : "Mover.Move.Data.S", 0, null
 }
 
 TEST(StubConfigTest, ServiceWithABadNameIsIgnoredAndTheCountSaysSo) {
-  EXPECT_EQ(ComplaintsAboutSubject("Service : \"Mover.Move.S\", null, null"),
+  EXPECT_EQ(ProblemsOfSubject("Service : \"Mover.Move.S\", null, null"),
             "stub.cfg:4: warning: line ignored: 'Mover.Move.S' has 3 parts, a service name has 4: "
             "Object.Service.Data.S for a subject, .O for an observer\n"
             "Service : \"Mover.Move.S\", null, null\n"
@@ -230,7 +230,7 @@ Service : "Mover.More.Data.s", null, null
 }
 
 TEST(StubConfigTest, ServiceWithoutQuotesIsIgnoredWithAWarning) {
-  EXPECT_EQ(Complaints(kGood + "Service : Mover.More.Data.S, null, null\n"),
+  EXPECT_EQ(Problems(kGood + "Service : Mover.More.Data.S, null, null\n"),
             "stub.cfg:6: warning: line ignored: service name without quotes; write Service : "
             "\"Object.Service.Data.S\", Function(), Function()\n"
             "Service : Mover.More.Data.S, null, null\n"
@@ -238,7 +238,7 @@ TEST(StubConfigTest, ServiceWithoutQuotesIsIgnoredWithAWarning) {
 }
 
 TEST(StubConfigTest, ServiceWithOneQuoteIsIgnoredWithAWarning) {
-  EXPECT_EQ(Complaints(kGood + "Service : \"Mover.More.Data.S, null, null\n"),
+  EXPECT_EQ(Problems(kGood + "Service : \"Mover.More.Data.S, null, null\n"),
             "stub.cfg:6: warning: line ignored: closing quote is missing; write Service : "
             "\"Object.Service.Data.S\", Function(), Function()\n"
             "Service : \"Mover.More.Data.S, null, null\n"
@@ -246,21 +246,21 @@ TEST(StubConfigTest, ServiceWithOneQuoteIsIgnoredWithAWarning) {
 }
 
 TEST(StubConfigTest, MisspeltKeywordIsIgnoredWithAWarning) {
-  EXPECT_EQ(Complaints(kGood + "Extras : Tick()\n"),
+  EXPECT_EQ(Problems(kGood + "Extras : Tick()\n"),
             "stub.cfg:6: warning: line ignored: no keyword 'Extras'; did you mean 'Extra'?\n"
             "Extras : Tick()\n"
             "^\n");
 }
 
 TEST(StubConfigTest, KeywordInOtherCaseIsIgnoredWithAWarning) {
-  EXPECT_EQ(Complaints(kGood + "service : \"A.B.C.S\", null, null\n"),
+  EXPECT_EQ(Problems(kGood + "service : \"A.B.C.S\", null, null\n"),
             "stub.cfg:6: warning: line ignored: no keyword 'service'; did you mean 'Service'?\n"
             "service : \"A.B.C.S\", null, null\n"
             "^\n");
 }
 
 TEST(StubConfigTest, KeywordWithoutColonIsIgnoredWithAWarning) {
-  EXPECT_EQ(Complaints(kGood + " Extra Tick()\n"),
+  EXPECT_EQ(Problems(kGood + " Extra Tick()\n"),
             "stub.cfg:6: warning: line ignored: no ':' after 'Extra'; write 'Extra : ...', or '//' "
             "before a comment\n"
             " Extra Tick()\n"
@@ -268,18 +268,18 @@ TEST(StubConfigTest, KeywordWithoutColonIsIgnoredWithAWarning) {
 }
 
 TEST(StubConfigTest, ProseWithAColonGivesNoWarning) {
-  EXPECT_EQ(Complaints(kGood + "Note: this is version 2\nExtra care: none\n"), "");
+  EXPECT_EQ(Problems(kGood + "Note: this is version 2\nExtra care: none\n"), "");
 }
 
 TEST(StubConfigTest, LineInsideABlockCommentHoldsWithAWarning) {
-  EXPECT_EQ(Complaints(kGood + "/* old\nExtra : Tick()\n*/\nExtra : Tock()\n"),
+  EXPECT_EQ(Problems(kGood + "/* old\nExtra : Tick()\n*/\nExtra : Tock()\n"),
             "stub.cfg:7: warning: line holds although it is between /* and */; put '//' before it\n"
             "Extra : Tick()\n"
             "^\n");
 }
 
 TEST(StubConfigTest, ZeroSubjectsAreRefusedWithTheDummyToAdd) {
-  EXPECT_EQ(Complaints("ObjectName : Mover\nNumOfOSubject : 0\nNumOfOObserver : 1\n" + kObserver),
+  EXPECT_EQ(Problems("ObjectName : Mover\nNumOfOSubject : 0\nNumOfOObserver : 1\n" + kObserver),
             "stub.cfg:2: NumOfOSubject is 0; every object needs at least one subject, add: Service "
             ": \"Mover.DummySubject.DoNotConnect.S\", null, null, and write 1 here\n"
             "NumOfOSubject : 0\n"
@@ -287,7 +287,7 @@ TEST(StubConfigTest, ZeroSubjectsAreRefusedWithTheDummyToAdd) {
 }
 
 TEST(StubConfigTest, ZeroObserversAreRefusedWithTheDummyToAdd) {
-  EXPECT_EQ(Complaints("ObjectName : Mover\nNumOfSubject : 1\nNumOfObserver : 0\n" + kSubject),
+  EXPECT_EQ(Problems("ObjectName : Mover\nNumOfSubject : 1\nNumOfObserver : 0\n" + kSubject),
             "stub.cfg:3: NumOfObserver is 0; every object needs at least one observer, add: "
             "Service : \"Mover.DummyObserver.DoNotConnect.O\", null, null, and write 1 here\n"
             "NumOfObserver : 0\n"
@@ -295,8 +295,8 @@ TEST(StubConfigTest, ZeroObserversAreRefusedWithTheDummyToAdd) {
 }
 
 TEST(StubConfigTest, CountTooHighIsRefused) {
-  EXPECT_EQ(Complaints("ObjectName : Mover\nNumOfOSubject : 2\nNumOfOObserver : 1\n" + kSubject +
-                       "\n" + kObserver),
+  EXPECT_EQ(Problems("ObjectName : Mover\nNumOfOSubject : 2\nNumOfOObserver : 1\n" + kSubject +
+                     "\n" + kObserver),
             "stub.cfg:2: NumOfOSubject is 2, but the file has 1 subject; correct the number or add "
             "the missing Service line\n"
             "NumOfOSubject : 2\n"
@@ -304,7 +304,7 @@ TEST(StubConfigTest, CountTooHighIsRefused) {
 }
 
 TEST(StubConfigTest, CountTooLowIsRefused) {
-  EXPECT_EQ(Complaints(kGood + "Service : \"Mover.More.Data.O\", null, null\n"),
+  EXPECT_EQ(Problems(kGood + "Service : \"Mover.More.Data.O\", null, null\n"),
             "stub.cfg:3: NumOfOObserver is 1, but the file has 2 observers; correct the number\n"
             "NumOfOObserver : 1\n"
             "                 ^\n");
@@ -316,7 +316,7 @@ TEST(StubConfigTest, BadFunctionDoesNotUpsetTheCounts) {
 }
 
 TEST(StubConfigTest, MissingLinesAreNamedWithWhatToAdd) {
-  EXPECT_EQ(Complaints(kSubject + "\n"),
+  EXPECT_EQ(Problems(kSubject + "\n"),
             "stub.cfg: no ObjectName line; add: ObjectName : <the object's C++ class>\n"
             "stub.cfg: no NumOfOSubject line; add: NumOfOSubject : 1\n"
             "stub.cfg: no NumOfOObserver line; add: NumOfOObserver : 1; every object needs at "
@@ -328,24 +328,24 @@ TEST(StubConfigTest, CountThatIsNoNumberIsRefused) {
   for (const char* value : {"", "one", "-1", "99999999999"}) {
     SCOPED_TRACE(value);
     const std::string line = std::string("NumOfOSubject : ") + value;
-    EXPECT_EQ(Complaints("ObjectName : Mover\n" + line + "\nNumOfOObserver : 1\n" + kSubject +
-                         "\n" + kObserver),
+    EXPECT_EQ(Problems("ObjectName : Mover\n" + line + "\nNumOfOObserver : 1\n" + kSubject + "\n" +
+                       kObserver),
               "stub.cfg:2: NumOfOSubject needs a number of services, such as 1\n" + line +
                   "\n                ^\n");
   }
 }
 
 TEST(StubConfigTest, ObjectNameMustBeAClassName) {
-  EXPECT_EQ(Complaints("ObjectName : 2Legs\nNumOfOSubject : 1\nNumOfOObserver : 1\n" + kSubject +
-                       "\n" + kObserver),
+  EXPECT_EQ(Problems("ObjectName : 2Legs\nNumOfOSubject : 1\nNumOfOObserver : 1\n" + kSubject +
+                     "\n" + kObserver),
             "stub.cfg:1: '2Legs' is not the name of a C++ class; use letters, digits and '_'\n"
             "ObjectName : 2Legs\n"
             "             ^\n");
 }
 
 TEST(StubConfigTest, EmptyObjectNameIsRefused) {
-  EXPECT_EQ(Complaints("ObjectName :\nNumOfOSubject : 1\nNumOfOObserver : 1\n" + kSubject + "\n" +
-                       kObserver),
+  EXPECT_EQ(Problems("ObjectName :\nNumOfOSubject : 1\nNumOfOObserver : 1\n" + kSubject + "\n" +
+                     kObserver),
             "stub.cfg:1: ObjectName without a name; write the object's C++ class\n"
             "ObjectName :\n"
             "            ^\n");
@@ -364,14 +364,14 @@ TEST(StubConfigTest, SameServiceTwiceOnOneSideIsRefused) {
   const std::string text =
       "ObjectName : M\nNumOfOSubject : 2\nNumOfOObserver : 1\n" + kObserver +
       "\nService : \"M.Move.T.S\", null, null\nService : \"M.Move.U.S\", null, null\n";
-  EXPECT_EQ(Complaints(text),
+  EXPECT_EQ(Problems(text),
             "stub.cfg:6: a second subject 'Move', after line 5: both would be sbjMove; rename one\n"
             "Service : \"M.Move.U.S\", null, null\n"
             "           ^\n");
 }
 
 TEST(StubConfigTest, ServiceThatCannotBePartOfACppNameIsRefused) {
-  EXPECT_EQ(ComplaintsAboutSubject("Service : \"Mover.Move-2.Data.S\", null, null"),
+  EXPECT_EQ(ProblemsOfSubject("Service : \"Mover.Move-2.Data.S\", null, null"),
             "stub.cfg:4: 'Move-2' cannot be part of the C++ name sbjMove-2; use letters, digits "
             "and '_' only\n"
             "Service : \"Mover.Move-2.Data.S\", null, null\n"
@@ -379,7 +379,7 @@ TEST(StubConfigTest, ServiceThatCannotBePartOfACppNameIsRefused) {
 }
 
 TEST(StubConfigTest, BlankInAServiceNameIsRefused) {
-  EXPECT_EQ(ComplaintsAboutSubject("Service : \" Mover.Move.Data.S\", null, null"),
+  EXPECT_EQ(ProblemsOfSubject("Service : \" Mover.Move.Data.S\", null, null"),
             "stub.cfg:4: blank in a service name; no line of CONNECT.CFG could name it\n"
             "Service : \" Mover.Move.Data.S\", null, null\n"
             "           ^\n");
@@ -389,19 +389,19 @@ TEST(StubConfigTest, OverlongServiceNameIsRefused) {
   const std::string object(128 - 12, 'M');
   const std::string line = "Service : \"" + object + ".Move.Data.S\", null, null";
   EXPECT_EQ(
-      ComplaintsAboutSubject(line),
+      ProblemsOfSubject(line),
       "stub.cfg:4: service name of 128 characters, the limit is 127\n" + line + "\n           ^\n");
 }
 
 TEST(StubConfigTest, BlankBeforeTheBracketsOfAnExtraIsRefused) {
-  EXPECT_EQ(Complaints(kGood + "Extra : Tick ()\n"),
+  EXPECT_EQ(Problems(kGood + "Extra : Tick ()\n"),
             "stub.cfg:6: function 'Tick' must be followed by '()' at once; write Extra : Tick()\n"
             "Extra : Tick ()\n"
             "        ^\n");
 }
 
 TEST(StubConfigTest, ExtraThatIsNoFunctionIsRefused) {
-  EXPECT_EQ(Complaints(kGood + "Extra : 1()\nExtra :\n"),
+  EXPECT_EQ(Problems(kGood + "Extra : 1()\nExtra :\n"),
             "stub.cfg:6: '1()' is not a function; write Extra : Name()\n"
             "Extra : 1()\n"
             "        ^\n"
@@ -411,7 +411,7 @@ TEST(StubConfigTest, ExtraThatIsNoFunctionIsRefused) {
 }
 
 TEST(StubConfigTest, SameExtraTwiceIsRefused) {
-  EXPECT_EQ(Complaints(kGood + "Extra : Tick()\nExtra : Tick()\n"),
+  EXPECT_EQ(Problems(kGood + "Extra : Tick()\nExtra : Tick()\n"),
             "stub.cfg:7: Extra Tick() again, after line 6; remove one\n"
             "Extra : Tick()\n"
             "        ^\n");
@@ -422,18 +422,18 @@ TEST(StubConfigTest, ExtraWithTheNameOfAnEntryIsRefused) {
        {"Init", "Destroy", "Ready", "Control0", "Ready0", "Connect0", "Notify0"}) {
     SCOPED_TRACE(name);
     const std::string line = std::string("Extra : ") + name + "()\n";
-    EXPECT_EQ(Complaints(kGood + line), std::string("stub.cfg:6: Extra ") + name + "() would be _" +
-                                            name + " in the stub, which is taken; rename it\n" +
-                                            line + "        ^\n");
+    EXPECT_EQ(Problems(kGood + line), std::string("stub.cfg:6: Extra ") + name + "() would be _" +
+                                          name + " in the stub, which is taken; rename it\n" +
+                                          line + "        ^\n");
   }
-  EXPECT_EQ(Complaints(kGood + "Extra : Ready1()\n"), "");
+  EXPECT_EQ(Problems(kGood + "Extra : Ready1()\n"), "");
 }
 
 TEST(StubConfigTest, MoreEntriesThanTheRobotHasSelectorsAreAWarning) {
   std::string text = kGood;
   for (int i = 0; i < 56; ++i) text += "Extra : Tick" + std::to_string(i) + "()\n";
-  EXPECT_EQ(Complaints(text), "");
-  EXPECT_EQ(Complaints(text + "Extra : Tock()\n"),
+  EXPECT_EQ(Problems(text), "");
+  EXPECT_EQ(Problems(text + "Extra : Tock()\n"),
             "stub.cfg:1: warning: 65 entry points, the robot has 64 selectors for an object\n"
             "ObjectName : Mover\n"
             "             ^\n");
