@@ -22,9 +22,9 @@ namespace {
 constexpr int32 kRtsThreshold = 2347;
 constexpr int32 kFragmentationThreshold = 2346;
 
-// Does the work of a function that reads the state of the wireless card into `msg`.  Clears `msg`.
-// If the robot has a card with a driver, calls `fill` to set the fields of `msg`.  Stores the
-// status in `msg` and returns it.
+// Clears `msg`, into which a function of this file reads the state of the wireless card.  If the
+// robot has a card with a driver, calls `fill` to set the fields of `msg`.  Stores the status in
+// `msg` and returns it.
 template <typename Msg, typename Fill>
 EtherStatus Ask(Msg* msg, Fill fill) {
   const ApiScope scope;

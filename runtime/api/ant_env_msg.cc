@@ -95,9 +95,9 @@ antError antEnvMsg::Call(antStackRef target, int size) {
 
 antEnvMsg* antEnvMsg::Receive(ANTENVMSG msg) { return static_cast<antEnvMsg*>(msg); }
 
-// Answers the request that the running handler has received.  Called only by objects of a program
-// that act as a network stack.  IPStack uses IpStack::Answer() instead, because it often answers in
-// a later handler, when the network has delivered data.
+// Answers the request that the running handler has received.  Called only by a program that is
+// itself a network stack.  The runtime's network stack calls IpStack::Answer() instead, because it
+// often answers after that handler has ended, when the network has delivered data.
 antError antEnvMsg::Reply() {
   const ApiScope scope;
   if (t_current.object == nullptr) return ANT_FAIL;

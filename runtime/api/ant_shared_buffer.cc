@@ -1,5 +1,5 @@
 // antSharedBuffer: shared memory through which a program and the network stack pass data.  A
-// program must map a buffer before it sends data in it.
+// program must map a buffer before it sends data that lie in the buffer.
 #include <antSharedBuffer.h>
 
 #include "runtime/core/system.h"

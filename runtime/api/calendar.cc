@@ -44,9 +44,9 @@ int64_t DaysToMonth(int64_t year, int64_t month) {
 
 CivilDate DateOfDay(int64_t days) {
   CivilDate date;
-  // Begins with a year that cannot be too late: 2000 plus or minus a multiple of 400 years, and
-  // then one year for every 366 days.  The year may be too early, because most years have 365 days,
-  // so the loop goes forward to the right year.
+  // Computes a first year that is not later than the year of `days`: the beginning of the period of
+  // 400 years, plus one year for every 366 days since then.  This year may be too early, because
+  // most years have 365 days, so the loop goes forward to the right year.
   date.year = 2000 + FloorDiv(days, kDaysIn400Years) * 400;
   date.year += (days - DaysToYear(date.year)) / 366;
   while (days >= DaysToYear(date.year + 1)) ++date.year;

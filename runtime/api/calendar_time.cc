@@ -15,8 +15,8 @@ namespace {
 constexpr const char* kDayNames[] = {"Sun", "Mon", "Tue", "Wed", "Thu", "Fri", "Sat"};
 constexpr const char* kMonthNames[] = {"Jan", "Feb", "Mar", "Apr", "May", "Jun",
                                        "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
-// The largest year that ProperDate() accepts, counted from otimeSTART_YEAR, because the text of a
-// date has four digits for the year.
+// The largest year_ that ProperDate() accepts.  The text of a date has four digits for the year, so
+// the largest year is 9999; year_ is counted from otimeSTART_YEAR.
 constexpr int kYearMax = 9999 - otimeSTART_YEAR;
 
 // Returns the number of days from 2000-01-01 to the date of `t`.

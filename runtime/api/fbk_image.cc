@@ -36,10 +36,11 @@ BandPlace PlaceOf(ODataType type, OFbkImageBand band) {
   }
 }
 
-// The camera overwrites the first 16 pixels of the last row with a tag, information about the
-// image.  At byte 0 it has the field counter, the camera's count of its pictures.  At byte 4 it has
-// the frequencies of channels 4 to 7 of colour detection, at byte 8 the frequencies of channels 0
-// to 3.  A frequency is the number of detected pixels divided by 16 (robot.md, 11.2).
+// The size of the tag: information about the image, with which the camera overwrites the first 16
+// pixels of the last row (robot.md, 11.2).  The tag begins with the field counter, the camera's
+// count of its pictures.  The four bytes from byte 4 on are the frequencies of channels 4 to 7 of
+// colour detection, the four bytes from byte 8 on those of channels 0 to 3.  A frequency is the
+// number of detected pixels divided by 16.
 constexpr int kTagSize = 16;
 constexpr int kFrequencies4To7 = 4;
 constexpr int kFrequencies0To3 = 8;

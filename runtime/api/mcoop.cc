@@ -15,8 +15,7 @@ using namespace openr_host;
 
 namespace {
 
-// Number of calls of GetSystemTime() in one handler from which on the handler is reported as a busy
-// loop.
+// A handler that calls GetSystemTime() this many times is reported as a busy loop.
 constexpr uint64_t kTimeCallsMax = 1'000'000;
 
 // Makes a message to entry `selector` of object `oid` with a copy of the bytes at `msg`.
@@ -27,9 +26,9 @@ OwnedMessage NewBytes(const OID& oid, Selector selector, const void* msg, size_t
   return message;
 }
 
-// Returns sSUCCESS if `rbox` names an open reply box of the current object, otherwise an error.
-// The reply to one request arrives in a reply box.  Only the object that sent the request may wait
-// for the reply or close the box.
+// Returns sSUCCESS if `rbox` is an open reply box of the current object, otherwise an error.  A
+// reply box receives the reply to one request.  Only the object that sent this request may wait for
+// the reply or close the box.
 sError CheckBox(const RID& rbox) {
   const openr_host::Object* const self = t_current.object;
   if (self == nullptr || !rbox.IsValid()) return sINVALIDRID;
@@ -51,9 +50,10 @@ sError GetSystemTime(SystemTime* time) {
         "1000000 calls of GetSystemTime() in one handler: a busy loop holds up "
         "every object of this robot");
   }
-  // Adds 1 us for each call of GetSystemTime() in the running handler.  Otherwise a loop that waits
-  // for a certain time would never end, because virtual time stands still while a handler runs.
-  // Subtracts the time of the robot's boot, because the robot's clock begins at 0 when it boots.
+  // Adds 1 us to the returned time for each call of GetSystemTime() in the running handler.
+  // Otherwise a loop that waits for a certain time would never end, because virtual time stands
+  // still while a handler runs.  Subtracts the time of the robot's boot, because the robot's clock
+  // begins at 0 when it boots.
   System& system = *t_current.system;
   const bool has_robot = object->robot < system.robot_count();
   const int64_t booted_us = has_robot ? system.robot(object->robot).booted_us : 0;

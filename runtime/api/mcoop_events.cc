@@ -10,9 +10,9 @@ using namespace openr_host;
 
 namespace {
 
-// Checks whether the current object may order one more event.  An event is a letter, a message of
-// `size` bytes that goes to object `oid` at a certain time or when a reply arrives.  Returns
-// sSUCCESS or the error for the program.
+// Checks whether the current object may order one more event: a message of `size` bytes, called
+// letter, that is sent to object `oid` at a certain time or when a reply arrives.  Returns
+// sSUCCESS, or the error that the function of MCOOP.h returns to the program.
 sError CheckLetter(const OID& oid, size_t size) {
   if (t_current.object == nullptr) return sFAIL;
   if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;

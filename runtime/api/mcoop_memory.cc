@@ -15,7 +15,8 @@ using namespace openr_host;
 
 namespace {
 
-// The size that GetPageSize() returns: the page size of a robot with memory protection.
+// The page size in bytes that GetPageSize() returns.  A robot with memory protection has pages of
+// this size (Programmer's Guide, 4.1.2).
 constexpr size_t kPageBytes = 4096;
 
 // Changes the size of a region that the current object owns to `size`.  If `grows` is true

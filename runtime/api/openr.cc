@@ -1,6 +1,6 @@
 // The functions of namespace OPENR, except the functions that make and delete vectors (vectors.cc).
 // Functions about devices call the RobotServices of the robot, the interface to its simulated
-// devices.  The other functions do their work here.
+// devices.  The code of this file does the work of all other functions.
 #include <OPENR/OPENRAPI.h>
 #include <fmt/format.h>
 
@@ -23,9 +23,10 @@ constexpr longword kCpuClockHz = 192'000'000;  // clock of the ERS-210's CPU (R4
 Robot& CurrentRobot() { return t_current.system->robot(t_current.object->robot); }
 RobotServices& Services() { return *CurrentRobot().services; }
 
-// Returns the text for the report of a run that ends with this call of OPENR::Shutdown().  A
-// shutdown with a boot timer (robot.md 15.3) ends the run only if no robot of the run can boot
-// again, so in this case the text tells the user to start the run again.
+// Returns the text for the report of a run that ends with this call of OPENR::Shutdown().  If
+// `condition` has a boot timer (robot.md 15.3), the program wants the robot to boot again later.
+// The run ends in this case only if no robot of the run can boot again, so the text tells the user
+// to start the run again.
 std::string HowItEnds(const OBootCondition& condition) {
   return (condition.bitmap & obcbBOOT_TIMER) == 0 ? " shut the robot down (OPENR::Shutdown)"
                                                   : " shut the robot down (OPENR::Shutdown) to "

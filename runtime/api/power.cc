@@ -8,8 +8,8 @@
 
 namespace {
 
-// A bit of OPowerStatus::robotStatus or batteryStatus, and the name of the bit's constant, which
-// PowerDetails() shows.
+// A bit of OPowerStatus::robotStatus or batteryStatus, and the name of the bit's constant for the
+// text of PowerDetails().
 struct NamedBit {
   longword bit;
   const char* name;

@@ -17,10 +17,11 @@ using openr_host::ApiScope;
 using openr_host::ArithmeticWatch;
 using openr_host::t_current;
 
-// A stack on which an object runs a function that may be left in the middle and continued later.
-// This function is the member `body`.  It can be the endless loop of a controller (kit/controller).
-// The functions that switch stacks make no ApiScope.  With an ApiScope the function `body` would
-// count as code of the runtime and would use the heap and files of the host.
+// A second stack, on which an object runs the function `body`.  This function may leave the stack
+// in the middle and be continued later.  An example is the endless loop of a controller
+// (kit/controller).  Unlike other functions that programs call, the functions that switch stacks
+// make no ApiScope.  With an ApiScope the function `body` would count as code of the runtime and
+// would use the heap and files of the host.
 struct OpenrSecondStack {
   // Like the stack of handlers, this stack lies at addresses that are planned for the object
   // (core/address_plan.h).  It is cleared after use, so that its content is the same in every run.
@@ -32,8 +33,8 @@ struct OpenrSecondStack {
   // Finds floating-point operations in the function `body` that would stop the robot, such as 0/0.
   std::optional<ArithmeticWatch> watch;
   // The floating-point flags (NaN, overflow ...) that the function `body` has raised on this stack.
-  // The switch back to the handler's stack would lose them, so GoHome() stores them before the
-  // switch, and GoThere() adds them to the handler's flags after it.
+  // The switch back to the handler's stack would lose these flags, so GoHome() stores them before
+  // the switch.  After the switch GoThere() adds them to the flags of the handler.
   unsigned fp_flags = 0;
   bool has_left = false;  // true while the function `body` waits to be continued
 
@@ -54,8 +55,9 @@ struct OpenrSecondStack {
   }
 
   // Switches from `stack` back to the stack of the handler.  The switch restores the handler's
-  // floating-point flags, and so loses the flags that the function `body` has raised.  These are
-  // stored in `fp_flags` first, because the object is checked for them when the handler ends.
+  // floating-point flags, and so loses the flags that the function `body` has raised.  Stores the
+  // flags of `body` in `fp_flags` first, because the object is checked for them when the handler
+  // ends.
   void GoHome() {
     fp_flags = openr_host::FpFlags();
     if (fp_flags != 0) openr_host::ClearFpFlags();
@@ -63,9 +65,9 @@ struct OpenrSecondStack {
   }
 
   // Switches from the stack of the handler to `stack`, on which the function `body` runs.  Returns
-  // when `body` has ended, or has left `stack` to be continued later.  Afterwards records how many
-  // bytes of `stack` this function has used, because on the robot it would run on the only stack of
-  // the object.
+  // when `body` has ended, or has left `stack` to be continued later.  Afterwards counts the bytes
+  // of `stack` that `body` has used as stack use of the object, because on the robot the object has
+  // only one stack, and `body` would run on that stack.
   void GoThere() {
     ArithmeticWatch* const outer = t_current.watch;
     if (watch) t_current.watch = &*watch;

@@ -81,17 +81,18 @@ OStatus NewVector(ODataType type, size_t info_size, size_t bytes, size_t count, 
 // `unknown`, because each OPENR::Delete... function has an error of its own for this case.
 OStatus DeleteVector(MemoryRegionID id, ODataType type, OStatus unknown) {
   const RegionTable& regions = t_current.system->regions();
-  // A second deletion of the same region is a mistake of the program, for which
-  // DeleteSharedMemory() adds a finding.
+  // If the region was deleted before, calls DeleteSharedMemory(), which then only adds a finding
+  // about this mistake of the program.
   if (regions.WasDeleted(id)) DeleteSharedMemory(id);
   if (regions.SizeOf(id) < sizeof(ODataVectorInfo)) return unknown;
   const auto* const info = reinterpret_cast<const ODataVectorInfo*>(regions.BaseOf(id));
   return info->type == type && t_current.system->calls().DeleteRegion(id) ? oSUCCESS : unknown;
 }
 
-// Returns the size of `count` elements of `each` bytes, but at most kRobotMemoryBytes, so that the
-// multiplication cannot overflow.  The caller adds the size of the header.  kRobotMemoryBytes and a
-// header are more than the memory of the robot, so NewVector() then returns oNO_MEMORY.
+// Returns the size of `count` elements of `each` bytes, but at most kRobotMemoryBytes (the memory
+// of the robot), so that the multiplication cannot overflow.  The caller adds the size of the
+// header.  With the largest size the sum is more than the memory of the robot, so NewVector()
+// returns oNO_MEMORY.
 size_t BytesOf(size_t count, size_t each) {
   return each != 0 && count > kRobotMemoryBytes / each ? kRobotMemoryBytes : count * each;
 }
