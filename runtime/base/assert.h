@@ -13,11 +13,11 @@ namespace openr_host {
 [[noreturn]] void AssertFailed(const char* file, int line, const char* condition,
                                const std::string& details);
 
-// A function of the runtime that AssertFailed() calls before it aborts; null until the first System
-// is made.  It describes the state of the run (virtual time, object, message, seed) as lines of
-// text, each with its newline.  It also clears t_current (current.h), so that no object counts as
-// running.  With an object running, the hook of abort() would end only the object's handler and not
-// the process.
+// A function of the runtime that AssertFailed() calls before it aborts the process; null until the
+// first System is made.  The function returns the state of the run (virtual time, object, message,
+// seed) as lines of text, each with its newline.  The function also clears t_current (current.h).
+// If t_current named an object, the hook of abort() would end only the object's handler and not the
+// process.
 extern std::string (*assert_context)();
 
 }  // namespace openr_host

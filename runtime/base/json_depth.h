@@ -11,9 +11,9 @@ namespace openr_host {
 inline constexpr size_t kJsonDepthMax = 100;
 
 // Returns whether lists and objects in the text `json` are nested more than kJsonDepthMax levels
-// deep.  Code that parses JSON of a file or of another program must call this function before,
-// because the JSON library copies and writes JSON by recursion: JSON that is nested ten thousands
-// of levels deep would overflow the stack.
+// deep.  Code that parses JSON of a file or of another program must call this function first,
+// because the JSON library copies and writes JSON by recursion: JSON with tens of thousands of
+// levels would overflow the stack.
 constexpr bool IsJsonTooDeep(std::string_view json) {
   size_t depth = 0;
   bool is_in_text = false;

@@ -11,7 +11,7 @@ extern char** environ;
 namespace openr_host {
 namespace {
 
-// Returns pointers to `texts`, and a null pointer as posix_spawn() needs it.
+// Returns an array of pointers to `texts` that ends with a null pointer, as posix_spawn() needs it.
 std::vector<char*> PointersTo(const std::vector<std::string>& texts) {
   std::vector<char*> pointers;
   for (const std::string& text : texts) pointers.push_back(const_cast<char*>(text.c_str()));

@@ -4,11 +4,12 @@
 // - Descriptors: the program has the standard streams of this process unless Give() or OpenNull()
 //   gives it others.  Other descriptors that are not closed by the start of a program
 //   (close-on-exec) reach the program, too, unless CloseFrom() closes them.
-// - Buffered text of this process is not written, and nothing of this process is copied.
-// - Signals: SIGPIPE and SIGXFSZ have their default actions.  This program ignores both, and a
-//   child process would inherit that, but other programs, such as debuggers, expect that these
-//   signals end them.  Other ignored signals stay ignored.  Signals that this process blocks are
-//   blocked, unless UnblockSignals() is called.
+// - Memory: nothing of this process is copied, so the new process does not write text that this
+//   process has buffered for output.
+// - Signals: SIGPIPE and SIGXFSZ have their default actions.  This process ignores both, and a new
+//   process would inherit that, but other programs, such as debuggers, expect that these signals
+//   end them.  Other ignored signals stay ignored.  Signals that this process blocks are blocked in
+//   the program, too, unless UnblockSignals() is called.
 // - End of this process: the program goes on.  A program that must end, too, finds out by itself:
 //   workers by openr join --child-of, the panel's server by a pipe.
 // - End of the program: this process waits for the program's end with waitpid() or the like,
@@ -34,13 +35,14 @@ class ProgramStart {
   ProgramStart(const ProgramStart&) = delete;
   ProgramStart& operator=(const ProgramStart&) = delete;
 
-  // The following functions say what the new process does before the program begins.  The next four
-  // functions take effect in the order in which they are called.
+  // Each function up to UnblockSignals() adds something that the new process does before the
+  // program begins.  OpenNull(), Give(), CloseFrom() and EnterFolder() take effect in the order in
+  // which they are called.
 
   // Opens /dev/null as `descriptor`; `mode` is O_RDONLY, O_WRONLY or O_RDWR.
   void OpenNull(int descriptor, int mode);
-  // Makes `ours`, a descriptor of this process, the descriptor `theirs` of the program, which is
-  // not closed by the start of the program.  The two may be equal.
+  // Gives the program `ours`, a descriptor of this process, under the number `theirs`.  The
+  // descriptor `theirs` stays open when the program starts.  `ours` and `theirs` may be equal.
   void Give(int ours, int theirs);
   // Closes all descriptors of the new process from number `first` on, so that the program does not
   // have them.
@@ -48,7 +50,8 @@ class ProgramStart {
   // Makes `folder` the working folder of the program that this process starts.
   void EnterFolder(const std::string& folder);
 
-  // Replaces the environment, texts "NAME=value", which otherwise is the one of this process.
+  // Gives the program the environment `environment`, texts of the form "NAME=value".  Without this
+  // call the program has the environment of this process.
   void SetEnvironment(std::vector<std::string> environment);
   // Gives the program a process group of its own, so that Ctrl-C on the terminal does not reach it.
   void LeaveGroup();
@@ -58,10 +61,11 @@ class ProgramStart {
   void UnblockSignals();
 
   // Starts the program in `file`, which is looked for in PATH unless it contains a '/'.  Sets
-  // `*process` to its process id and returns 0, or returns an errno.  Allocates no memory, so that
-  // a copy of a process with several threads may call this function.
+  // `*process` to the process id of the program and returns 0, or returns an errno.  Allocates no
+  // memory, so that the child of a fork() may call this function even if its parent has several
+  // threads.
   int Start(const std::string& file, pid_t* process) const;
-  // Starts the program whose file is the first word.
+  // Starts the program whose file is the first of the program's arguments, `words_`.
   int Start(pid_t* process) const { return Start(words_[0], process); }
 
  private:

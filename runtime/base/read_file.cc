@@ -12,8 +12,8 @@
 namespace openr_host {
 namespace {
 
-// Reads at most `size` bytes from `descriptor`, and tries again if a signal has come.  Returns the
-// number of bytes: 0 at the end of the file, and -1 with errno set if reading fails.
+// Reads at most `size` bytes from `descriptor`.  If a signal interrupts the reading, tries again.
+// Returns the number of bytes: 0 at the end of the file, and -1 with errno set if reading fails.
 ssize_t ReadBlock(int descriptor, char* block, size_t size) {
   for (;;) {
     const ssize_t count = read(descriptor, block, size);

@@ -15,8 +15,8 @@ std::optional<std::string> ReadFile(const std::string& path);
 // the text "PATH: the system's reason".
 std::string ReadFileOrThrow(const std::string& path);
 
-// Reads a file from its beginning, piece by piece.  For a file that may be larger than the memory
-// of the host, or of which only the beginning is needed.
+// Reads a file from its beginning, piece by piece.  Used if a file may be larger than the memory of
+// the host, or if only the beginning of a file is needed.
 class FileReader {
  public:
   // Opens the file `path`.  If that fails, is_open() is false, and errno is set.

@@ -38,8 +38,8 @@ double Rng::NextDouble() { return static_cast<double>(Next() >> 11) * 0x1.0p-53;
 
 uint64_t Rng::NextBelow(uint64_t n) {
   ASSERT(n > 0);
-  // Draws again if the value is `limit` or more.  Because `limit` is a multiple of n, each result
-  // of the modulo is then equally likely.
+  // Draws random values until a value is less than `limit`.  Because `limit` is a multiple of n,
+  // each result of `value % n` is then equally likely.
   const uint64_t limit = UINT64_MAX - UINT64_MAX % n;
   uint64_t value = Next();
   while (value >= limit) value = Next();
