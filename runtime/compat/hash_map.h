@@ -1,5 +1,5 @@
-// The header <hash_map.h> of old C++: `hash_map` and `hash_multimap`, which the C++ standard does
-// not have, outside of any namespace.
+// The header <hash_map.h> of old C++: `hash_map` and `hash_multimap` in the global namespace.  The
+// C++ standard does not have these names.
 #ifndef OPENR_COMPAT_HASH_MAP_H_INCLUDED
 #define OPENR_COMPAT_HASH_MAP_H_INCLUDED
 

@@ -1,5 +1,5 @@
-// The header <hash_set.h> of old C++: `hash_set` and `hash_multiset`, which the C++ standard does
-// not have, outside of any namespace.
+// The header <hash_set.h> of old C++: `hash_set` and `hash_multiset` in the global namespace.  The
+// C++ standard does not have these names.
 #ifndef OPENR_COMPAT_HASH_SET_H_INCLUDED
 #define OPENR_COMPAT_HASH_SET_H_INCLUDED
 

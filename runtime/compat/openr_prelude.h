@@ -27,9 +27,10 @@
 #include <utility>
 #include <vector>
 
-// The operators a <? b (minimum) and a >? b (maximum) of g++ 3.3, and their assigning forms a <?= b
-// and a >?= b.  Compilers of today do not know them, so `openr build` replaces for instance a <? b
-// by a <openr_old::minimum> b.  The operators < and > below compute the result of that text.
+// Replacements for the operators a <? b (minimum) and a >? b (maximum) of g++ 3.3, and for a <?= b
+// and a >?= b, which assign the result to a.  Today's compilers do not know these operators, so
+// `openr build` replaces, for example, a <? b by a <openr_old::minimum> b.  The operators < and >
+// below give the new expression the value of the old expression.
 namespace openr_old {
 
 enum Minimum { minimum };

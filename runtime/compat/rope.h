@@ -1,5 +1,5 @@
-// The header <rope.h> of old C++: `rope`, a string for long texts that the C++ standard does not
-// have, outside of any namespace.
+// The header <rope.h> of old C++: `rope`, a string for long texts, in the global namespace.  The
+// C++ standard does not have this class.
 #ifndef OPENR_COMPAT_ROPE_H_INCLUDED
 #define OPENR_COMPAT_ROPE_H_INCLUDED
 

@@ -1,5 +1,5 @@
-// The header <slist.h> of old C++: `slist`, a singly linked list that the C++ standard does not
-// have, outside of any namespace.
+// The header <slist.h> of old C++: `slist`, a singly linked list, in the global namespace.  The C++
+// standard does not have this class.
 #ifndef OPENR_COMPAT_SLIST_H_INCLUDED
 #define OPENR_COMPAT_SLIST_H_INCLUDED
 
