@@ -45,8 +45,8 @@ bool HasTwoNames(const RecordLine& line, std::vector<Diagnostic>* diagnostics) {
   return false;
 }
 
-// Returns true if data can flow from `subject` to `observer`, the two words of `line`.  Otherwise
-// reports an error.
+// Returns true if `line` names first a subject and then an observer with the same data type.
+// Otherwise reports an error.  `subject` and `observer` are the two words of `line`.
 bool FitTogether(const RecordLine& line, const ServiceName& subject, const ServiceName& observer,
                  std::vector<Diagnostic>* diagnostics) {
   if (!subject.is_subject() && observer.is_subject()) {

@@ -16,7 +16,8 @@ inline constexpr int kDesignKeywordBytesMax = 127;
 struct DesignRecord {
   std::string keyword;  // keywords that differ in upper or lower case are different
   // The path of the file with the data for the keyword, as DESIGNDB.CFG has it, e.g.
-  // /MS/OPEN-R/MW/DATA/P/BOW.MTN; upper and lower case letters are equal.
+  // /MS/OPEN-R/MW/DATA/P/BOW.MTN.  Paths that differ only in upper and lower case name the same
+  // file.
   std::string path;
   std::string section;  // the robot design for which the line is valid; "" for every robot
   FilePosition keyword_place;

@@ -23,7 +23,7 @@ struct FilePosition {
   std::string text;  // the line, without its end
 };
 
-// Returns the position at `column` in the line of `place`.
+// Returns the position of column `column` in the same line of the file as `place`.
 FilePosition AtColumn(FilePosition place, int column);
 
 struct Diagnostic {

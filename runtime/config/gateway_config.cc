@@ -13,7 +13,7 @@ namespace openr_host {
 namespace {
 
 // The port of the robot's wireless console (Installation Guide 3.2.1).  A service of the gateway on
-// this port causes a warning.
+// this port causes a warning, because the console already uses the port.
 constexpr int kConsolePort = 59000;
 
 std::optional<uint16_t> PortOf(const Word& word) {
@@ -147,8 +147,8 @@ class GatewayReader {
   }
 
   // Returns true if no earlier line of the gateway's configuration for the same robot has the same
-  // service, or the same port and address.  Otherwise reports an error, because a service has one
-  // connection, and the gateways of the two computers find each other's services by the port.
+  // service, or the same port and address.  Otherwise reports an error: a service carries only one
+  // connection, and the gateway of the other computer finds a service by its port.
   bool IsNew(const RecordLine& line, const GatewayRecord& record) {
     std::vector<GatewayRecord> all = config_->services;
     if (config_->proxy) all.push_back(*config_->proxy);

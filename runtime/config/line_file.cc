@@ -35,8 +35,8 @@ std::string_view TakeLine(std::string_view* rest) {
   return line;
 }
 
-// Keeps the current section of a file, such as [ERS-210], and tells whether lines of this section
-// are valid for a robot design.
+// Keeps track of the sections of a file, such as [ERS-210], so that the parser can skip the lines
+// of sections for other robot designs.
 class SectionFilter {
  public:
   SectionFilter(std::string_view design, std::vector<Diagnostic>* diagnostics)

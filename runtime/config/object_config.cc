@@ -9,8 +9,9 @@
 namespace openr_host {
 namespace {
 
-// Returns the line of OBJECT.CFG in `objects` that has the path `path`, or nullptr.  Lines in
-// sections of different robot designs are not compared, because no robot reads both.
+// Returns the line in `objects`, the earlier lines of OBJECT.CFG, that has the path `path`, or
+// nullptr.  Skips lines whose section is for another robot design than `section`, because no robot
+// reads both sections.
 const ObjectRecord* FindObject(const std::vector<ObjectRecord>& objects, const std::string& path,
                                const std::string& section) {
   for (const ObjectRecord& object : objects) {

@@ -11,8 +11,8 @@
 namespace openr_host {
 
 struct ObjectRecord {
-  // The path of an image as OBJECT.CFG has it, e.g. /MS/OPEN-R/MW/OBJS/MOVER.BIN; upper and lower
-  // case letters are equal.
+  // The path of an image as OBJECT.CFG has it, e.g. /MS/OPEN-R/MW/OBJS/MOVER.BIN.  Paths that
+  // differ only in upper and lower case name the same image.
   std::string path;
   std::string section;  // the robot design for which the line is valid; "" for every robot
   FilePosition place;

@@ -12,8 +12,8 @@
 namespace openr_host {
 namespace {
 
-// The state of the parser for the subjects of a stub.cfg, or for its observers: their declared
-// number and the Service lines that were read so far.
+// The data that the parser of a stub.cfg collects about the object's subjects, or about its
+// observers: the declared number, and the services of the Service lines that were read so far.
 struct Side {
   const char* noun;        // "subject" or "observer"
   const char* count_word;  // usual spelling of the keyword that declares the number
@@ -58,8 +58,8 @@ class StubParser {
                   &result_.config.observers};
   bool has_object_name_ = false;
   bool in_block_comment_ = false;
-  // The line number of the last Service line of the stub.cfg that was ignored; 0 if no such line
-  // was ignored.
+  // The line number of the last Service line that was ignored; 0 if none was ignored.  An error
+  // about a wrong number of services names this line as the probable cause.
   int ignored_service_line_ = 0;
 };
 

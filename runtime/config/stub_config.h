@@ -11,8 +11,8 @@
 
 namespace openr_host {
 
-// An object of the robot has at most 64 entries, with selectors 0 to 63.  The header that the
-// linker writes into its image has no room for more.
+// The largest number of entries of an object of the robot, which have selectors 0 to 63.  The
+// header that the linker writes into the image of the object has no room for more.
 inline constexpr int kSelectorsMax = 64;
 
 struct StubService {

@@ -13,8 +13,8 @@ namespace {
 constexpr const char* kHooks[] = {"Init", "Start", "Stop", "Destroy"};
 constexpr int kHookCount = static_cast<int>(std::size(kHooks));
 
-// An entry of an object as the generated stub has it, a row of its table of entries; the index of
-// the row is the selector.
+// An entry of an object, for one row of the table of entries in the generated stub.  The index of
+// the row is the selector of the entry.
 struct EntryPoint {
   std::string name;        // "Ready0" for the C function _Ready0
   std::string definition;  // source text that defines the function
@@ -168,11 +168,11 @@ std::vector<EntryPoint> ListEntries(const StubConfig& config) {
   return entries;
 }
 
-// Returns the definition of openr_extra_names, the names of the extra entries, which the host reads
-// from the image.  The generated text first declares the array extern, because a const array would
-// otherwise be visible in its own file only, even in extern "C".  OPENR_HOST_EXPORT, the macro that
-// makes the array visible outside of the image, is in this declaration, because g++ takes the
-// visibility only from the first declaration.
+// Returns the definition of openr_extra_names, the array with the names of the extra entries, which
+// the host reads from the image.  The generated text declares the array before it defines it, for
+// two reasons.  Without a declaration with `extern`, a const array is visible only in its own file,
+// even in extern "C".  And g++ takes the visibility outside of the image (OPENR_HOST_EXPORT) only
+// from the first declaration.
 std::string MakeExtraNames(const StubConfig& config) {
   std::string names;
   for (const StubExtra& extra : config.extras) names += fmt::format("\"{}\", ", extra.function);
