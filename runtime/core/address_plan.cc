@@ -19,8 +19,8 @@ namespace {
 constexpr uintptr_t kTiB = uintptr_t{1} << 40;
 constexpr uintptr_t kAreaBytes = 12 * kTiB;
 constexpr uintptr_t kFirstArea = 2 * kTiB;
-// The first address of the address plan if UseOtherAddresses() was called; otherwise the plan
-// begins at kFirstArea.  The two plans overlap, because a process uses only one of them.
+// The first address of the address plan after a call of UseOtherAddresses(); otherwise the plan
+// begins at kFirstArea.  The two areas may overlap, because a process uses only one of them.
 constexpr uintptr_t kOtherArea = 5 * kTiB;
 
 // Offsets of the ranges (heaps, images ...) from the first address of the address plan, which is
@@ -54,9 +54,8 @@ constexpr bool kIsPlanned = true;
 #endif
 
 // Returns whether no memory is mapped in the kAreaBytes from `area` on.  Linux leaves these
-// addresses empty, but a tool that runs this program, such as an emulator, may use them.  If such a
-// tool uses these addresses, this process works without the address plan, and the kernel chooses
-// all addresses.
+// addresses empty, but a tool that runs this program, such as an emulator, may use them.  In this
+// case this process works without the address plan, and the kernel chooses all addresses.
 bool IsEmpty(uintptr_t area) {
   MemoryMap map;
   bool is_empty = true;
@@ -112,7 +111,7 @@ ObjectAddresses::ObjectAddresses(ObjectId id) {
       index_ = static_cast<int>(index);
   }
   // If both places of the object are in use, takes the free place with the highest number, because
-  // low numbers are the own places of other objects.
+  // the places with low numbers belong to other objects.
   for (int last = kPlaces - 1; index_ < 0 && last >= 0; --last) {
     if (!plan.taken[static_cast<size_t>(last)]) index_ = last;
   }

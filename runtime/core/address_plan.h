@@ -81,9 +81,9 @@ char* ReserveRegionArea();
 // Gives back `area`, the addresses for the regions of one System that ReserveRegionArea() has
 // returned, so that another System can take them.
 void GiveRegionArea(char* area);
-// The size of a region area.  RegionMemory needs about 1.33 TiB: for each of its 65,536 slots one
-// block of every size class, which have 64, 256, 1024 ... bytes up to 16 MiB (region_memory.h),
-// together 21.3 MiB.
+// The size of a region area.  RegionMemory keeps a block of every size class for each of its 65,536
+// slots (region_memory.h).  The size classes are 64, 256, 1024 ... bytes up to 16 MiB, together
+// 21.3 MiB, so all blocks need about 1.33 TiB.
 constexpr size_t kRegionAreaBytes = size_t{3} << 39;  // 1.5 TiB in bytes
 
 // Maps `bytes` bytes of zeros at `address`, readable and writable.  Returns false if there is no

@@ -25,8 +25,8 @@ namespace openr_host {
 struct MemoryBudget {
   size_t limit_bytes = SIZE_MAX;
   size_t used_bytes = 0;
-  // For tests: the number of the allocation that fails.  The next allocation has the number 1.  If
-  // the number is less than 0, no allocation fails.
+  // For tests: the number of allocations until an allocation fails.  With 1, the next allocation
+  // fails.  With 0 or less, no allocation fails.
   int allocations_until_failure = -1;
 };
 

@@ -25,9 +25,10 @@ class ArithmeticWatch {
   bool has_begun() const { return has_begun_; }
 
   // Stops watching for floating-point operations that set the flag `kind` (FpFlag), for the rest of
-  // the handler, because each kind of operation is reported only once.  Called by the handler of
-  // SIGFPE after it has recorded the instruction.  This handler also changes the interrupted code's
-  // MXCSR, the register that enables SIGFPE, so that the instruction does not raise SIGFPE again.
+  // the object's handler, because each kind of operation is reported only once.  Called by the
+  // signal handler of SIGFPE after it has recorded the instruction.  The signal handler also
+  // changes the interrupted code's MXCSR, the register that enables SIGFPE, so that the instruction
+  // does not raise SIGFPE again.
   void DisableTrap(unsigned kind) { kinds_ &= ~kind; }
 
   // Pauses the watch for floating-point faults.  Called at the beginning of a function of the SDK

@@ -12,8 +12,8 @@ CodeObject::CodeObject() : host_(t_current.object) {
   ASSERT(host_ != nullptr, "objects built in code are made with System::AddObject()");
 }
 
-// Runs also when the constructor of a derived class has thrown, so that the Object never keeps the
-// address of a table that is gone.
+// Clears the pointer of the Object to the table of entries, because the table belongs to this
+// CodeObject.  This destructor runs also if the constructor of a derived class throws an exception.
 CodeObject::~CodeObject() { host_->code_entries = nullptr; }
 
 void CodeObject::AddSubjectEntries(const std::string& service, OSubject* subject,
@@ -21,7 +21,8 @@ void CodeObject::AddSubjectEntries(const std::string& service, OSubject* subject
   const Selector control = AddExtra(service + " (Control)", [subject](void* message) {
     subject->ControlHandler(*static_cast<OControlMessage*>(message));
   });
-  // The state of `subject` is the newest, because the constructor of `entry` has just made it.
+  // The newest SubjectState of the object is that of `subject`, because `subject` was made together
+  // with `entry`, immediately before this call.
   ASSERT(!host_->subjects.empty(), "{} has no subject", service);
   entry->subject_state = host_->subjects.back().get();
   const Selector ready = AddEntry(service + " (Ready)", std::move(entry));

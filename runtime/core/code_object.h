@@ -36,8 +36,9 @@ class CodeEntry {
   virtual ~CodeEntry() = default;
   virtual void Handle(void* message) = 0;
 
-  // The record of the subject or observer that handles the messages of this entry; null if there is
-  // none (PrefetchDeliveries()).
+  // The record of the subject or of the observer that handles the messages of this entry, which
+  // PrefetchDeliveries() loads into the cache.  A pointer is null if the entry belongs to no
+  // subject or to no observer.
   const SubjectState* subject_state = nullptr;
   const ObserverState* observer_state = nullptr;
 };
@@ -163,7 +164,8 @@ OObserver* CodeObject::AddObserver(const std::string& service, Notify notify) {
   return observer;
 }
 
-// The Object that runs a CodeObject: calls its functions when messages arrive.
+// The Object that runs a CodeObject: calls the function of the CodeObject's entry when a message
+// arrives.
 class CodeHost final : public Object {
  public:
   using Object::Object;

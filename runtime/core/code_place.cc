@@ -20,8 +20,8 @@ struct Search {
 
 _Unwind_Reason_Code SearchFrame(_Unwind_Context* context, void* data) {
   Search* const search = static_cast<Search*>(data);
-  // The address that _Unwind_GetIP() returns is that of the instruction after a call, which may
-  // belong to another source line.  Therefore 1 is subtracted: the address is then inside the call.
+  // Subtracts 1, because _Unwind_GetIP() returns the address of the instruction after a call, which
+  // may belong to another source line.  The result is an address inside the call.
   const auto* const address = reinterpret_cast<const void*>(_Unwind_GetIP(context) - 1);
   if (!search->object->HasCode(address)) return _URC_NO_REASON;
   search->found = address;
@@ -35,8 +35,8 @@ struct CallSearch {
 
 _Unwind_Reason_Code CollectFrame(_Unwind_Context* context, void* data) {
   CallSearch* const search = static_cast<CallSearch*>(data);
-  // Subtracts 1 from the return address of a function on the stack, which is the address of the
-  // instruction after a call, so that the address lies in the call.
+  // Subtracts 1, because _Unwind_GetIP() returns the address of the instruction after a call.  The
+  // result is an address inside the call.
   const auto* const address = reinterpret_cast<const char*>(_Unwind_GetIP(context) - 1);
   if (address >= search->image && address < search->image + ObjectAddresses::kImageBytes)
     search->found.push_back(address);

@@ -28,7 +28,7 @@ const void* CallerInImage();
 
 // Returns the calls on the stack that were made by code of the current object's image, the
 // innermost first, at most kCallsMax.  Returns an empty list if the image is not at its planned
-// address.
+// address, because only this address shows which code belongs to the image.
 std::vector<const void*> CallsInImage();
 constexpr size_t kCallsMax = 8;
 

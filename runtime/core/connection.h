@@ -5,7 +5,8 @@
 
 namespace openr_host {
 
-// A connection between a subject and an observer that a line of CONNECT.CFG, or code, has made.
+// A connection between a subject and an observer.  A line of CONNECT.CFG describes the connection,
+// or code, such as a test, makes it with System::Connect().
 struct Connection {
   int robot = 0;
   std::string subject;  // full name of the subject's service: "RCServer.Move.MoveCommand.S"

@@ -37,13 +37,13 @@ struct RegionAccess {
   static RCRegion* Receive(System* system, const TransferedData& data);
   // Deletes `received`, an RCRegion that Receive() has made for an observer of `system`.
   static void GiveBack(System* system, RCRegion* received);
-  // Visits the pool from which this thread takes the memory of its RCRegions.  Calls `memory` for
-  // each piece of memory that belongs to the pool, and `used` for every RCRegion of the pool that
-  // was made and has not been deleted.
+  // Visits the pool from which this thread takes the memory of its RCRegions, so that the search
+  // for leaks knows what the pool contains.  Calls `memory` for each piece of memory that belongs
+  // to the pool, and `used` for every RCRegion of the pool that was made and has not been deleted.
   static void VisitPool(const std::function<void(const void* begin, size_t bytes)>& memory,
                         const std::function<void(const RCRegion* region)>& used);
-  // Completes a new RCRegion that was made from a region id, without its address or its size: looks
-  // up what is missing in the RegionTable.
+  // Completes a new RCRegion that was made from a region id without its address or without its
+  // size: sets the missing values from the RegionTable.
   static void LookUp(RCRegion* region);
   // The next two functions do what the functions of RCRegion with these names do.  They are inline,
   // because they run for every notification.
@@ -69,22 +69,22 @@ void ReportForeignBytes(const Object& object);
 // subject or observer, adds an error finding and returns false.  Such bytes must not be read as a
 // notification or a ready.
 inline bool IsRunningMessage(const Object& object, PayloadKind kind) {
-  // If `object` handles no message now, there is no message whose kind can be checked.  This occurs
-  // only if a test calls the function of the entry directly.
+  // Returns true if `object` handles no message now, because there is no message whose kind can be
+  // wrong.  This occurs only if a test calls the function of the entry directly.
   if (object.handler.running == nullptr || object.handler.running->kind == kind) [[likely]]
     return true;
   ReportForeignBytes(object);
   return false;
 }
 
-// Message type of a deassert (the message that an observer is not ready) that the runtime sends in
-// the name of an observer, because the observer cannot receive: its process has ended or its object
-// is being replaced.  No message type of the SDK has this value.
+// The message type of a deassert that the runtime sends in place of an observer that cannot
+// receive, because the observer's process has ended or its object is being replaced.  No message
+// type of the SDK has this value.
 constexpr OMessageType kDeassertOfLost = 0x10000;
 
-// Message type of a connect message for a subject whose process is lost.  The observer records that
-// the subject is missing (ObserverState::missing) and does not ask the subject for the connection.
-// No message type of the SDK has this value.
+// The message type of the connect message to an observer if the process of the subject is lost.
+// The observer then records that the subject is missing (ObserverState::missing) and does not ask
+// the subject for the connection.  No message type of the SDK has this value.
 constexpr OMessageType kConnectToLost = 0x10001;
 
 // Sends `subject` a deassert, which says that the observer at entry `selector` of `object` is not
@@ -135,9 +135,9 @@ struct ObserverLink {
 
   ObserverID observer;
   ObjectId target = kNoObject;  // the object of `observer`
-  // The observer's last word about the next notification: 1 if the observer is ready; 0 if it has
-  // not asserted ready since the last data were sent to it, or not at all; -1 if it has deasserted
-  // ready.  Two asserts in a row count as one, as on the robot.
+  // Whether the observer is ready for the next notification: 1 if the observer has asserted ready;
+  // -1 if it has deasserted ready; 0 if it has done neither since the last data were sent to it.
+  // Two asserts in a row count as one, as on the robot.
   int ready = 0;
   struct Unit {
     int data;  // number of regions in `pending` that belong to this notification
@@ -164,9 +164,9 @@ struct SubjectState {
     return nullptr;
   }
 
-  // Takes a reference to `region` and adds the region to the data of the next notification.  A
-  // notification has at most MAX_NUM_DATA data.  If it has more now, drops the oldest datum and
-  // returns oFATAL, as on the robot.
+  // Takes a reference to `region` and adds the region to the data of the next notification.  If the
+  // next notification then has more than MAX_NUM_DATA regions, drops its oldest region and returns
+  // oFATAL, as on the robot.
   OStatus SetData(ObserverLink* link, RCRegion* region) {
     RegionAccess::AddReference(region);
     const bool has_room = link->fresh.size() < MAX_NUM_DATA;
@@ -194,8 +194,8 @@ struct SubjectState {
   // references to their regions.  Called when the program clears the buffer and when the connection
   // ends.
   void Clear(ObserverLink* link);
-  // Drops the oldest pending notification (a unit of ObserverLink::units) and gives up its
-  // references to regions.  REQUIRES: a notification is pending.
+  // Drops the oldest pending notification, the first element of ObserverLink::units, and gives up
+  // the references to its regions.  REQUIRES: a notification is pending.
   void DropOldestUnit(ObserverLink* link);
 
   void HashState(Hasher* hasher) const;
@@ -232,9 +232,9 @@ struct ObserverState {
     // oldest first.
     std::vector<RCRegion*> regions;
     // The number of times that the observer has asserted ready to the subject since the last
-    // notification from any subject.  A notification from any subject resets the count, because
-    // many programs call AssertReady() without argument after each notification, which asserts
-    // ready to all subjects.
+    // notification from any subject.  Too many times become a finding (ReportRepeatedReady()).  A
+    // notification from any subject resets the count, because many programs call AssertReady()
+    // without argument after each notification, which asserts ready to all subjects.
     int asserted = 0;
   };
   std::vector<Held> held;
@@ -249,10 +249,10 @@ struct ObserverState {
   // replaced.
   struct Missing {
     std::string service;
-    // The last command (ready or not ready) that the observer has given to all its subjects since
-    // the subject is missing; objcommCMD_UNDEF if none.  The subject gets the command as soon as it
-    // is connected, because the program does not know that the subject was missing and so does not
-    // repeat the command.
+    // The last command (ready or not ready) that the observer has given to all its subjects while
+    // this subject is missing; objcommCMD_UNDEF if the observer has given none.  The subject gets
+    // the command as soon as it is connected, because the program does not know that the subject
+    // was missing and so does not repeat the command.
     ObjcommCommand command = objcommCMD_UNDEF;
   };
   std::vector<Missing> missing;  // mostly empty

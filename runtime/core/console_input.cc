@@ -55,9 +55,8 @@ size_t ConsoleInput::Read(char* buffer, size_t size, const std::function<bool()>
   Object* const self = t_current.object;
   ASSERT(self != nullptr, "only a handler reads the console");
   Terminal& terminal = terminals_[self->robot];
-  // After the wait for a line, the text of the terminal may be empty again, because another reader
-  // may have taken the line before this reader ran.  So the wait is repeated until the terminal has
-  // text.
+  // Repeats the wait until the terminal has text, because another reader may take the line after
+  // this reader was woken and before it runs.
   while (terminal.text.empty()) {
     const uint64_t box = system_->requests().OpenBox();
     terminal.readers.emplace_back(self->id, box);

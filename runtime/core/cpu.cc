@@ -54,8 +54,8 @@ void Cpu::Begin(Object* object, uint32_t selector, int64_t cost_us, int64_t now_
                     "parts",
                     object->EntryName(selector), kLongHandlerUs / 1000));
   }
-  // Subtracts from the remaining processor time of the handler that has the processor the time
-  // since it last got the processor, because the handler that begins now interrupts it.
+  // The new handler interrupts the handler that has the processor.  The remaining time of the
+  // interrupted handler becomes shorter by the time since it last got the processor.
   if (!jobs_.empty()) jobs_.back().left_us -= now_us - jobs_.back().since_us;
   jobs_.push_back({object, cost_us, now_us});
   object->delivery.set_busy(true);
@@ -71,8 +71,8 @@ void Cpu::End(int64_t now_us) {
   jobs_.pop_back();
   if (!jobs_.empty()) jobs_.back().since_us = now_us;
   object->delivery.set_busy(false);
-  // Clears the current object, because otherwise Post() would put the messages into the outbox of
-  // this object again, where they wait while its handler takes processor time.
+  // Clears the current object, because Post() puts a message into the outbox of the current object
+  // if that object is busy.
   const CurrentScope nobody(system_, nullptr);
   for (ProcessorState::Outgoing& outgoing : std::exchange(object->processor.outbox, {})) {
     system_->Post(std::move(outgoing.message), outgoing.delay_us);

@@ -40,8 +40,8 @@ class Cpu {
   Cpu(const Cpu&) = delete;
   Cpu& operator=(const Cpu&) = delete;
 
-  // Returns whether `object` may run a handler now, because the processor is free or runs a handler
-  // of lower priority.  REQUIRES: `object` belongs to this robot.
+  // Returns whether `object` may run a handler now: whether the processor is free, or runs a
+  // handler of lower priority.  REQUIRES: `object` belongs to this robot.
   bool IsFreeFor(const Object& object) const;
 
   // The longest wait of an object for the processor that is normal; a longer wait becomes a

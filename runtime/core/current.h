@@ -53,8 +53,8 @@ class ApiScope {
 };
 
 // Calls `work` with an ApiScope and returns its result.  The functions of the SDK that run for
-// every notification use InApi(): if the caller is not code of an image, they need no scope and
-// have nothing to restore at the end.
+// every notification call InApi(), which makes an ApiScope only if code of an image is the caller.
+// For other callers InApi() saves the time that an ApiScope takes.
 template <typename Work>
 [[gnu::noinline]] auto InApiOfImage(const Work& work) {
   const ApiScope scope;

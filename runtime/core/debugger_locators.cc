@@ -4,8 +4,9 @@
 
 #include "runtime/base/assert.h"
 
-// The text that SetLocatorsForDebugger() has set, a line with number and locator of each primitive,
-// and a zero byte.  The name is a C name, so that gdb finds it without debug information.
+// The text that SetLocatorsForDebugger() has set: a line with number and locator of each primitive,
+// and a zero byte after the last line.  The variable has a C name, so that gdb finds it without
+// debug information.
 extern "C" {
 [[gnu::visibility("default"), gnu::used]] char openr_locators[16 * 1024];
 }

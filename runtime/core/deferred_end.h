@@ -18,9 +18,9 @@ class DeferredEnd {
   DeferredEnd& operator=(const DeferredEnd&) = delete;
 
   // Called in a signal handler that wants to end the process by calling `end`.  If the signal has
-  // interrupted a section of code that is marked by a DeferredEnd, returns true, and the
-  // destructor of this DeferredEnd will call `end`.  Otherwise returns false, and the signal
-  // handler may end the process itself.  Only for signals of the thread that runs handlers.
+  // interrupted a section of code that a DeferredEnd marks, returns true: the destructor of this
+  // DeferredEnd will call `end`.  Otherwise returns false: the signal handler may end the process
+  // itself.  Only for signals of the thread that runs handlers.
   static bool Defer(void (*end)());
 };
 

@@ -13,8 +13,8 @@ namespace openr_host {
 // Loads `count` lines of the cache, beginning with the line of `address`.  Any number is allowed as
 // an address, 0 too, because the processor ignores a prefetch of memory that does not exist.
 [[gnu::always_inline]] inline void PrefetchLines(uintptr_t address, unsigned count = 1) {
-  // Keeps the prefetches: g++ removes calls of a function that only prefetches, because it knows of
-  // no effect of such a function.
+  // Prevents g++ from removing calls of this function.  g++ removes calls of functions that only
+  // prefetch, because it sees no effect of such functions.
   asm volatile("");
   constexpr unsigned kLineBytes = 64;
   for (unsigned line = 0; line < count; ++line)
@@ -24,13 +24,13 @@ namespace openr_host {
   PrefetchLines(reinterpret_cast<uintptr_t>(address), count);
 }
 
-// Loads into the cache what the deliveries of the messages after `message` in its list need.
-// Without this, a run with thousands of objects spends most of its time waiting for memory.  A
-// delivery reads a chain of records: the message, its receiver, the receiver's table of entries,
-// the entry, the state of the subject or observer.  The address of each record is known only when
-// the record before it has been read, so each call loads for each of the next five messages one
-// record of the chain: the first record for the fifth message, and the last one for the first
-// message.
+// Loads into the cache what the next deliveries need: the deliveries of the messages after
+// `message` in its list of the MessageQueue.  Without this, a run with thousands of objects spends
+// most of its time waiting for memory.  A delivery reads a chain of records: the message, its
+// receiver, the receiver's table of entries, the entry, the state of the subject or observer.  The
+// address of each record is known only when the record before it has been read, so each call loads
+// for each of the next five messages one record of the chain: the first record for the fifth
+// message, and the last one for the first message.
 //
 // Does nothing if fewer than four messages follow, because a run with few messages uses few
 // objects, which are in the cache already.
