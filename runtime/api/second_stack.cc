@@ -18,7 +18,7 @@ using openr_host::ArithmeticWatch;
 using openr_host::t_current;
 
 // A second stack, on which an object runs the function `body`.  This function may leave the stack
-// in the middle and be continued later.  An example is the endless loop of a controller
+// before it has ended and be continued later.  An example is the endless loop of a controller
 // (kit/controller).  Unlike other functions that programs call, the functions that switch stacks
 // make no ApiScope.  With an ApiScope the function `body` would count as code of the runtime and
 // would use the heap and files of the host.

@@ -35,9 +35,9 @@ class ProgramStart {
   ProgramStart(const ProgramStart&) = delete;
   ProgramStart& operator=(const ProgramStart&) = delete;
 
-  // Each function up to UnblockSignals() adds something that the new process does before the
-  // program begins.  OpenNull(), Give(), CloseFrom() and EnterFolder() take effect in the order in
-  // which they are called.
+  // Each of the functions from OpenNull() to UnblockSignals() orders a step that the new process
+  // takes before the program begins.  The steps of OpenNull(), Give(), CloseFrom() and
+  // EnterFolder() are taken in the order of these calls.
 
   // Opens /dev/null as `descriptor`; `mode` is O_RDONLY, O_WRONLY or O_RDWR.
   void OpenNull(int descriptor, int mode);

@@ -12,8 +12,9 @@ CodeObject::CodeObject() : host_(t_current.object) {
   ASSERT(host_ != nullptr, "objects built in code are made with System::AddObject()");
 }
 
-// Clears the pointer of the Object to the table of entries, because the table belongs to this
-// CodeObject.  This destructor runs also if the constructor of a derived class throws an exception.
+// Clears the Object's pointer to the table of entries, because this table is a part of the
+// CodeObject and ends with it.  This destructor runs also if the constructor of a derived class
+// throws an exception.
 CodeObject::~CodeObject() { host_->code_entries = nullptr; }
 
 void CodeObject::AddSubjectEntries(const std::string& service, OSubject* subject,

@@ -37,8 +37,8 @@ class CodeEntry {
   virtual void Handle(void* message) = 0;
 
   // The record of the subject or of the observer that handles the messages of this entry, which
-  // PrefetchDeliveries() loads into the cache.  A pointer is null if the entry belongs to no
-  // subject or to no observer.
+  // PrefetchDeliveries() loads into the cache.  subject_state is null if the entry belongs to no
+  // subject, observer_state if it belongs to no observer.
   const SubjectState* subject_state = nullptr;
   const ObserverState* observer_state = nullptr;
 };
