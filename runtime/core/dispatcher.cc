@@ -32,8 +32,8 @@ uint64_t Dispatcher::Run(const Limits& limits) {
   ASSERT(running_ == nullptr, "a handler must not run the system it belongs to");
   limits_ = limits;
   run_began_at_ = delivered_;
-  // If Limits::until is set, MayContinue() must call it before every message, so MayContinue() is
-  // asked from the first message on.
+  // `stop_at_` is the value of delivered_ from which on Loop() calls MayContinue().  It is 0 if
+  // Limits::until is set, because MayContinue() must then call `until` before every message.
   stop_at_ =
       limits.until != nullptr ? 0 : delivered_ + std::min(limits.messages, UINT64_MAX - delivered_);
   if (system_->powered_off()) Stop();
@@ -120,8 +120,9 @@ void Dispatcher::FinishImage(Object* object) {
 [[gnu::always_inline]] inline void Dispatcher::CallEntry(Object* object) {
   Message* const message = object->handler.running.get();
   try {
-    // Calls the entry of a CodeObject directly, which saves a virtual call and the cache line of
-    // its address.
+    // Calls the entry of a CodeObject (an object that is part of this program and not loaded from a
+    // file) directly.  This saves the virtual call of Object::Dispatch(), which would read one more
+    // cache line.
     if (CodeEntry* const entry = FindCodeEntry(*object, message->selector)) {
       entry->Handle(message->payload);
       return;
@@ -136,12 +137,13 @@ void Dispatcher::FinishImage(Object* object) {
   }
 }
 
-// Calls the entry of `object` as CallEntry() does, with what is needed only for images or because
-// of SystemOptions: a watch for floating-point faults, and the wall time of the handler.
+// Calls the entry of `object` as CallEntry() does, and measures the handler: watches for
+// floating-point faults if the object is an image, and measures the wall time if
+// SystemOptions::wall_clock_ns is set.
 void Dispatcher::RunMeasured(Object* object) {
   ArithmeticWatch watch;
-  // Reads the clock of the host, `clock`, before the image becomes the current object.  While an
-  // image is the current object, this clock would return the time of the robot.
+  // Reads the time from `clock`, the wall clock of the host, before the image becomes the current
+  // object.  While an image is the current object, `clock` would return the time of the robot.
   const auto clock = system_->options().wall_clock_ns;
   const int64_t begin_ns = clock == nullptr ? 0 : clock();
   const bool is_watched = object->is_image && ArithmeticWatch::Catches();
@@ -154,8 +156,8 @@ void Dispatcher::RunMeasured(Object* object) {
   FinishHandler(object);
 }
 
-// Counts `message`, records it in the trace and makes it the message that `object` handles now
-// (handler.running), which then owns it.
+// Counts `message`, records it in the trace, and stores it in handler.running of `object` as the
+// message that the object handles now.  From then on `object` owns the message.
 [[gnu::always_inline]] inline void Dispatcher::BeginDelivery(Object* object, Message* message) {
   --object->waiting;
   ASSERT(object->waiting >= 0, "{} gets a message, none was counted as waiting", object->name);
@@ -182,9 +184,9 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
     if (!message->is_reply) --object->waiting;
     return nullptr;
   }
-  // Holds the message if the receiver cannot handle it now: the receiver's last handler waits or
-  // still has the processor, or the receiver is still in its boot.  A reply is never held, because
-  // the handler that waits needs it.
+  // Holds the message while the last handler of the receiver waits or still has the processor
+  // (`is_in_handler`), and while the receiver is in its boot (IsTooEarly()).  A reply is never
+  // held, because the handler that waits needs it.
   const bool is_in_handler = object->delivery.blocked() != nullptr || object->delivery.is_busy();
   if (!message->is_reply && (is_in_handler || system_->manager().IsTooEarly(*message))) {
     object->delivery.Hold(std::move(message));
@@ -213,8 +215,9 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
   return message;
 }
 
-// Delivers `message` to `object` if the object can handle it now, and does for its handler what is
-// needed only for images, during the boot, or because of SystemOptions.
+// Delivers `message` to `object` in all cases in which more than a call of the handler may be
+// needed: asks Admit() whether the object can handle the message now, tells the object manager that
+// a DoInit begins, and measures the handler (RunMeasured()).
 [[gnu::noinline]] void Dispatcher::DeliverChecked(Object* object, OwnedMessage message) {
   message = Admit(object, std::move(message));
   if (message == nullptr) return;
@@ -224,7 +227,7 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
   RunMeasured(object);
 }
 
-// Delivers `message` to its receiver, and takes it over.
+// Delivers `message` to its receiver.  The caller gives up the ownership of the message.
 [[gnu::always_inline]] inline void Dispatcher::Deliver(Message* message) {
   PrefetchDeliveries(*message, system_->object_table());
   Object* const object = system_->object_table().GetKnown(message->target);
@@ -239,8 +242,8 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
   CallEntry(object);
   t_current.object = nullptr;
   object->handler.running.reset();
-  // The object may have got messages while its handler waited.  FinishHandler() then puts these
-  // held messages back into the queue.
+  // The object is not plain any more (Object::is_plain) if, for example, messages to it were held
+  // while its handler waited.  FinishHandler() puts these messages back into the queue.
   if (!object->is_plain) [[unlikely]]
     FinishHandler(object);
 }
@@ -262,9 +265,10 @@ void Dispatcher::ReportException(const Object& object, const std::string& what) 
                       fmt::format("uncaught exception in {}{}; on the robot abort()", entry, what));
 }
 
-// Called when SystemOptions::free_deliveries messages or more were delivered at this instant of
-// virtual time.  Adds a finding that each further message takes 1 us, and sets
-// MessagePoster::crowding_delay_us(), so that it does.
+// Called for the message by which SystemOptions::free_deliveries is reached at one instant of
+// virtual time, and for each later message until the clock moves by more than 1 us.  Adds a finding
+// for the first of these messages.  For the later messages, sets MessagePoster::crowding_delay_us()
+// to 1, so that each message that is posted from then on takes 1 us.
 void Dispatcher::NoteManyDeliveries(const Object* object) {
   if (delivered_ > many_at_) {
     system_->poster().set_crowding_delay_us(1);
@@ -301,9 +305,9 @@ void Dispatcher::Loop() {
 }
 
 // Returns the time of the next event that is no message: the end of a handler's processor time, a
-// time event, an input, or the end of a frame of a robot that is off.  This function and the next
-// one are not inline, because they run only when no message is due and would make Loop(), through
-// which every message passes, larger.
+// time event, an input, or the end of a frame of a robot that is off.  NextInstant() and
+// DoDueWork() are not inline, because they run only when no message is due.  If they were inline,
+// Loop(), through which every message passes, would be larger.
 [[gnu::noinline]] int64_t Dispatcher::NextInstant() const {
   int64_t end_us = std::min({system_->time_events().NextUs(), system_->inputs().NextUs(),
                              system_->robot_table().off_robots().NextUs()});
@@ -326,8 +330,8 @@ void Dispatcher::Loop() {
 void Dispatcher::AdvanceTo(int64_t time_us) {
   // Does not reset the count of messages at one instant of virtual time if the clock moves by only
   // 1 us.  Such a step may come from MessagePoster::crowding_delay_us(), which delays the messages
-  // of objects that answer each other without waiting.  After a reset these objects would count as
-  // normal ones again.
+  // of objects that answer each other without waiting.  A reset would end this delay, although
+  // these objects still answer each other.
   if (time_us > system_->now_us() + 1) {
     many_at_ = delivered_ + free_deliveries_;
     system_->poster().set_crowding_delay_us(0);
@@ -336,7 +340,7 @@ void Dispatcher::AdvanceTo(int64_t time_us) {
 }
 
 // Gives `object` the processor for `message` and returns true.  Returns false if the processor is
-// not free.
+// not free, so that `message` must wait.
 bool Dispatcher::MayRun(Object* object, const Message& message) {
   if (object->is_system) return true;
   Cpu* const cpu = cpus_[static_cast<size_t>(object->robot)].get();
@@ -375,8 +379,9 @@ OwnedMessage Dispatcher::WaitFor(uint64_t box) {
   Object* const object = t_current.object;
   ASSERT(object != nullptr && running_ != nullptr, "only a handler can wait");
   if (!object->boxes.arrived.contains(box)) {
-    // The running fiber keeps the stack of the handler that waits.  Another fiber continues Loop(),
-    // which delivers messages, until DeliverReply() switches back to this fiber.
+    // Saves the current object, because other objects become current while this handler waits.  The
+    // running fiber keeps the stack of this handler.  Another fiber continues Loop(), which
+    // delivers messages, until DeliverReply() switches back to this fiber.
     const Current saved = t_current;
     object->delivery.set_blocked(running_);
     object->wait.box = box;

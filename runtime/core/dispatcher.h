@@ -34,8 +34,8 @@ class Dispatcher {
   };
 
   // Delivers messages until a limit is reached or no message is left, and returns the number of
-  // delivered messages.  If the time was the limit that was reached, leaves the clock at
-  // limits.time_us.  REQUIRES: not called in a handler.
+  // delivered messages.  If limits.time_us is set and no other limit was reached before, the clock
+  // is at limits.time_us afterwards.  REQUIRES: not called in a handler.
   uint64_t Run(const Limits& limits);
 
   // Makes Run(), the loop that delivers messages, return when the running handler has ended.
@@ -67,10 +67,10 @@ class Dispatcher {
     gate_ = gate;
     CheckDeliveries();
   }
-  // Makes the dispatcher ask again, before it delivers a message, whether the receiver can handle
-  // the message now.  Called when something begins that may hold messages to any object back: a
-  // gate, a model of the processor, or the boot of an object.  Admit() makes the dispatcher stop
-  // asking when nothing can hold messages back any more and the time of handlers is not measured
+  // Makes the dispatcher call Admit() for every message again, to find out whether the receiver can
+  // handle the message now.  Called when a gate, a model of the processor, or the boot of an object
+  // begins, because these may hold back messages to any object.  Admit() ends this state when no
+  // gate, no model of the processor and no boot is left, and the time of handlers is not measured
   // (SystemOptions::wall_clock_ns).
   void CheckDeliveries() { are_deliveries_free_ = false; }
 
@@ -113,8 +113,8 @@ class Dispatcher {
   Limits limits_;
   uint64_t delivered_ = 0;     // messages delivered in all calls of Run()
   uint64_t run_began_at_ = 0;  // value of delivered_ when the current Run() began
-  // Loop(), which delivers messages, asks MayContinue(), which knows the limits of Run(), before
-  // each message as soon as delivered_, the number of all delivered messages, has this value.
+  // The value of delivered_ (the number of all delivered messages) from which on Loop() calls
+  // MayContinue() before each message, to test the limits of Run().
   uint64_t stop_at_ = 0;
   const uint64_t free_deliveries_;
   // NoteManyDeliveries() is called for each message as soon as delivered_, the number of all

@@ -47,9 +47,8 @@ void Fiber::Prepare(Main main, void* argument) {
 }
 
 void Fiber::SwitchFrom(Fiber* from) {
-  // The fiber `nowhere` takes the place of `from` if `from` is null, so that the code below needs
-  // no special case.  The state of the running stack is then saved in `nowhere`, and nothing reads
-  // it.
+  // Takes the place of `from` if `from` is null, so that the rest of this function needs no special
+  // case.  The state of the running stack is then saved in `nowhere`, where nothing reads it.
   static thread_local Fiber* const nowhere = new MainFiber;
   const bool forever = from == nullptr;
   if (forever) from = nowhere;
@@ -65,9 +64,9 @@ void Fiber::SwitchFrom(Fiber* from) {
   from->watched_.Leave();
   watched_.Enter();
   const context::transfer_t transfer = context::jump_fcontext(context_, nullptr);
-  // This code runs when another fiber has switched back to `from`.  That other fiber is t_left now.
-  // Where that fiber stopped is known only after the switch, so this code, which is the first to
-  // run then, stores it.
+  // This code runs when another fiber, t_left, has switched back to `from`.  Stores the place where
+  // t_left stopped (transfer.fctx).  t_left could not store this place itself, because the place is
+  // known only after the switch.
   t_left->context_ = transfer.fctx;
   from->FinishSwitch();
 }

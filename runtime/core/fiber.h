@@ -47,8 +47,9 @@ class Fiber {
   // The exceptions that code on this fiber's stack is handling (__cxa_eh_globals), while the fiber
   // is not running.
   void* exceptions_[2] = {nullptr, nullptr};
-  // Values that AddressSanitizer needs while the fiber is not running: its fake stack for this
-  // fiber, and the bounds of the stack on which the fiber continues.
+  // Values that AddressSanitizer needs while the fiber is not running: the address of the fake
+  // stack that AddressSanitizer has for this fiber, and the bounds of the stack on which the fiber
+  // continues.
   void* fake_stack_ = nullptr;
   const void* stack_bottom_ = nullptr;
   size_t stack_bytes_ = 0;

@@ -24,12 +24,11 @@ enum FpFlag : unsigned {
 };
 constexpr unsigned kFpAll = 0x1f;
 constexpr int kFpKinds = 5;  // number of bits in kFpAll
-// The flags of operations that would stop the robot.  SIGFPE can find the instruction that raises
-// one of these flags (arithmetic_watch.h).
+// The flags of operations that would stop the robot.  An ArithmeticWatch (arithmetic_watch.h) lets
+// these operations raise SIGFPE, and so finds the instruction that raises a flag.
 constexpr unsigned kFpCaught = kFpInvalid | kFpDenormal | kFpDivByZero | kFpOverflow;
-// MXCSR, the register with the floating-point flags, has a mask bit for each flag, this number of
-// bits to the left of the flag.  While the mask bit is set, floating-point operations that set the
-// flag raise no SIGFPE.
+// The distance in bits between a flag in the register MXCSR and its mask bit in the same register.
+// While the mask bit is set, floating-point operations that set the flag raise no SIGFPE.
 constexpr int kFpMaskShift = 7;
 
 // Without SSE2 the next three functions, which read and set the register MXCSR (the floating-point
