@@ -8,10 +8,10 @@
 //
 // `function` may save registers of its caller on the new stack.  These registers hold addresses of
 // the host, which differ from run to run, so they are set to 0 before the call: an object that
-// reads bytes of its stack that it has not written finds the same bytes in every run.  One such
-// address must be kept, that of this code's frame on the old stack.  It lies at the top of the new
-// stack, above all frames of the object.  `.cfi_escape` tells exceptions and debuggers to read the
-// address there: the canonical frame address is *(rsp + 8) + 16.
+// reads bytes of its stack that it has not written finds the same bytes in every run.  Only the
+// address of this function's frame on the old stack must be kept.  This address is stored at the
+// top of the new stack, above all frames of the object.  `.cfi_escape` tells exceptions and
+// debuggers to read the address there: the canonical frame address is *(rsp + 8) + 16.
 extern "C" void openr_call_on_stack(void (*function)(void*), void* argument, void* top);
 asm(R"(
     .text
@@ -82,8 +82,8 @@ struct SanitizedCall {
 
 // Calls the function of `data`, a SanitizedCall, on the handler's stack, and tells AddressSanitizer
 // when the use of this stack begins and when it ends.  Otherwise AddressSanitizer would take the
-// handler's stack for a part of another stack.  It would also keep its marks for stack frames that
-// an exception has ended.
+// handler's stack for a part of another stack, and would keep marks for stack frames that an
+// exception has ended.
 void CallWithStackMarks(void* data) {
   SanitizedCall* const call = static_cast<SanitizedCall*>(data);
   __sanitizer_finish_switch_fiber(nullptr, &call->bottom, &call->bytes);
@@ -142,9 +142,9 @@ void HandlerStack::Call(void (*function)(void*), void* argument) { function(argu
 
 void HandlerStack::Clear() {
   ++calls_;
-  // After some of the handler calls, searches the handler's stack for a wide gap of zeros, below
-  // which nothing was written.  This is safer but takes longer than the search for a narrow gap
-  // (see Call()).
+  // After most handler calls, a search for a narrow gap of zeros, below which nothing was written,
+  // is enough.  A search for a wide gap is safer but takes longer (see Call()), so only some of the
+  // calls make it.
   const bool looks_far = calls_ <= 64 || calls_ % 16 == 0;
   used_bytes_ = memory_.Clear(looks_far ? StackMemory::kWideGapBytes : StackMemory::kSmallGapBytes);
   is_dirty_ = false;

@@ -129,7 +129,7 @@ std::string ImageObject::MoveToOwnAddresses(const std::string& original) {
 
 // Returns "", or why the image does not fit this runtime: it has no description, or was built for
 // another version.  Called before any code of the image runs, because code that was compiled with
-// other headers may write beyond the runtime's objects.
+// other headers may write beyond the end of C++ objects of the runtime.
 std::string ImageObject::CheckVersions() {
   info_ = static_cast<const ImageInfo*>(dlsym(handle_, "openr_image_info"));
   if (info_ == nullptr) return "has no openr_image_info; build it with openr build";
@@ -148,10 +148,10 @@ std::string ImageObject::CheckVersions() {
       headers, kHeadersVersion);
 }
 
-// Makes imported functions that the image calls run on a stack of their own.  Does nothing if a
-// memory checker, such as Valgrind, watches the stack.  Does nothing either if the image is not at
-// its planned address, because RedirectImports() works only there.  Returns "" or the reason of a
-// failure.
+// Makes the functions that the image imports run on another stack than the image's own functions.
+// Does nothing if a memory checker, such as Valgrind, watches the stack.  Does nothing either if
+// the image is not at its planned address, because RedirectImports() works only there.  Returns ""
+// or the reason of a failure.
 std::string ImageObject::RedirectOwnImports() {
   const char* const info = static_cast<const char*>(dlsym(handle_, "ObjectEntryTable"));
   if (addresses == nullptr || IsStackWatched() || info < addresses->image() ||
@@ -272,9 +272,9 @@ void ImageObject::ReportFpFlags(uint32_t selector) {
          "a floating-point operation made an infinity (division by 0, log(0), a result too large)",
          "the robot is said to stop when it is used");
   }
-  // Does not report that an object uses denormals (numbers nearer to 0 than the processor's normal
-  // ones) which its own operations have made.  The robot turns denormal results into 0, so on the
-  // robot the object would have no denormals.
+  // Does not report the use of denormals (numbers nearer to 0 than the processor's normal ones) if
+  // an operation of the same object has made a denormal.  The robot turns denormal results into 0,
+  // so on the robot the object would use no denormals.
   if ((fresh & kFpDenormal) && !makes_denormals) {
     warn(kFpDenormal,
          "a denormal number was used in a floating-point operation (an int taken for a float, "

@@ -58,8 +58,7 @@ class ImageObject : public Object {
   size_t StackUsed() const { return stack_ == nullptr ? 0 : stack_->UsedBytes(); }
 
   // Adds a finding if the handler that has just ended did an operation that would stop the robot's
-  // floating-point unit.  Called after every handler, even if the handler was ended before its
-  // return.
+  // floating-point unit.  Called after every handler, even after a handler that was abandoned.
   void CheckNumbers(uint32_t selector) {
     if ((FpFlags() & ~fp_seen_) != 0) ReportFpFlags(selector);
   }

@@ -16,18 +16,19 @@
 #include "runtime/core/address_plan.h"
 #include "runtime/core/stack_memory.h"
 
-// Every thunk (the code that an image calls in place of an imported function) jumps to one of these
-// two functions, with the address of the imported function in r11.  The stack pointer tells where
-// the call comes from, because only stacks of images are below 17 TiB (address_plan.h).  A call
-// from the stack of an image continues at the top of the stack for imported functions; other calls
-// stay on their stack.  The word below this top holds the address of the image's frame, where
-// ReturnAddressInImage() finds the return address.
+// Every thunk (the code that an image calls in place of an imported function) jumps to
+// openr_call_import or openr_call_variadic_import, with the address of the imported function in
+// r11.  The stack pointer tells where the call comes from, because only stacks of images are below
+// 17 TiB (address_plan.h).  A call from the stack of an image continues at the top of the stack for
+// imported functions; other calls stay on their stack.  The word below the top of the stack for
+// imported functions holds the address of the image's frame, where ReturnAddressInImage() finds the
+// return address.
 //
-// The imported function looks for some of its arguments on the stack, so these are copied to the
-// other stack.  Because their size is not known, always 256 bytes are copied, or 2 KiB for a
-// function with a variable number of arguments (our choice).  The copy uses only registers that
-// hold no argument.  After the call, registers without a result are set to 0, because they may hold
-// host addresses and functions of the image may save them on their stack.
+// The imported function looks for some of its arguments on the stack, so these arguments are copied
+// from the stack of the image.  Their size is not known, so always 256 bytes are copied, or 2 KiB
+// for a function with a variable number of arguments (our choice).  The copy uses only registers
+// that hold no argument.  After the call, registers without a result are set to 0, because they may
+// hold host addresses and functions of the image may save them on their stack.
 extern "C" void openr_call_import();
 extern "C" void openr_call_variadic_import();
 asm(R"(
@@ -155,8 +156,9 @@ constexpr std::string_view kVariadic[] = {
     "wscanf",
 };
 
-// Functions that get no thunk, the code that changes the stack for a call.  They keep the stack
-// pointer or return address of their caller for later use, so they must be called directly.
+// Functions that keep the stack pointer or the return address of their caller, as setjmp() does for
+// longjmp().  They have no thunk (code that changes the stack for a call), because with a thunk
+// they would keep the values of that code and not those of their caller.
 constexpr std::string_view kBoundToCaller[] = {
     "__sigsetjmp", "_setjmp", "getcontext", "setjmp", "sigsetjmp", "swapcontext", "vfork",
 };
@@ -218,8 +220,8 @@ LoadedImage::LoadedImage(char* image) : begin(reinterpret_cast<uint64_t>(image))
   const auto* const segments = reinterpret_cast<const Elf64_Phdr*>(image + header->e_phoff);
   for (int i = 0; i < header->e_phnum; ++i) {
     const Elf64_Phdr& segment = segments[i];
-    // Takes p_vaddr, the address for which the image was linked, for the address of the segment in
-    // memory, because the image lies at the address for which it was linked.
+    // Uses p_vaddr, the address of the segment in the image file, as the address of the segment in
+    // memory, because the image was loaded at the address that its file names.
     if (segment.p_type == PT_LOAD) end = std::max(end, segment.p_vaddr + segment.p_memsz);
     if (segment.p_type == PT_DYNAMIC) dynamic = reinterpret_cast<const Elf64_Dyn*>(segment.p_vaddr);
     if (segment.p_type == PT_GNU_RELRO) {
@@ -348,8 +350,9 @@ const void* ReturnAddressInImage(const void* own) {
   const auto here = reinterpret_cast<uintptr_t>(__builtin_frame_address(0));
   const uintptr_t offset = here % ObjectAddresses::kStackBytes;
   // `own` is the return address of the function of the SDK that has called this function.  Returns
-  // `own` if this code does not run on a stack for imported functions, because then the image has
-  // called the function of the SDK directly and not through a thunk.
+  // `own` if `here`, the address of this function's frame, is not on a stack for imported
+  // functions.  Then the image has called the function of the SDK directly and not through a thunk.
+  // Stacks for imported functions are below 17 TiB, in the lower part of the memory for stacks.
   if (here >> 40 >= 17 || offset >= StackMemory::kImportsTopOffset) return own;
   const uintptr_t top = here - offset + StackMemory::kImportsTopOffset;
   const auto* const frame =

@@ -10,7 +10,8 @@
 //
 // Two kinds of functions have no thunk: virtual functions of library classes, and functions that
 // need their caller's frame, such as setjmp().  A function of the image that a library function
-// calls (the comparison of qsort) runs on the stack of the library function.
+// calls, such as the comparison function that qsort() calls, runs on the stack of the library
+// function.
 #pragma once
 
 #include <cstddef>

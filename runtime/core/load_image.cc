@@ -56,8 +56,8 @@ std::unique_ptr<ImageObject> OpenImage(System* system, int robot, ObjectId id,
   const std::string problem = image->Load(location.path, system->run_folder());
   if (!problem.empty()) return refuse(problem);
   const Object* const namesake = system->FindObject(robot, image->name);
-  // If the object with the same name also has the id `id`, the equal names are no error, because
-  // the new image is loaded to replace that object.
+  // Refuses the image if another object of the robot has the same name.  The object `id` may have
+  // the same name, because the new image is loaded to replace this object.
   if (namesake != nullptr && namesake->id != id) {
     return refuse(fmt::format("is named '{}' like another object; names in .ocf files must differ",
                               image->name));

@@ -97,9 +97,10 @@ bool StickLoader::LoadObject(const ObjectRecord& record) {
          LoadKept(record.path, where);
 }
 
-// Loads the image that an upload has replaced at `path`, a file with the ending .OLD: the upload
-// gives this ending to the old image.  The robot has no such rule; its boot ends without the image.
-// Returns false if there is no such file, and with SystemOptions::strict.
+// Loads the image that was at `path` before an upload replaced it: the file of the same name with
+// the ending .OLD, which the upload gives to the old image.  The robot does not load such a file;
+// its boot ends without the image.  Returns false if the file does not exist or cannot be loaded,
+// and always with SystemOptions::strict.
 bool StickLoader::LoadKept(const std::string& path, const std::string& where) {
   if (stick_ == nullptr || system_.options().strict) return false;
   const std::string kept = std::filesystem::path(path).replace_extension(".OLD");
