@@ -18,8 +18,8 @@ namespace openr_host {
 
 class HostAddresses {
  public:
-  // Reports `message` if an image posts it and it holds an address of this process.  The current
-  // object (t_current) posts the message.
+  // Reports `message` if the current object (t_current), which posts the message, is an image and
+  // if the message holds an address of this process.
   void Check(const Message& message) {
     const Object* const sender = t_current.object;
     if (sender != nullptr && sender->is_image) [[unlikely]]

@@ -36,8 +36,9 @@ class Inputs {
 
     std::function<void()> work;
     // If true, and if the input is due when the robots boot, `work` is called before the boot
-    // (DoBeforeBoot()).  If false, `work` is then called after the messages of the boot.  REQUIRES
-    // for true: `work` adds no input, and it can be called in a handler of the object manager.
+    // (DoBeforeBoot()).  If false, an input that is due at that time takes effect after the
+    // messages of the boot.  REQUIRES for true: `work` adds no input, and it can be called in a
+    // handler of the object manager.
     bool is_before_boot = false;
   };
 
@@ -45,8 +46,8 @@ class Inputs {
     std::string name;   // the first word of the input: "press"
     std::string usage;  // the form of the input: "press NAME [N%] [for DURATION]"
     std::string help;   // what the input does: "Presses a sensor that people touch."
-    // Parses `rest`, the text behind the kind and one blank, of an input for `robot`.  Sets
-    // `*action` and returns "", or returns the error in `rest`.
+    // Parses `rest`, the text of an input for `robot` behind the kind and one blank.  Sets
+    // `*action` and returns "", or returns a text about the error in `rest`.
     std::function<std::string(int robot, std::string_view rest, Action* action)> read;
   };
 
@@ -66,8 +67,8 @@ class Inputs {
   std::string Check(int robot, std::string_view line) const;
 
   // Adds the input `line` for `robot`.  The input takes effect at the next frame boundary, or at
-  // once if the present time is a frame boundary.  Returns "", or the error in the line; then
-  // nothing is added.  REQUIRES: not called in a handler.
+  // once if the present time is a frame boundary.  Returns "" if the input was added, otherwise a
+  // text about the error in the line.  REQUIRES: not called in a handler.
   std::string Add(int robot, std::string_view line);
 
   // Adds the input `line` for the frame boundary at `time_us`, or the first frame boundary after
@@ -108,7 +109,7 @@ class Inputs {
 };
 
 // Returns the words of `text`, which blanks separate.  Text in double quotes is one word, with its
-// quotes; a missing end quote is the end of the text.
+// quotes.  If the end quote is missing, this word ends at the end of `text`.
 std::vector<std::string> SplitInput(std::string_view text);
 
 }  // namespace openr_host

@@ -147,8 +147,8 @@ int32_t LocalCalls::CheckAccess(uint32_t region, MemoryProtectionInfo info) {
   return system_->region_shares().ChangeProtection(t_current.object->id, region, info);
 }
 
-// Does nothing, because the IPStack is in this process and knows already which of its buffers are
-// mapped.
+// Does nothing.  A worker must tell the IPStack in the master which buffers of the IPStack a
+// program has mapped; in this process the IPStack knows this already.
 void LocalCalls::NoteMapping(uint32_t, uint32_t, bool) {}
 
 void LocalCalls::AddFinding(const Object* about, Severity severity, std::string_view text) {

@@ -72,8 +72,9 @@ uint32_t MessageQueue::NextMarked(uint32_t level) const {
   return kLevels;
 }
 
-// Leaves the level (class and priority) whose messages were all taken: clears its bit in marks_,
-// and sets first_level_ to the next level with a bit.
+// Called when all messages of the level first_level_ (a class and priority of messages) were taken.
+// Clears the bit of this level in marks_, and sets first_level_ to the next level with a bit that
+// is 1.
 void MessageQueue::LeaveFirstLevel() {
   marks_[first_level_ / 64] &= ~(uint64_t{1} << (first_level_ % 64));
   first_level_ = NextMarked(first_level_);

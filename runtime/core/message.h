@@ -2,7 +2,8 @@
 // repeated exactly.
 //
 // Messages are ordered by due time; then by class; then by the receiver's priority from its .ocf
-// file, higher first; then by number (docs/architecture.md, "The determinism contract").
+// file, higher first; then by the numbers that they got when they were posted
+// (docs/architecture.md, "The determinism contract").
 #pragma once
 
 #include <cstddef>
@@ -64,8 +65,9 @@ struct alignas(64) Message {
   static constexpr size_t kPayloadMax = 384;
   alignas(16) unsigned char payload[kPayloadMax];
 };
-// A message that takes more cache lines makes every delivery slower.  So a new field must fit into
-// the padding before the payload, and each message begins at the start of a cache line.
+// Every message begins at the start of a cache line, and its payload at byte 80.  A new field must
+// fit into the padding before the payload.  If the payload moved, a message would take more cache
+// lines, which would make every delivery slower.
 static_assert(sizeof(void*) != 8 || offsetof(Message, payload) == 80);
 
 // The deleter of OwnedMessage (the pointer that owns a message), which gives the message back to
@@ -103,9 +105,9 @@ class MessageQueue {
   // their order.
   void PushFront(OwnedMessage message, int priority);
 
-  // Takes the first message that is due now, or returns null if no message is due.  If other due
-  // messages have the same class and priority, `schedule` (schedule.h) chooses the receiver that
-  // gets its first message.
+  // Takes the first message that is due now, or returns null if no message is due.  If there are
+  // other due messages of the same class and priority, `schedule` (schedule.h) chooses one of the
+  // receivers of all these messages.  The first message to this receiver is then taken.
   OwnedMessage Pop(Schedule* schedule = nullptr) { return OwnedMessage(TakeDue(schedule)); }
   bool HasDue() const { return First() != nullptr; }
   // Returns the message that Pop() without a schedule would take; null if no message is due.
@@ -124,7 +126,7 @@ class MessageQueue {
   size_t size() const;
 
   // Takes every queued message for which `matches` returns true.  Returns first the messages that
-  // are due, in the order of delivery, then the other messages in no order.
+  // are due, in the order of delivery, then the other messages in no particular order.
   std::vector<OwnedMessage> TakeIf(const std::function<bool(const Message&)>& matches);
 
   // Calls `visit` for every queued message in order of delivery.

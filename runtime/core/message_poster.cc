@@ -74,9 +74,9 @@ int32_t MessagePoster::Post(OwnedMessage&& message, Object* target, int64_t dela
   if (!message->is_reply) {
     if (message->selector >= target->entry_count && !target->HasEntry(message->selector))
       return RefuseSelector(*message, *target);
-    // Returns whether the message asks a system object (a part of the robot) to go on with its own
-    // work: the object has posted it to itself, or the System has posted it.  A schedule must not
-    // refuse such messages, because the system object would stop.
+    // Returns whether the message makes a system object (a part of the robot) go on with its own
+    // work.  The object has posted such a message to itself, or the System has posted it.  A
+    // schedule must not refuse such a message, because the system object would then stop.
     const auto is_clock = [&] {
       return target->is_system && (message->sender == target->id || message->sender == kNoObject);
     };

@@ -72,9 +72,9 @@ class MessagePoster {
     target->waiting_max = std::max(target->waiting_max, ++target->waiting);
   }
 
-  // True if nothing but the receiver of a message may refuse or delay the message: handlers post
-  // messages in this process and not by a worker's calls to the master, and there is no schedule
-  // and no model of the processor.
+  // True if only the receiver of a message may refuse or delay the message: handlers post messages
+  // directly in this process and not through a master process, and there is no schedule and no
+  // model of the processor.
   bool are_posts_free_ = false;
   const bool are_calls_local_;
   bool has_processors_ = false;

@@ -14,8 +14,8 @@ namespace openr_host {
 
 class System;
 
-// The right to reply to a request: the object that sent the request, and its reply box.
-// Requests::Reply() refuses an empty ticket.
+// The right to reply to a request: the object that sent the request, and its reply box.  A ticket
+// with box 0 is empty, and Requests::Reply() refuses it.
 struct ReplyTicket {
   ObjectId to = kNoObject;
   uint64_t box = 0;
@@ -34,8 +34,8 @@ class Requests {
 
   // Posts the request `message` and sets `*box` to a new box for the reply.
   int32_t Send(OwnedMessage message, uint64_t* box);
-  // Waits for the reply in `box`, and copies at most `reply_size` bytes of it to `reply`, if this
-  // is not null.  If `got` is not null, sets `*got` to the number of copied bytes.  Returns
+  // Waits for the reply in `box`, and copies at most `reply_size` bytes of it to `reply`, if
+  // `reply` is not null.  If `got` is not null, sets `*got` to the number of copied bytes.  Returns
   // sTIMEOUT if no reply came within `timeout_us`.  `why` describes for users what the handler
   // waits for: "the answer of IPStack (Send)".
   int32_t Wait(uint64_t box, void* reply, size_t reply_size, size_t* got, int64_t timeout_us,
