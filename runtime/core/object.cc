@@ -56,8 +56,9 @@ std::string Object::EntryName(uint32_t selector) const {
 }
 
 std::string Object::NameService(uint32_t selector, const char* kind) {
-  // Finds the service by its Control or Connect entry, which is running now: the entry that the
-  // object has called itself, if there is one, otherwise the entry of the running message.
+  // Finds the service by `entry`, the selector of its Control or Connect entry, which is running
+  // now.  The object has called this entry itself (self_reply), or the entry handles a message
+  // (handler.running).
   const uint32_t entry = self_reply != nullptr        ? self_reply->selector
                          : handler.running != nullptr ? handler.running->selector
                                                       : UNDEF;
@@ -88,8 +89,8 @@ void Object::ReturnRegion(RCRegion* region) {
 }
 
 void Object::ReturnHeld() {
-  // Puts back first the newest of the messages that this object could not handle yet, so that at
-  // the end the oldest of them is at the front of the queue.
+  // Puts the held messages back, the newest first.  Readmit() puts each message at the front of the
+  // queue, so at the end the oldest message is at the front.
   while (!delivery.held().empty()) system->Readmit(delivery.TakeNewestHeld());
 }
 

@@ -52,8 +52,8 @@ struct HandlerState {
   uint64_t time_calls = 0;
 };
 
-// The wait of a handler: for which reply it waits, and since when.  The members have a meaning
-// while DeliveryState::blocked() is not null.
+// The wait of a handler for a reply.  The members are valid only while DeliveryState::blocked() is
+// not null.
 struct WaitState {
   uint64_t box = 0;      // the reply box for which the handler waits
   int64_t since_us = 0;  // virtual time when the wait began
@@ -213,7 +213,7 @@ class Object {
   // The part of the address plan that belongs to the object.  Null for objects that are no images,
   // and where addresses are not planned (address_plan.h).
   std::unique_ptr<ObjectAddresses> addresses;
-  // The heap of the object, at its `addresses`.  Null if these are null.
+  // The heap of the object, at its `addresses`.  Null if `addresses` is null.
   std::unique_ptr<Arena> arena;
   std::vector<std::unique_ptr<SubjectState>> subjects;
   std::vector<std::unique_ptr<ObserverState>> observers;
@@ -226,8 +226,8 @@ class Object {
   // ---- The members of Object that the delivery of every message reads.  They lie on one cache
   // line, because with thousands of objects a delivery spends most of its time waiting for memory.
 
-  // The object has the entries 0 to entry_count - 1.  Whether it has a later entry must be asked
-  // with HasEntry().
+  // The object has the entries 0 to entry_count - 1.  For a larger selector, HasEntry() must be
+  // called to find out whether the object has this entry.
   alignas(64) uint32_t entry_count = 0;
   // The number of messages to the object, except replies, that are not delivered yet.
   int waiting = 0;

@@ -129,8 +129,8 @@ void ObjectManager::Begins(ObjectId id) {
 }
 
 // Puts the messages that were held during the boot back into the queue, because the connections are
-// made now.  Messages to an object whose DoInit has not begun stay held: DoInit could not be sent
-// to this object, so it must handle no message.
+// made now.  Messages to an object whose DoInit has not begun stay held, because DoInit must be the
+// first message that an object handles.
 void ObjectManager::ReleaseEarlyMessages() {
   are_connected_ = true;
   for (auto next = starting_.begin(); next != starting_.end();) {
@@ -164,9 +164,9 @@ void ObjectManager::RunBoot(int robot, size_t findings_before) {
 void ObjectManager::RunBootAgain(int robot) {
   const size_t findings_before = system().findings().all().size();
   shutting_down_.erase(robot);
-  // Clears unreported_, the services that may be reported later, because it has addresses of
-  // connections, which would be wrong after the boot.  No unknown service stays unreported because
-  // of this: unreported_ has only services of lost processes, and a robot with objects in other
+  // Clears unreported_, the services that may be reported later, because its keys hold addresses of
+  // connections, which LoadAgain() makes anew.  No service that should be reported is forgotten
+  // here: unreported_ has only services of lost processes, and a robot with objects in other
   // processes does not boot again.
   unreported_.clear();
   if (!system().robot_table().LoadAgain(robot)) return;
@@ -222,9 +222,9 @@ void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
   ObjectTable::Readies readies = system().object_table().Replace(std::move(fresh));
   // Sends to each new object the readies that observers had asserted to the old object, because
   // these observers do not know of the replacement.  The object manager keeps these readies back
-  // until the connections are made.  They are sent first, so that a later command of the same
-  // observer counts and not the earlier one.  A ready of an observer that is replaced too is left
-  // out: the new observer asserts ready in its own boot.
+  // until the connections are made.  They are sent before DoInit.  If the same observer then sends
+  // another ready or a deassert, this later message counts.  A ready of an observer that is
+  // replaced too is left out: the new observer asserts ready in its own boot.
   for (auto& [id, standing] : readies) {
     std::erase_if(standing, [&](const auto& one) { return readies.contains(one.observer); });
     system().object_table().AssertAgain(id, standing);
@@ -259,8 +259,8 @@ void ObjectManager::SendToAll(Selector entry, OReason reason, bool system_object
       continue;
     if (robot == kAllRobots || object->robot == robot) left.push_back(object->id);
   }
-  // Lets the schedule choose the order of the DoStarts only, because the robot guarantees no such
-  // order (core.md 1.5).
+  // Lets the schedule choose the order of the objects for DoStart and for no other entry, because
+  // the robot guarantees no order of the DoStarts (core.md 1.5).
   Schedule* const schedule = entry == oentrySTART ? system().poster().schedule() : nullptr;
   while (!left.empty()) {
     const size_t next = schedule == nullptr || left.size() == 1
@@ -337,8 +337,8 @@ void ObjectManager::ReportUnknown(const Connection& connection, const std::strin
   const auto wanted = ParseServiceName(service, nullptr);
   for (const auto& [name, entry] : system().robot(connection.robot).directory) {
     known.push_back(name);
-    // The object has registered other services, so the line of CONNECT.CFG cannot be connected
-    // because this service is missing, and not because the object is missing.
+    // Makes the service and not the object the cause of the finding, because the object is not
+    // missing: it has registered the service `name`.
     if (name.starts_with(object)) cause = service;
     const auto registered = ParseServiceName(name, nullptr);
     if (!wanted || !registered || !DifferInDataOnly(*wanted, *registered)) continue;
@@ -383,8 +383,9 @@ void ObjectManager::Connect(const Connection& connection) {
   const sError error =
       system().requests().Call(observer->second.first, observer->second.second, &message,
                                sizeof message, &reply, sizeof reply, kReplyTimeoutUs);
-  // Adds no finding about this connection if the process of the subject or of the observer was lost
-  // during the wait for the reply, because the loss is a finding already.
+  // Adds no finding about this connection if the process of the subject or of the observer is lost,
+  // because the loss is a finding already.  The process may also have been lost while the object
+  // manager waited for the reply to the connect message.
   if (was_subject_lost || is_subject_lost() || is_observer_lost()) return;
   if (error != sSUCCESS || reply.status != oSUCCESS) {
     system().AddFindingAboutRobot(

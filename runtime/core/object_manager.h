@@ -25,9 +25,10 @@ class ObjectManager : public CodeObject {
  public:
   ObjectManager();
 
-  // Each of the next functions posts a message from the object manager to itself, so that the work
-  // is done in a handler, which can wait for replies.  These messages do the work of Boot(),
-  // Shutdown() and PostTask() of System, and of ObjectTable::Reload().
+  // Each of the next five functions posts a message from the object manager to itself, so that the
+  // work is done in a handler, which can wait for replies.  They are called by System::Boot() and
+  // System::PostTask(), by ObjectTable::Reload(), when a robot shuts down, and when a robot boots
+  // again.
   void PostBoot();
   void PostShutdown(int robot);
   void PostBootAgain(int robot);
@@ -102,10 +103,9 @@ class ObjectManager : public CodeObject {
   Selector shutdown_;
   Selector reload_;
   Selector task_;
-  // The messages that the object manager has posted to itself and has not handled yet.  Each
-  // message is kept as its selector and the value in its payload (a robot or an object id).  With
-  // these, IsDue() finds out whether another object has sent a message with the same selector,
-  // which is refused.
+  // The messages that the object manager has posted to itself and has not handled yet, each as its
+  // selector and the value in its payload (a robot or an object id).  IsDue() refuses a message
+  // that is not in this set, because the object manager has not posted it.
   std::multiset<std::pair<Selector, int>> due_;
   // The tasks of PostTask() that were not called yet, oldest first.
   std::deque<std::function<void()>> tasks_;

@@ -19,10 +19,10 @@ namespace {
 
 bool IsOf(const OServiceEntry& entry, ObjectId id) { return ObjectIdOf(entry.GetOID()) == id; }
 
-// Gives up regions that `observer` has received and that its object no longer reads: those of the
-// subjects for which `ends` returns true.  Calls `release` with the subject's RCRegion of each
-// region.  The regions are not given back by a ready, because the object of the observer or of the
-// subject is being replaced.
+// Gives up the regions that `observer` has received from the subjects for which `ends` returns
+// true, except regions that the observer's object still reads.  Calls `release` with the subject's
+// RCRegion of each region.  The regions are not given back by a ready, because the object of the
+// observer or of the subject is being replaced.
 void ReleaseHeld(ObserverState* observer, const std::function<bool(const SubjectID&)>& ends,
                  const std::function<void(RCRegion*)>& release) {
   for (ObserverState::Held& held : observer->held) {
@@ -103,8 +103,8 @@ void PassStatistics(const Object& old, Object* fresh) {
   fresh->waiting_max = old.waiting_max;
   fresh->handler_ns_max = old.handler_ns_max;
   fresh->stack_max = old.stack_max;
-  // Copies the old object's count of waiting messages and does not set it to 0, because it includes
-  // messages that a gate (schedule.h) keeps and that the new object will receive.
+  // Copies the number of messages that wait for the old object and does not set it to 0, because a
+  // gate (schedule.h) may keep some of these messages, which the new object will receive.
   fresh->waiting = old.waiting;
 }
 
@@ -239,9 +239,9 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
   Forget(id);
   std::erase_if(system_->robot(old->robot).directory,
                 [&](const auto& entry) { return entry.second.first == id; });
-  // Ends everything that the old object still has in the System (EndAllOf()) if it is an image that
-  // is replaced or an object of a robot that was switched off.  For all other objects, whose
-  // process was lost, this was done before Return() was called.
+  // Ends everything that the old object still has in the System (EndAllOf()) if the old object is
+  // an image that is replaced or an object of a robot that was switched off.  For all other
+  // objects, whose process was lost, EndAllOf() was called before Return().
   if (old->is_image || fresh->is_absent) EndAllOf(id);
   for (const Listener& listener : replace_listeners_) listener(id);
   PassStatistics(*old, fresh.get());
@@ -255,10 +255,10 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
 
 ObjectTable::Readies ObjectTable::Replace(std::vector<std::unique_ptr<Object>> fresh) {
   Readies readies;
-  // Marks all objects that will be replaced (is_leaving) before the first message to one of them is
-  // taken out of the queue.  A notification from one of them to another is not delivered any more.
-  // Because its sender is marked, SendDeassert() gives the regions of such a notification back by a
-  // direct call: a message to the sender would be lost.
+  // Marks all objects that will be replaced (is_leaving) before EndMessagesTo() takes the messages
+  // to them out of the queue.  Such a message may be a notification whose sender will be replaced,
+  // too.  SendDeassert() then gives the regions of the notification back by a direct call, because
+  // a message to the marked sender would be lost.
   for (const auto& object : fresh) {
     FlushStreams(Get(object->id));
     Get(object->id)->is_leaving = true;
