@@ -86,10 +86,10 @@ void GuardPages::Retire(const char* copy) {
   } else if (area != nullptr) {
     munmap(page, bytes);
   } else {
-    // If addresses are not planned (address_plan.h), the pages of a read-only copy that the
-    // observer has given back stay mapped, but no access is allowed.  If they were unmapped, the
-    // kernel could put other memory at these addresses, and a later access of the observer would be
-    // no fault.
+    // Addresses are not planned here (address_plan.h), so the kernel could put other memory at the
+    // addresses of unmapped pages, and a later access of the observer would be no fault.  Therefore
+    // only gives the memory of the pages back to the kernel, and keeps the pages mapped without
+    // access.
     madvise(page, bytes, MADV_DONTNEED);
     mprotect(page, bytes, PROT_NONE);
   }
@@ -101,10 +101,10 @@ const char* GuardPages::FaultText(const void* address) const {
     return at >= area.first && at < area.first + ObjectAddresses::kCopyBytes;
   });
   if (!is_ours) return "";
-  // Compares `address`, to which an access was a fault, with the pages of each read-only copy of
-  // received data that is in use, and not with the whole area of the copies.  A copy that was given
-  // back often lies on the page before a copy that is still in use, and an access to the copy that
-  // was given back is another mistake than a write to received data.
+  // Looks for `address`, to which an access was a fault, in the pages of each read-only copy that
+  // is in use.  An access to these pages is a write to received data.  The other pages of the area
+  // may belong to copies that were given back.  An access to such a copy is another mistake, for
+  // which another text is returned.
   for (const auto& [copy, pages] : copies_) {
     const char* const page = PageOf(copy);
     if (at >= page && at < page + pages.bytes)

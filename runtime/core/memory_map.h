@@ -13,10 +13,11 @@ struct MappedRange {
   bool is_main_stack = false;    // the stack of the process's first thread
 };
 
-// Reads the kernel's list of these ranges (/proc/self/maps, see proc(5)), in the order of their
-// addresses.
+// Reads the kernel's list of the ranges of memory of this process (/proc/self/maps, see proc(5)),
+// in the order of their addresses.
 //
-// Reads line by line and not with ReadFile(), whose text would change the ranges while it grows.
+// Reads line by line and not with ReadFile(), because the text that ReadFile() returns would change
+// the ranges while it grows.
 class MemoryMap {
  public:
   MemoryMap();  // if the kernel's list cannot be opened, the MemoryMap is empty

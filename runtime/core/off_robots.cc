@@ -13,7 +13,7 @@ namespace openr_host {
 void OffRobots::Add(int robot, int64_t boot_us) {
   const int64_t frame_us = system_->frame_us();
   ASSERT(boot_us > system_->now_us(), "robot {} boots at {} us", robot, boot_us);
-  // Sets the end of the first frame in which the robot is off to the next frame boundary.
+  // The first frame in which the robot is off ends at the next frame boundary.
   robots_[robot] = {(system_->now_us() / frame_us + 1) * frame_us, boot_us};
 }
 
@@ -31,8 +31,8 @@ void OffRobots::DoDue() {
     system_->robot(robot).services->RunFrameWhileOff();
     times.frame_us += system_->frame_us();
     if (times.boot_us > system_->now_us()) continue;
-    // Ends the frames that this robot has while it is off, because its boot is posted now, and the
-    // object manager will boot it.
+    // Lets no further frame of the robot end while it is off, because the boot of the robot is
+    // posted now, and the object manager will boot the robot.
     times.frame_us = INT64_MAX;
     system_->manager().PostBootAgain(robot);
   }

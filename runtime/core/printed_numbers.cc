@@ -34,7 +34,7 @@ struct Conversion {
 };
 
 // Reads the conversion of a printf format that stands behind a '%', at `*at`, and moves `*at`
-// behind it.  The type is '\0' if the format ends in the conversion.
+// behind it.  The type is '\0' if the format ends before the type.
 Conversion ReadConversion(const char** at) {
   Conversion conversion;
   const char* p = *at;
@@ -53,7 +53,7 @@ struct Arguments {
   va_list list;
 };
 
-// Reads the argument that `conversion` prints from `arguments`.  Sets `*is_nan` if the argument is
+// Reads from `arguments` the argument that `conversion` prints.  Sets `*is_nan` if the argument is
 // a NaN.  Returns false if the type of the argument is not known.
 bool ReadArgument(const Conversion& conversion, Arguments* arguments, bool* is_nan) {
   const std::string_view length = conversion.length;

@@ -212,8 +212,8 @@ void RegionAccess::LookUp(RCRegion* region) {
 void RegionAccess::GiveBack(System* system, RCRegion* received) {
   if (GuardPages* const guard = system->guard_pages()) [[unlikely]]
     guard->Retire(received->base_);
-  // Does the same as `delete received`, but does not test whether the region is a received region,
-  // because the caller knows that.
+  // Does the same as `delete received`, but without the destructor's test whether the region is a
+  // received region, because the caller knows that it is.
   system->UnpinRegion(received->id_);
   GiveToPool(received);
 }

@@ -15,7 +15,8 @@ namespace {
 // Memory is mapped in pieces of this size.  A piece holds several small cells (a cell is the memory
 // for one region), so that there are fewer system calls.  A larger cell is mapped as one piece.
 constexpr size_t kMapBytes = 64 << 10;
-// The largest size of a cell (the memory for one region) that stays mapped when it is freed.
+// The largest size of a cell (the memory for one region) that stays mapped when it is freed, so
+// that the next region in this cell needs no system call.
 constexpr size_t kKeepBytes = 256 << 10;
 // The largest sum of bytes of the free cells that stay mapped (RegionMemory::kept_bytes_).  A cell
 // is the memory for one region; each slot (index of a region) of the RegionTable has its own cells.

@@ -61,7 +61,7 @@ class RegionMemory {
   char* area_;  // null when addresses are not planned
   std::array<Cells, kClasses> cells_;
   // Free cells (a cell is the memory for one region) of kMapBytes or more that are still mapped, in
-  // the order in which they were freed, and the sum of their bytes.
+  // the order in which they were freed.  kept_bytes_ is the sum of their bytes.
   std::vector<Cell> kept_;
   size_t kept_bytes_ = 0;
 };

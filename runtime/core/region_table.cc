@@ -28,9 +28,9 @@ RegionTable::~RegionTable() {
   for (char* const block : pinned_deleted_) memory_.Free(block);
 }
 
-// Gives `slot`, a place for one region, new memory of `size` bytes and a few guard bytes (kGuard),
-// by which a write beyond the end of the region is found, at the address planned for slot number
-// `index`.  If there is no memory, returns null and leaves `slot` unchanged.
+// Gives `slot`, the slot with the number `index`, new memory: `size` bytes for a region, and behind
+// them a few guard bytes (kGuard), by which a write beyond the end of the region is found.  If
+// there is no memory, returns null and leaves `slot` unchanged.
 char* RegionTable::Fill(Slot* slot, uint32_t index, size_t size) {
   const size_t bytes = size + kGuardBytes;
   char* const base = bytes < size ? nullptr : memory_.New(index, bytes);
@@ -172,9 +172,10 @@ bool RegionTable::WasDeleted(uint32_t id) const {
 }
 
 std::pair<const void*, int> RegionTable::MostCommonPlace() const {
-  // Counts how many regions each instruction has made, and keeps the counts in the order of slots.
-  // The order of addresses would differ from run to run, so the choice between two equal counts
-  // would differ, too.
+  // Counts how many regions each instruction has made.  The counts are in the order in which the
+  // slots name the instructions, and not in the order of the instructions' addresses.  The order of
+  // addresses would differ from run to run, so the choice between two equal counts would differ,
+  // too.
   std::vector<std::pair<const void*, int>> counts;
   for (const Slot& slot : slots_) {
     if (!slot.live || slot.made_at == nullptr) continue;

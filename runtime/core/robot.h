@@ -1,4 +1,5 @@
-// Robot: one robot of a System.  Also has the numbers that hold for every robot.
+// Robot: one robot of a System.  This file also has the constants that are the same for every
+// robot, such as kFrameUs.
 #pragma once
 
 #include <cstddef>

@@ -15,7 +15,8 @@
 #include "runtime/core/robot_calls.h"
 
 // Declares the function of one row of OPENR_ROBOT_CALLS in a class derived from RobotServices.
-// OPENR_ROBOT_CALLS(OPENR_OVERRIDE_CALL, OPENR_OVERRIDE_CALL) in the class declares all of them.
+// OPENR_ROBOT_CALLS(OPENR_OVERRIDE_CALL, OPENR_OVERRIDE_CALL) in the class declares the functions
+// of all rows.
 #define OPENR_OVERRIDE_CALL(name, parameters, arguments, without_devices) \
   OStatus name parameters override;
 
