@@ -16,7 +16,7 @@ struct SystemTime : public structSystemTime {
   SystemTime() { Set(0, 0); }
   SystemTime(longword sec, longword usec) { Set(sec, usec); }
 
-  // An invalid time has 0xffffffff in both fields.
+  // A time is invalid if both fields are 0xffffffff.
   bool IsValid() const { return seconds != 0xffffffff || useconds != 0xffffffff; }
   void MakeInvalid() { Set(0xffffffff, 0xffffffff); }
 

@@ -145,8 +145,8 @@ struct TCPEndpointReceiveMsg : public TCPEndpointBaseMsg {
 };
 
 // Closes the connection; the answer comes when it is closed.  Sony's network guide shows a
-// constructor with the arguments (module, abort), but here, the argument after the module is
-// `linger`.
+// constructor with the arguments (module, abort).  This constructor follows the SDK's header
+// instead, where the argument after the module is `linger` (network.md, 4.1).
 struct TCPEndpointCloseMsg : public TCPEndpointBaseMsg {
   bool abort;  // true: drops the connection and all data at once
   bool linger;

@@ -1,4 +1,5 @@
-// The id of a transaction: the object that waits, and the number of its reply box.
+// TID, the id of a transaction.  A TID has the object that waits for an answer, and the number of
+// the reply box in which the object receives the answer.
 #ifndef OPENR_TID_H_INCLUDED
 #define OPENR_TID_H_INCLUDED
 

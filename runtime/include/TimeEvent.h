@@ -1,5 +1,5 @@
-// The times at which the messages that SetTimeEvent() requests are due.  EventID.h has the id for
-// cancelling them.
+// TimeEventInfoWithRelativeTime, by which a program tells SetTimeEvent() when its messages are due.
+// EventID.h has the id for cancelling these messages.
 #ifndef OPENR_TIMEEVENT_H_INCLUDED
 #define OPENR_TIMEEVENT_H_INCLUDED
 

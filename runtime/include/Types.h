@@ -31,7 +31,8 @@ typedef unsigned short uint16;
 typedef int int32;
 typedef unsigned int uint32;
 
-// Despite their names these types have 32 bits, because the robot's header defines them as `long`.
+// int64 and uint64 have 32 bits despite their names, because the robot's header defines them with
+// `long`.
 typedef int int64;
 typedef unsigned int uint64;
 
@@ -54,8 +55,8 @@ typedef void (*Entry)(...);
 typedef byte* VirtualAddress;
 typedef void* PhysicalAddress;
 
-// The id and the access rights of shared memory (NewSharedMemoryRegion() and its family).  The id
-// is as wide as a longword, because programs cast a MemoryRegionID* to ODesignDataID*.
+// The id and the access rights of shared memory (NewSharedMemoryRegion() and similar functions).
+// The id is as wide as a longword, because programs cast a MemoryRegionID* to ODesignDataID*.
 typedef unsigned int MemoryRegionID;
 typedef MemoryRegionID SharedMemoryRegionID;
 

@@ -1,5 +1,5 @@
-// Arguments of two functions of ERA201D1.h, which return the settings and the statistics of the
-// wireless card.  Messages to the driver of the card.
+// Arguments of the two functions of ERA201D1.h that return the settings and the statistics of the
+// wireless card, and messages to the driver of the card.
 #ifndef OPENR_WLANDRIVERMSG_H_INCLUDED
 #define OPENR_WLANDRIVERMSG_H_INCLUDED
 

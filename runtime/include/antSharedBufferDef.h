@@ -6,8 +6,9 @@
 #include <MemoryRegion.h>
 #include <antTypes.h>
 
-// A reference to a buffer that a program shares with the network stack.  The object has 16 bytes on
-// the robot; the buffer has a multiple of 4096.  A copy of the object refers to the same buffer.
+// A reference to a buffer that a program shares with the network stack.  An antSharedBuffer has 16
+// bytes on the robot; the size of the buffer is a multiple of 4096 bytes.  A copy of an
+// antSharedBuffer refers to the same buffer.
 //
 // The network stack makes the buffer (antEnvCreateSharedBufferMsg).  The program calls Map(), uses
 // the buffer, calls UnMap() and sends antEnvDestroySharedBufferMsg.
@@ -15,7 +16,7 @@ class antSharedBuffer {
  public:
   antSharedBuffer() : region_(0), base_(0), size_(0), cookie_(0) {}
 
-  // Makes an object that refers to an existing shared buffer; used by the network stack.
+  // Makes a reference to an existing shared buffer; used by the network stack.
   antSharedBuffer(MemoryRegionID region, uint32 size, uint32 cookie)
       : region_(region), base_(0), size_(size), cookie_(cookie) {}
   MemoryRegionID GetRegion() const { return region_; }

@@ -1,7 +1,6 @@
-// Names of the services of the robot's hardware.
+// Names of the services of the objects that control the robot's hardware.
 //
-// The names are written in CONNECT.CFG; a program that uses only its own services does not need
-// them.
+// CONNECT.CFG contains these names as text, so most programs do not need the constants.
 #ifndef OPENR_OPENRSERVICES_H_INCLUDED
 #define OPENR_OPENRSERVICES_H_INCLUDED
 

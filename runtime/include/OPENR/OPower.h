@@ -12,8 +12,9 @@ typedef bool OPower;
 const OPower opowerOFF = false;
 const OPower opowerON = true;
 
-// The status of power and battery at one moment, 20 bytes.  As the first argument of
-// OPENR::ObservePowerStatus() it is a filter instead, as power_constants.h describes.
+// The status of power and battery at one moment, 20 bytes.  OPENR::ObservePowerStatus() also takes
+// an OPowerStatus, but reads its fields as a filter: they select the changes that the function
+// reports (power_constants.h).
 class OPowerStatus {
  public:
   longword robotStatus;       // bits orsb... (power_constants.h)
@@ -34,8 +35,8 @@ class OPowerStatus {
   // other three keep their values.
   void Set(longword rs, word bs, word rc, word tmp, sbyte td, byte vol);
 
-  // Print on the console: Print() one line, PrintDetail() a line for each bit that is set and for
-  // each measured value, such as the voltage.
+  // Print the status on the console.  Print() prints one line.  PrintDetail() prints a line for
+  // each bit that is set and for each measured value, such as the voltage.
   void Print() const;
   void PrintDetail() const;
 };
@@ -43,8 +44,8 @@ class OPowerStatus {
 // The conditions under which the robot boots after OPENR::Shutdown(), or the conditions that have
 // caused its last boot.
 //
-// An OBootCondition has 16 bytes on the robot and more where time_t has 64 bits.  The larger size
-// does no harm, because an OBootCondition is passed by reference only.
+// An OBootCondition has 16 bytes on the robot, and more on a host with a 64-bit time_t.  The larger
+// size does no harm, because an OBootCondition is passed by reference only.
 class OBootCondition {
  public:
   word bitmap;            // bits obcb... (power_constants.h)

@@ -9,7 +9,8 @@
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OPENR.h>
 
-// The lowest number of the requests of OPENR::ControlPrimitive() for each kind of primitive.
+// For each kind of primitive, the lowest number of its requests to OPENR::ControlPrimitive().
+// Requests for all kinds begin at oprmreqCOMMON_BASE.
 const OPrimitiveRequest oprmreqCOMMON_BASE = 0;
 const OPrimitiveRequest oprmreqSPEAKER_BASE = 128;
 const OPrimitiveRequest oprmreqMIC_BASE = 256;
@@ -43,7 +44,8 @@ struct OPrimitiveControl_SpeakerVolume {
   OPrimitiveControl_SpeakerVolume(OSpeakerVolume v) : volume(v) {}
 };
 
-// The formats of sound.  The ERS-210 accepts only the formats whose lines have a comment.
+// The formats of sound that oprmreqSPEAKER_SET_SOUND_TYPE can request.  The ERS-210 accepts only
+// ospksndMONO8K8B and ospksndMONO16K16B.
 typedef longword OSpeakerSoundType;
 const OSpeakerSoundType ospksndMONO8K8B = 0;  // 8 kHz, 8 bits: the default
 const OSpeakerSoundType ospksndMONO11K8B = 1;
@@ -61,7 +63,8 @@ struct OPrimitiveControl_MasterTuningMIDI {
   OPrimitiveControl_MasterTuningMIDI(sword v) : value(v) {}
 };
 
-// ---- requests to the microphone: directional or not, automatic level control
+// ---- requests to the microphone: record from one direction (UNI) or from all directions (OMNI),
+// switch automatic level control (ALC) on or off
 
 const OPrimitiveRequest oprmreqMIC_UNI = 256;
 const OPrimitiveRequest oprmreqMIC_OMNI = 257;
@@ -131,7 +134,7 @@ struct OPrimitiveControl_BtSwitchEvent {
   longword value;
 };
 
-// ---- requests that give a command or read a value without a vector
+// ---- requests by which a program commands a primitive, or reads its value, without a vector
 
 const OPrimitiveRequest oprmreqJOINT2_SET_COMMAND = 640;   // parameter: JointCommandValue2
 const OPrimitiveRequest oprmreqJOINT2_GET_VALUE = 641;     // result: JointValue
@@ -139,7 +142,8 @@ const OPrimitiveRequest oprmreqLED2_SET_COMMAND = 768;     // parameter: LEDComm
 const OPrimitiveRequest oprmreqLED3_SET_COMMAND = 1024;    // parameter: LEDCommandValue3
 const OPrimitiveRequest oprmreqJOINT4_SET_COMMAND = 1152;  // parameter: JointCommandValue4
 
-// Each struct below contains the data of one frame of a command vector or of a sensor vector.
+// The parameter or the result of each request above: the command or the value of one frame, in the
+// struct that vectors also use for one frame.
 struct OPrimitiveControl_JointCommandValue2 {
   OJointCommandValue2 command;
   OPrimitiveControl_JointCommandValue2(slongword value) {

@@ -9,7 +9,8 @@
 template <class T, int MaxSize>
 class OQueue {
  public:
-  // Return otlOVERFLOW if the queue is full, and otlUNDERFLOW if the queue is empty.
+  // PushBack() returns otlOVERFLOW if the queue is full.  PopFront() returns otlUNDERFLOW if the
+  // queue is empty.
   OTLStatus PushBack(const T& value) { return deque_.PushBack(value); }
   OTLStatus PopFront() { return deque_.PopFront(); }
 

@@ -37,8 +37,8 @@ class OShmPtrBase {
   unsigned Offset() const { return region_ == 0 ? 0 : region_->Offset(); }
 
  protected:
-  // Makes the new `region` the memory of this smart pointer, which takes over the only reference to
-  // it.
+  // Makes this smart pointer refer to `region`, a new region, instead of its old region.  REQUIRES:
+  // the caller has the only reference to `region`; this smart pointer takes over that reference.
   void Own(RCRegion* region) {
     Deallocate();
     region_ = region;

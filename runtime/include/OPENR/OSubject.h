@@ -1,9 +1,10 @@
 // OSubject, the sending end of connections.
 //
 // Each connection has a ready flag.  NotifyObservers() sends all data that were set since the last
-// call, as one event, to every observer that is ready, and clears the flag of its connection.  For
-// an observer that is not ready, the newest notifications wait: 1, or more if the observer has
-// asked for that.  They are sent when the observer's next ready arrives, before the program's Ready
+// call, as one event, to every observer that is ready, and clears the ready flag of its connection
+// to that observer.  For an observer that is not ready, only the newest notification waits, or more
+// of the newest notifications if the observer has called OObserver::SetBufCtrlParam().  The
+// waiting notifications are sent when the observer's next ready arrives, before the program's Ready
 // function runs.  (measured.md, section 1)
 #ifndef OPENR_OSUBJECT_H_INCLUDED
 #define OPENR_OSUBJECT_H_INCLUDED
@@ -30,17 +31,19 @@ class OSubject {
   OStatus SetReadyEntry(const OServiceEntry& entry);
   const SubjectID& GetID() const;
 
-  // Set the size of the buffer for each observer (by default 14; it holds the data of size - 1
-  // SetData() calls), and the number of SetData() calls that are sent as one unit (by default 1).
-  // Called in DoInit; SetNotifyUnitSize() fails once a connection exists.
+  // Set the buffer size for each observer (by default 14), and the number of SetData() calls in one
+  // unit (by default 1).  The buffer size changes only the results of RemainBuffer(); the number of
+  // calls in a unit changes nothing.  Called in DoInit; SetNotifyUnitSize() fails once a connection
+  // exists.
   OStatus SetBufferSize(size_t size);
   size_t GetBufferSize() const;
   OStatus SetNotifyUnitSize(size_t size);
   size_t GetNotifyUnitSize() const;
 
-  // Append data for every observer, or for one observer.  The functions with `buf` copy the data;
-  // the other functions share the data and add one reference for each observer.  The 14th datum
-  // since the last notification drops the oldest datum, and the status is oFATAL (28).
+  // Append data to the next notification for every observer, or for one observer.  The functions
+  // with `buf` copy the data; the other functions share the data and add one reference for each
+  // observer.  A notification holds at most 13 data.  If it has 13 data already, SetData() drops
+  // the oldest of them and returns oFATAL (28).
   OStatus SetData(const void* buf, size_t size);
   OStatus SetData(RCRegion* region);
   OStatus SetData(const OShmPtrBase& ptr);
@@ -51,9 +54,9 @@ class OSubject {
   OStatus SetData(const ObserverID& id, RCRegion* region);
   OStatus SetData(const ObserverID& id, const OShmPtrBase& ptr);
 
-  // Old forms of SetData() for memory that the program itself made.  They share the memory from its
-  // start, or from the locator's offset to the end of the region.  They return oINVALID_ARG if
-  // there is no such memory.
+  // Old forms of SetData() for shared memory that the program itself has made.  They share the
+  // first `size` bytes of `region`, or the bytes from the offset in `locator` to the end of its
+  // region.  They return oINVALID_ARG if the region does not exist or does not have these bytes.
   OStatus SetData(MemoryRegionID region, size_t size);
   OStatus SetData(const OMemoryLocator& locator);
   OStatus SetData(const ObserverID& id, MemoryRegionID region, u_int size);

@@ -1,8 +1,8 @@
 // Console output of objects.
 //
-// The macros need double parentheses, OSYSPRINT(("n = %d\n", n)), and are expressions.  The format
-// is that of printf, except that l means 32 bits, as on the robot: %ld prints a slongword.  Text is
-// cut to osyslogMAX_SIZE bytes, including the final NUL.
+// The macros of this header need double parentheses, as in OSYSPRINT(("n = %d\n", n)), and are
+// expressions.  The format is that of printf, except that l means 32 bits, as on the robot: %ld
+// prints a slongword.  Text is cut to osyslogMAX_SIZE bytes, including the final NUL.
 #ifndef OPENR_OSYSLOG_H_INCLUDED
 #define OPENR_OSYSLOG_H_INCLUDED
 

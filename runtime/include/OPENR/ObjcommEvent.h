@@ -1,8 +1,8 @@
 // The events that the class of an object receives: Connect, Control, Ready and Notify.
 //
-// The stub, the generated code of an object, makes an event for one call of a function of the
-// class.  Programs may keep copies of an event, but the data to which the event points do not stay
-// valid (see ONotifyEvent).
+// For each message, the stub (the generated code of an object) makes an event and passes the event
+// to a function of the class.  Programs may keep copies of an event, but the data to which the
+// event points do not stay valid (see ONotifyEvent).
 #ifndef OPENR_OBJCOMMEVENT_H_INCLUDED
 #define OPENR_OBJCOMMEVENT_H_INCLUDED
 
@@ -11,8 +11,8 @@
 #include <OPENR/ObjcommTypes.h>
 #include <OPENR/RCRegion.h>
 
-// The event of subject SbjIndex() when an observer asks to be added to its observers, or to be
-// removed from them.
+// Tells the subject with the index SbjIndex() that an observer asks to be added to the subject's
+// observers, or to be removed from them.
 class OControlEvent {
  public:
   OControlEvent(int index, char* subName, ObjcommCommand command)
@@ -39,8 +39,8 @@ class OControlEvent {
   ObjcommCommand command_;
 };
 
-// The event of observer ObsIndex() when the object manager asks it to connect to a subject, or to
-// disconnect.
+// Tells the observer with the index ObsIndex() that the object manager asks the observer to connect
+// to a subject, or to disconnect.
 class OConnectEvent {
  public:
   OConnectEvent(int index, char* subName, OConnectCmd command)
@@ -59,7 +59,8 @@ class OConnectEvent {
   OConnectCmd command_;
 };
 
-// The event of subject SbjIndex() when one of its observers has asserted or deasserted ready.
+// Tells the subject with the index SbjIndex() that one of its observers has asserted or deasserted
+// ready.
 class OReadyEvent {
  public:
   OReadyEvent(int index, ObserverID id, ObjcommCommand command)

@@ -1,7 +1,7 @@
 // The messages that subjects, observers and the object manager exchange.
 //
 // On a 32-bit target the sizes are those of the robot.  On a 64-bit host pointers make the messages
-// larger, which does no harm, because they never leave the process.
+// larger.  The larger size does no harm, because no message leaves the process in this form.
 #ifndef OPENR_OBJCOMMMESSAGES_H_INCLUDED
 #define OPENR_OBJCOMMMESSAGES_H_INCLUDED
 

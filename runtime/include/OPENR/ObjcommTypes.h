@@ -14,8 +14,8 @@
 // form of the ready, which the host does not send.
 const int objcommMAX_NUM_UNLOCK = 29;
 
-// The id of a subject is its object and Ready selector, that of an observer its object and Notify
-// selector.  Both are the same C++ type.
+// The id of a subject has its object and its Ready selector; the id of an observer has its object
+// and its Notify selector.  The two kinds of ids have the same C++ type.
 typedef OServiceEntry SubjectID;
 typedef OServiceEntry ObserverID;
 

@@ -1,8 +1,8 @@
 // RCRegion, a piece of shared memory with a count of references.
 //
-// A program makes an RCRegion with new and releases it with RemoveReference(); it deletes itself
-// when its count reaches 0.  Subject and observer each have an RCRegion of their own for the same
-// memory, each with a count of its own.
+// A program makes an RCRegion with new and releases it with RemoveReference(); an RCRegion deletes
+// itself when its count reaches 0.  Subject and observer each have an RCRegion of their own for the
+// same memory, each with a count of its own.
 //
 // A subject that sends an RCRegion adds a reference to its own RCRegion for each observer, and
 // removes the reference when the observer gives the memory back with its next ready.  So a count of
@@ -34,8 +34,8 @@ class RCRegion {
   // Makes an empty region with 0 references; call AddReference() before use.
   RCRegion();
 
-  // Makes `size` bytes of memory, filled with zeros, with 1 reference.  Base() is 0 if there is no
-  // memory.
+  // Allocates `size` bytes of memory, filled with zeros, and makes an RCRegion with 1 reference for
+  // them.  Base() is 0 if the memory cannot be allocated.
   explicit RCRegion(size_t size);
 
   // Makes an RCRegion with 1 reference for existing memory, which it does not own.  If baseAddr is

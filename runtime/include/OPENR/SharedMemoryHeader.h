@@ -5,8 +5,9 @@
 
 #include <Types.h>
 
-// The header at the start of shared memory, 16 bytes on the robot, where ODataVectorInfo begins
-// with the same four fields.
+// The header at the start of shared memory, 16 bytes on the robot.  There an ODataVectorInfo begins
+// with the same four fields.  On a 64-bit host the two structs differ, because physAddr is a larger
+// pointer here.
 struct SharedMemoryHeader {
   MemoryRegionID memID;
   void* physAddr;

@@ -1,5 +1,6 @@
-// A variant of core_macro.h for a program that is started under another name: services are
-// registered with `myname` in place of the text before the first '.'.
+// A variant of core_macro.h for a program that is started under another name.  The full name of a
+// service begins with the name of the object, up to the first '.'; this variant registers services
+// with `myname` in place of that part.
 #ifndef OPENR_CORE_MACRO2_H_INCLUDED
 #define OPENR_CORE_MACRO2_H_INCLUDED
 

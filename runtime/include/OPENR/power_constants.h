@@ -67,9 +67,9 @@ const longword obsecUNKNOWN = 7;
 //
 // Each bit that is set in robotStatus and batteryStatus of the filter requests a message whenever
 // that bit changes.  For each of the four numbers (remainingCapacity, temperature, timeDif,
-// volume), the filter has one of the values below, or a number of its own.  Such a number requests
-// a message as soon as the observed number has become equal to it.  Voltage, current and full
-// capacity cannot be observed.
+// volume), the filter has one of the values below, or any other value.  Any other value requests a
+// message as soon as the number has become equal to this value.  Voltage, current and full capacity
+// cannot be observed.
 
 const word opsoREMAINING_CAPACITY_NOTIFY_EVERY_CHANGE = 0xffff;
 const word opsoREMAINING_CAPACITY_NOT_NOTIFY = 0xfffe;
@@ -96,7 +96,8 @@ const word obcbALL = 0x007f;
 const longword obcbttRELATIVE = 0;
 const longword obcbttABSOLUTE = 0x80000000;
 
-// ---- data streams of the robot's charging station
+// ---- numbers of the data streams of the robot's charging station; no function of these
+// headers uses the numbers
 
 const byte odstSOUND = 0;
 const byte odstLCD = 1;

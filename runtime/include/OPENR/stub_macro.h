@@ -1,4 +1,4 @@
-// Macros that generated stubs consist of.
+// The macros from which a generated stub is built.
 //
 // Each StubFuncDefine_* defines one extern "C" function, which converts a message to a call of the
 // object's class, whose only instance is `Self`.  The functions do not call Exit(), because a
@@ -10,7 +10,8 @@
 #include <OPENR/ObjcommEvent.h>
 #include <OPENR/ObjcommMessages.h>
 
-// Makes data of the stub visible outside of the image, because the host looks them up by name.
+// Makes data of the stub visible outside of the image, because the host's loader looks up these
+// data by name.
 #define OPENR_HOST_EXPORT __attribute__((visibility("default")))
 
 typedef void (*_Hook)(OReasonMessage*);

@@ -71,8 +71,8 @@ const OLED3Mode oled3_MODE_A = 0;
 const OLED3Mode oled3_MODE_B = 1;
 const OLED3Mode oled3_MODE_UNDEF = 0xffff;
 
-// ---- command structs, 8 bytes each; the system uses their field `reserved` while it plays the
-// vector
+// ---- command structs, 8 bytes each; programs cannot keep a value in the field `reserved`, because
+// the system may change the field while it plays the vector
 
 // A command of the type odataJOINT_COMMAND2: the set point of a joint for one frame.
 struct OJointCommandValue2 {
@@ -153,8 +153,8 @@ const byte ocamparamAWB_FL_MODE = 4;
 const byte ocamparamBOX1 = 1;
 const byte ocamparamBOX2 = 2;
 
-// A command of the type odataRAW_JOINT_COMMAND: a raw value (`signal`) of the device, a joint, and
-// gains.
+// A command of the type odataRAW_JOINT_COMMAND: a raw value (`signal`) for a joint, and the gains
+// of the joint.
 struct ORawJointCommandValue {
   word signal;
   byte p;
@@ -170,13 +170,13 @@ struct ORawJointCommandValue {
   }
 };
 
-// A command of the type odataRAW_JOINT_COMMAND2: a raw value (`signal`) of the device, a joint.
+// A command of the type odataRAW_JOINT_COMMAND2: a raw value (`signal`) for a joint.
 struct ORawJointCommandValue2 {
   word signal;
   word padding[3];
 };
 
-// A command of the type odataRAW_CAMERA_COMMAND: a raw value (`signal`) of the device, the camera.
+// A command of the type odataRAW_CAMERA_COMMAND: a raw value (`signal`) for the camera.
 struct ORawCameraCommandValue {
   word signal;
   word padding[3];
@@ -184,7 +184,7 @@ struct ORawCameraCommandValue {
   void Set(word sig) { signal = sig; }
 };
 
-// A command of the type odataRAW_LED_COMMAND: a raw value (`signal`) of the device, an LED.
+// A command of the type odataRAW_LED_COMMAND: a raw value (`signal`) for an LED.
 struct ORawLEDCommandValue {
   word signal;
   word padding[3];

@@ -1,13 +1,13 @@
 // The image vectors of the camera, and the tables for colour detection.  An image vector has one
-// picture in four layers: in three sizes, and a layer that says which colours were detected in each
-// pixel.
+// picture in four layers.  Three layers have the picture in three sizes; the fourth layer says
+// which colours were detected in each pixel.
 #ifndef OPENR_FORMATS_IMAGES_H_INCLUDED
 #define OPENR_FORMATS_IMAGES_H_INCLUDED
 
 #include <OPENR/formats/vector_info.h>
 
-// The number of a layer, which is the index of its image in the vector.  Sizes are those of the
-// ERS-210 (Model Information, 4.1.2).
+// The number of a layer, which is the index of its image in the vector.  The image sizes below are
+// those of the ERS-210 (Model Information, 4.1.2).
 typedef longword OFbkImageLayer;
 const OFbkImageLayer ofbkimageLAYER_H = 0;  // 176 x 144 pixels, YCrCb
 const OFbkImageLayer ofbkimageLAYER_M = 1;  // 88 x 72 pixels, YCrCb

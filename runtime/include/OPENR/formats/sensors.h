@@ -9,7 +9,7 @@
 
 const size_t osensorframeMAX_FRAMES = 16;
 
-// Special values in sensor data, where no value was measured.
+// Special values in sensor data, which mean that no value was measured.
 const word osensorframeINVALID_SIGNAL = 0xffff;
 const slongword opsdINVALID_VALUE = 0;
 

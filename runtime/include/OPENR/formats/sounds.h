@@ -1,7 +1,8 @@
 // Sound vectors, for speaker and microphone.
 //
-// The speaker plays 8 kHz, 8 bits, mono (256 bytes per 32 ms), or after a request 16 kHz, 16 bits,
-// mono (1024 bytes).  The microphone records 16 kHz, 16 bits, stereo (2048 bytes per 32 ms).
+// The speaker plays 8 kHz, 8 bits, mono (256 bytes per 32 ms); after the request
+// oprmreqSPEAKER_SET_SOUND_TYPE it can play 16 kHz, 16 bits, mono (1024 bytes).  The microphone
+// records 16 kHz, 16 bits, stereo (2048 bytes per 32 ms).
 #ifndef OPENR_FORMATS_SOUNDS_H_INCLUDED
 #define OPENR_FORMATS_SOUNDS_H_INCLUDED
 
