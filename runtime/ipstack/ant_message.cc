@@ -201,8 +201,8 @@ void AddParameter(Hasher* h, const T& m) {
   if (m.paramType == antEnv_InitParam_String) Add(h, m.value.str);
 }
 
-// Adds nothing for all other types of messages: such messages have no fields besides operation and
-// error, or fields without a known meaning.
+// Adds nothing for a type of messages without an AddFields() of its own: such messages have no
+// fields besides operation and error, or fields without a known meaning.
 void AddFields(Hasher*, const antEnvMsg&) {}
 
 void AddFields(Hasher* h, const TCPEndpointListenMsg& m) { AddFourAddresses(h, m); }

@@ -11,7 +11,7 @@ namespace openr_host {
 class Hasher;
 class IpStack;
 
-// The owner of sockets of the Network: an endpoint, or a port on which endpoints listen.  It
+// The owner of sockets of the Network: an endpoint, or a port on which endpoints listen.  The owner
 // receives the events of its sockets.
 class EventSink {
  public:

@@ -78,8 +78,10 @@ NetAddress HostNetwork::ToHost(NetAddress remote, const HostPorts& ports) {
     const uint32_t ip = bound == bound_.end() ? bind_ip_ : bound->second;
     return {ip == 0 ? 0x7f000001 : ip, own};
   }
-  // Returns port 0 if a program connects to a port of the robot's own address on which the robot
-  // does not listen.  Then the attempt to connect fails and does not reach a program of the host.
+  // Returns port 0 for a port of the robot's own address on which the robot does not listen,
+  // because the attempt to connect must fail and must not reach a program of the host.  If the
+  // options have a pair for the robot's own address, this address is translated instead, as the
+  // user has asked.
   if (remote.ip == ip_ && !addresses_.Has(ip_)) return {remote.ip, 0};
   return addresses_.ToHost(remote);
 }

@@ -1,7 +1,7 @@
 // HostNetwork: connects the robot's network to the world with sockets of the host.
 //
-// Server ports: a port of the robot is bound to 127.0.0.1, or to the address in the options.  The
-// port keeps its number if that number is free on the host (host_ports.h).
+// Server ports: a port of the robot is bound to HostNetworkOptions::bind_ip, by default 127.0.0.1.
+// The port keeps its number if that number is free on the host (host_ports.h).
 //
 // Addresses in programs of the robot:
 // - The robot's own address reaches only ports on which the robot listens.
@@ -110,7 +110,8 @@ class HostNetwork : public Network {
   bool IsRobot(uint32_t ip) const;
   // Returns the address of the host at which the server socket `handle` must be bound.  If At() was
   // called for this socket, returns the address of the host that replaces the address given to
-  // At(), and forgets that call.  Otherwise returns bind_ip_, the address for server ports.
+  // At(), and removes the socket from at_, because At() is for one Listen() or Bind() only.
+  // Otherwise returns bind_ip_, the address for server ports.
   uint32_t BindIp(NetHandle handle);
   // Adds a note for the user if binding a socket to the address `ip` failed with `error` because
   // the host has no such address.

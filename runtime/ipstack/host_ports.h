@@ -1,8 +1,8 @@
 // Maps ports of the robot to ports of the host.
 //
-// A port keeps its number (54000) if that number is free on the host.  If another robot or another
-// run uses that number, the next free number is taken.  If the user asked for a certain number, no
-// other number is taken.
+// A port of the robot keeps its number, such as 54000, if that number is free on the host.  If
+// another robot or another run uses that number, the next free number is taken.  If the user asked
+// for a certain number, no other number is taken.
 #pragma once
 
 #include <cstdint>

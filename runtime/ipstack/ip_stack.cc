@@ -295,10 +295,9 @@ void IpStack::KeepPolling() {
   bool needed = false;
   for (const auto& [index, endpoint] : endpoints_) needed = needed || endpoint->WaitsForNetwork();
   if (!needed) return;
-  // Subtracts crowding_delay_us(), because the Poll message, in whose handler the stack polls the
-  // network, must be due exactly at the beginning of the frame and Post() adds crowding_delay_us()
-  // to the delay.  crowding_delay_us() is 1 us while very many messages are delivered at one
-  // instant; it makes time go on.
+  // Subtracts crowding_delay_us(), which Post() adds to the delay, because the Poll message must be
+  // due exactly at the beginning of the frame.  crowding_delay_us() is 1 us while very many
+  // messages are delivered at one instant, so that time goes on; otherwise it is 0.
   const int64_t now_us = system().now_us();
   const int64_t delay_us = kFrameUs - now_us % kFrameUs - system().poster().crowding_delay_us();
   system().Post(system().NewMessage(host().id, poll_entry_), delay_us);

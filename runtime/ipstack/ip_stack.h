@@ -2,16 +2,16 @@
 //
 // The name of the object is "IPStack".  Programs send messages of TCPEndpointMsg.h and similar
 // headers to it with Call() and Send() of antEnvMsg.  The messages name the selectors 0 to 2, but
-// on the host the selectors 0 to 3 belong to DoInit to DoDestroy.  So these functions post the
+// on the host the selectors 0 to 3 belong to DoInit to DoDestroy.  So Call() and Send() post the
 // messages to further entries of IPStack (EntryFor).
 //
-// Time: operations that concern only the stack (creating, binding, a send that fits) are answered
-// at the instant of the request.  Input from outside enters only at multiples of kFrameUs of
-// virtual time.  While an operation waits for the network, the stack posts itself a Poll message
-// for the next multiple of kFrameUs.  When it handles this message, it passes all events of
-// Network::Poll() to the endpoints, then answers in the order of endpoint and operation.  If
-// nothing waits, there are no Poll messages.  PollNetwork() is the only caller of Network::Poll(),
-// so it is the place to record and to replay input from outside.
+// Time: operations that concern only the stack (creating, binding, a send that fits into the pool
+// of its endpoint) are answered at the instant of the request.  Input from outside enters only at
+// multiples of kFrameUs of virtual time.  While an operation waits for the network, the stack posts
+// itself a Poll message for the next multiple of kFrameUs.  When it handles this message, it passes
+// all events of Network::Poll() to the endpoints, then answers in the order of endpoint and
+// operation.  If nothing waits, there are no Poll messages.  PollNetwork() is the only caller of
+// Network::Poll(), so it is the place to record and to replay input from outside.
 #pragma once
 
 #include <cstdint>
@@ -95,8 +95,8 @@ class IpStack : public CodeObject {
   // address, or one of the other addresses that the options give (IpStackOptions::addresses).
   bool IsOwnAddress(uint32_t ip) const;
 
-  // Returns `ip` if it is an address of the robot besides its own address
-  // (IpStackOptions::addresses).  Otherwise returns 0, which stands for the robot's own address.
+  // Returns `ip` if it is AddressPair::robot of a pair in IpStackOptions::addresses and is not the
+  // robot's own address.  Otherwise returns 0, which stands for the robot's own address.
   uint32_t FurtherAddress(uint32_t ip) const;
 
   // Returns the local address that the stack puts into its answers to a program that has bound to

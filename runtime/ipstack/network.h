@@ -90,8 +90,8 @@ class Network {
   // Accepts connections to `port` from now on, as socket `listener`.  Holds a few connections until
   // Accept() takes them.
   virtual void Listen(NetHandle listener, uint16_t port) = 0;
-  // Gives the next connection to `listener` the socket number `handle`.  If several calls of
-  // Accept() wait for a connection, the first call gets the first connection.
+  // Makes `handle` the socket of the next connection to `listener`.  If several calls of Accept()
+  // wait for a connection, the first call gets the first connection.
   virtual void Accept(NetHandle listener, NetHandle handle) = 0;
   // Connects to `remote`.  Programs see `local_port` as the local port; on the host the connection
   // may have another local port.
@@ -123,9 +123,10 @@ class Network {
   // ---- Commands that look up names and addresses of hosts
 
   // Asks for the addresses of the host `name`, which is complete (with its domain) and has no final
-  // dot.  An event kResolved answers.
+  // dot.  Poll() returns the answer as an event kResolved.
   virtual void Resolve(NetHandle handle, const std::string& name) = 0;
-  // Asks for the name of the host with the address `ip`.  An event kResolved answers.
+  // Asks for the name of the host with the address `ip`.  Poll() returns the answer as an event
+  // kResolved.
   virtual void ResolveAddress(NetHandle handle, uint32_t ip) = 0;
 
   // ---- Functions for sockets of every protocol

@@ -22,7 +22,7 @@ struct Operation {
   const antEnvMsg& message() const { return *reinterpret_cast<const antEnvMsg*>(bytes); }
 
   // Returns the message of this operation as the type T, such as TCPEndpointSendMsg.  REQUIRES: T
-  // is the type for the message's operation code.
+  // is the type that belongs to the protocol and the field dstOperation of the message.
   template <typename T>
   T& As() {
     static_assert(sizeof(T) <= sizeof bytes);

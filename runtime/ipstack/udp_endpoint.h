@@ -54,8 +54,8 @@ class UdpEndpoint : public Endpoint {
   uint32_t local_ip_ = 0;  // the address that the program gave; 0 for any address
   uint16_t port_ = 0;
   NetAddress peer_;  // the peer that Connect has set; its ip is 0 if there is no peer
-  // The error after which this endpoint cannot use its socket any more; UDP_SUCCESS: the socket
-  // works.
+  // The error after which this endpoint cannot use its socket any more; UDP_SUCCESS while the
+  // socket works.
   UDPEndpointError error_ = UDP_SUCCESS;
   // True while the endpoint waits for the answer to Network::ReceiveFrom(), its request for
   // datagrams.
@@ -64,9 +64,9 @@ class UdpEndpoint : public Endpoint {
   int64_t sent_in_frame_ = 0;         // bytes sent in this frame; the pool limits their number
 
   std::optional<Operation> send_;
-  // Number of the message in whose handler the program has last asked this UDP endpoint to send a
-  // datagram (the operation Send).  0 if the program asked with antEnvMsg::Call(), which is not
-  // kept.
+  // The number of the message in whose handler the program has last sent a datagram through this
+  // endpoint with antEnvMsg::Send().  0 if the program used antEnvMsg::Call(): a program that waits
+  // for the answer cannot send a second datagram too early, so NoteSecondSend() ignores this case.
   uint64_t last_send_cause_ = 0;
   std::optional<Operation> receive_;
 };
