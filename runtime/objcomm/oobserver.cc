@@ -87,8 +87,8 @@ namespace {
 // Asks the subject at `entry` to add or remove this observer, as `control` says, and waits for the
 // reply.  Returns the reply, or nullopt if the process of the subject was lost before the subject
 // has answered: the runtime then answers with an empty message.  If the subject is in the same
-// object, calls the subject's entry directly, because a message would never be answered: the object
-// would handle the message only after this handler has ended, but this handler waits for the reply.
+// object, calls the subject's entry directly and sends no message.  The object would handle a
+// message only after this handler has ended, but this handler would wait for the reply.
 std::optional<OControlReplyMessage> AskSubject(ObserverState* state, const OServiceEntry& entry,
                                                OControlMessage* control) {
   System* const system = state->system;
@@ -143,8 +143,8 @@ OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
     const auto reply = is_lost ? std::nullopt : AskSubject(state_, msg.entry, &control);
     answer.status = reply ? reply->status : oFAIL;
     if (!reply) {
-      // Prints nothing about the failed connection, because the runtime itself reports the loss of
-      // the process in which the subject was.
+      // Records the missing subject without printing that the connection has failed, because the
+      // runtime itself reports the loss of the process in which the subject was.
       if (connect) state_->MissSubject(msg.subName);
     } else if (reply->status != oSUCCESS) {
       state_->system->Print(fmt::format(
@@ -163,7 +163,7 @@ namespace {
 
 // Adds an error finding if the data of `notify` have changed since the subject sent them: if their
 // hash differs from the hash that was stored at that time.  In this case the subject has written
-// into a region after NotifyObservers().  Used with SystemOptions::guard_regions.
+// into a region after NotifyObservers().  Called only with SystemOptions::guard_regions.
 void CheckUnchanged(ObserverState* state, const ONotifyMessage& notify) {
   const Message* const message = state->object->handler.running.get();
   uint32_t size = 0;
@@ -181,8 +181,8 @@ void CheckUnchanged(ObserverState* state, const ONotifyMessage& notify) {
 [[gnu::always_inline]] inline OStatus HandleNotification(ObserverState* state,
                                                          const ONotifyMessage& msg,
                                                          ONotifyEvent* event) {
-  // Refuses a message whose bytes are no notification, because this function takes some bytes of a
-  // notification for addresses.
+  // Refuses a message whose bytes are no notification, because this function uses some bytes of a
+  // notification as addresses.
   if (!IsRunningMessage(*state->object, PayloadKind::kNotify)) return oUNKNOWN_COMMAND;
   if (state->system->options().guard_regions) CheckUnchanged(state, msg);
   // Starts the count of readies anew.  The count shows how often the observer asserts ready without

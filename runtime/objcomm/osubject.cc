@@ -14,10 +14,10 @@ using namespace openr_host;
 
 namespace {
 
-// Calls `set` with an RCRegion, a counted reference, for `size` bytes at `offset` of the region
-// `memory`.  A program has made this shared memory with NewSharedMemoryRegion() or a similar
-// function.  The bytes are not copied.  Returns oINVALID_ARG if the region does not exist or the
-// bytes do not lie in the region.
+// Makes an RCRegion (a counted reference) for `size` bytes at `offset` of the region `memory`, and
+// calls `set` with the RCRegion.  A program has made this shared memory with
+// NewSharedMemoryRegion() or a similar function.  The bytes are not copied.  Returns oINVALID_ARG
+// if the region does not exist or the bytes do not lie in the region.
 template <typename Set>
 OStatus WithRegion(MemoryRegionID memory, size_t offset, size_t size, Set set) {
   const ApiScope scope;
@@ -195,8 +195,8 @@ namespace {
 // buffer.
 size_t Remain(const SubjectState& state, const ObserverLink& link) {
   const size_t used = link.fresh.size() + link.pending.size();
-  // The subject's buffer holds the data of one SetData() less than its size, because the robot's
-  // buffer is a ring buffer in which one place always stays empty.
+  // Subtracts 1 from the size of the subject's buffer, because the robot's buffer is a ring buffer
+  // in which one place always stays empty.
   const size_t room = std::max<size_t>(state.buffer_size, 1) - 1;
   return room - std::min(used, room);
 }
@@ -291,8 +291,8 @@ namespace {
 
 // Does the work of OSubject::ReadyHandler() for the subject of `state`.
 [[gnu::always_inline]] inline OStatus HandleReady(SubjectState* state, const OReadyMessage& msg) {
-  // Refuses a message whose bytes are no ready, because this function takes some bytes of a ready
-  // for addresses of regions.
+  // Refuses a message whose bytes are no ready, because this function uses some bytes of a ready as
+  // addresses of regions.
   if (!IsRunningMessage(*state->object, PayloadKind::kReady)) return oUNKNOWN_COMMAND;
   // A ready also lists the regions of earlier notifications that the observer no longer uses.
   // Removes the subject's reference to each of these regions, so that the subject can write into
