@@ -66,7 +66,8 @@ std::optional<std::vector<std::string>> PartsOf(std::string_view name) {
     const std::string_view part = name.substr(0, end);
     name.remove_prefix(end);
     if (part == "..") {
-      // Refuses a name that leaves /MS, because the root folder has no entry "..".
+      // Refuses a name that leaves /MS, because /MS is the root folder of the stick, and the root
+      // folder of a FAT file system has no entry "..".
       if (parts.empty()) return std::nullopt;
       parts.pop_back();
     } else if (!part.empty() && part != ".") {
@@ -80,7 +81,7 @@ std::optional<std::vector<std::string>> PartsOf(std::string_view name) {
 bool IsBelow(const std::string& path, const std::string& folder) {
   std::error_code error;
   const auto real_path = std::filesystem::canonical(path, error);
-  // Refuses a path whose real path cannot be found, such as a link to a missing file: a file that
+  // Refuses a path that cannot be resolved, such as a link to a missing file, because a file that
   // is created through the link may be outside of `folder`.
   if (error) return false;
   const auto real_folder = std::filesystem::canonical(folder, error);

@@ -49,8 +49,9 @@ class MemoryStick {
   // hash.  Called before an object makes, writes, renames or removes the file.
   void NoteWritten(std::string_view name);
 
-  // Adds a function that is called before an object changes a file or folder for the first time.
-  // The function can save the file or folder in the state that it had at the start of the run.
+  // A function that is called before an object changes a file or folder for the first time, so that
+  // the function can save the file or folder in the state that it had at the start of the run.
+  // OnFirstChange() adds such a function.
   using ChangeListener = std::function<void(const Location&)>;
   void OnFirstChange(ChangeListener listener) { listeners_.push_back(std::move(listener)); }
 
@@ -84,8 +85,8 @@ class FolderStick : public MemoryStick {
   Location Locate(std::string_view name) override;
   uint64_t ContentHash() override;
   const std::string& root() const { return root_; }
-  // Makes `root` the folder of the host that has the files of this stick.  REQUIRES: `root` has the
-  // same files as the previous folder, of which it is a copy.
+  // Makes `root` the folder of the host that has the files of this stick.  REQUIRES: `root` is a
+  // copy of the previous folder.
   void set_root(std::string root) { root_ = std::move(root); }
 
  private:
