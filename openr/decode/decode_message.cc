@@ -25,9 +25,9 @@
 namespace openr_host {
 namespace {
 
-// Reads a value of the type T at `offset` of a message's bytes, `content`, into `value`.  Returns
-// false if the bytes end before the end of the value, because only the beginning of a long message
-// is kept.
+// Reads a value of the type T into `value`, from the place `offset` of `content`, the bytes of a
+// message.  Returns false if `content` ends before the end of the value.  This can happen, because
+// only the beginning of a long message is kept.
 template <typename T>
 bool ReadAt(const std::string& content, size_t offset, T* value) {
   if (offset > content.size() || content.size() - offset < sizeof(T)) return false;
@@ -47,7 +47,8 @@ double DegreesOf(slongword urad) { return Degrees(urad * 1e-6); }
 
 // Calls tell(info) for each element of a data vector; `info` describes the element, such as the
 // commands for one primitive.  Returns all lines that `tell` has returned.  Stops when `tell`
-// returns "", or at the end of `content`, the bytes of the vector, whose end may have been cut off.
+// returns "", or at the end of `content`.  `content` has the bytes of the vector; the last bytes of
+// a long vector may be missing.
 template <typename Info, typename Tell>
 std::string DecodeElements(const std::string& content, Tell tell) {
   ODataVectorInfo vector;
@@ -65,7 +66,7 @@ std::string DecodeElements(const std::string& content, Tell tell) {
 
 // Reads the last frame (8 ms) of an element of a data vector, such as the last command for one
 // primitive, into `value`.  `info` describes the element.  Returns false if the element has no
-// frame, or if `content`, the bytes of the vector, was cut before the frame.
+// frame, or if `content`, the bytes of the vector, ends before the end of the frame.
 template <typename Info, typename Value>
 bool ReadLastFrame(const std::string& content, const Info& info, size_t frames_max, Value* value) {
   if (info.numFrames == 0) return false;
@@ -78,7 +79,8 @@ std::string LocatorOf(const RobotModel& model, OPrimitiveID id) {
   return locator == nullptr ? fmt::format("primitive {:#x}", id) : *locator;
 }
 
-// Returns one frame of the commands for a primitive as text.
+// Converts the command `frame`, which a primitive gets in one frame (8 ms), to text.  `type` is the
+// kind of the primitive's commands.
 std::string CommandText(ODataType type, const OCommandValue& frame) {
   switch (type) {
     case odataJOINT_COMMAND:
@@ -99,7 +101,7 @@ std::string CommandText(ODataType type, const OCommandValue& frame) {
   }
 }
 
-// Returns the last frame of each primitive of a command vector as text.
+// Returns a text with the command for each primitive in the last frame of a command vector.
 std::string DecodeCommands(const RobotModel& model, const std::string& content) {
   return DecodeElements<OCommandInfo>(content, [&](const OCommandInfo& info) -> std::string {
     OCommandValue value;
@@ -109,7 +111,7 @@ std::string DecodeCommands(const RobotModel& model, const std::string& content) 
   });
 }
 
-// Returns the last frame of each element of a sensor vector as text.
+// Returns a text with the value of each sensor in the last frame of a sensor vector.
 std::string DecodeSensors(const RobotModel& model, const std::string& content) {
   return DecodeElements<OSensorFrameInfo>(content, [&](const OSensorFrameInfo& info) {
     OSensorValue value;
@@ -272,8 +274,9 @@ std::string DecodeReady(const std::string& content) {
   return words[1] == 0 ? kind : fmt::format("{}, gives back {} regions", kind, words[1]);
 }
 
-// Returns as text a message that the system has sent to an object, or the answer to such a message.
-// Returns "" if `content` is no such message.  These messages begin with their type.
+// Returns a text for `content`, a message of the system to an object or the object's answer to such
+// a message.  The type is the first word of such a message.  Returns "" if `content` is no such
+// message.
 std::string DecodeSystemMessage(const std::string& content) {
   OMessageType type;
   if (!ReadAt(content, 0, &type)) return "";
@@ -324,8 +327,9 @@ std::string DecodeUnknown(const std::string& content) {
 }
 
 // Returns the type of the data in a notification, such as MoverCommand.  `entry` is the name of a
-// service, or the name of an entry: a service with a kind, such as "... (Notify)".  Returns "" for
-// an entry of another kind, such as "... (Ready)", because it gets no notifications.
+// service or the name of an entry.  The name of an entry is the name of its service and then the
+// kind of the entry, such as " (Notify)".  Returns "" for an entry of another kind, such as "
+// (Ready)", because it gets no notifications.
 std::string TypeOfEntry(const std::string& entry) {
   const size_t kind = entry.find(" (");
   if (kind != std::string::npos && entry.substr(kind) != " (Notify)") return "";

@@ -32,10 +32,11 @@ std::string DecodeReceived(const System& system, ObjectId target, uint32_t selec
 // Changed data are shown as they are now; deleted data are not shown.
 std::string DecodeHandled(const System& system, const Message& message);
 
-// OneLineOf() puts the lines of `text`, which DecodeContent() has returned, on one line with "; "
-// between them.  If the result has more than `size_max` characters (if not given, kDecodedLineMax),
-// cuts it and ends it with "...".  REQUIRES: size_max >= 3.
+// The largest number of characters that OneLineOf() returns, unless its caller gives another one.
 constexpr size_t kDecodedLineMax = 120;
+// Puts the lines of `text`, which DecodeContent() has returned, on one line with "; " between them.
+// If the result has more than `size_max` characters, cuts its end off and puts "..." there.
+// REQUIRES: size_max >= 3.
 std::string OneLineOf(const std::string& text, size_t size_max = kDecodedLineMax);
 
 // Returns the number and the content of a message for people, such as "message 12: move neck_pan to
