@@ -12,8 +12,8 @@
 namespace openr_host {
 namespace {
 
-// Number of hexadecimal digits of a 32-bit word.  A text with as many digits is taken for a
-// hexadecimal number, even without "0x".
+// Number of hexadecimal digits of a 32-bit word.  A text of this length is taken for a hexadecimal
+// number, even without "0x".
 constexpr size_t kHexDigits = 8;
 constexpr uint32_t kWordBytes = 4;
 // Largest number of words of a stack dump that are kept, so that a damaged address in the dump
@@ -28,8 +28,8 @@ constexpr const char* kRegisterNames[kRobotRegisters] = {
 // Names of numbers in a crash record.  A number after one of these names is always hexadecimal.
 constexpr const char* kHexNames[] = {"cause", "epc", "badvaddr", "context", "gp", "ra", "sp"};
 
-// A number in a line of a crash record, with its name: the words in front of this number, up to the
-// number before it, in lower case.
+// A number in a line of a crash record, with its name.  The name is the words between the previous
+// number and this number, in lower case.
 struct NamedNumber {
   std::vector<std::string> words;
   uint32_t value = 0;
@@ -50,7 +50,7 @@ std::string LowerCase(std::string_view text) {
 }
 
 // Returns the number that the text `word` stands for; nullopt if it is no number.  `before` has the
-// words in front of it; after "epc" and other names of registers the number is hexadecimal.
+// words in front of the number; after "epc" and other names of registers the number is hexadecimal.
 std::optional<NamedNumber> NumberIn(std::string_view word, const std::vector<std::string>& before) {
   NamedNumber number;
   std::string_view digits = word;
@@ -135,7 +135,8 @@ class Reader {
 
  private:
   // Returns the address and the words in a line of a crash record's stack dump; an empty list for
-  // any other line.  Stops at two blanks, because the same bytes follow them as text.
+  // any other line.  Reads the line only up to two blanks, because the text behind them shows the
+  // bytes of the same words as characters.
   static std::vector<uint32_t> WordsOfDump(const std::string& text) {
     std::vector<uint32_t> words;
     const std::string numbers = text.substr(0, text.find("  ", kHexDigits + 2));
@@ -165,8 +166,8 @@ class Reader {
     return true;
   }
 
-  // Adds to the stack the words up to `address`: copies of the line of the stack dump that was read
-  // last, because a line '*' in the dump stands for such equal lines.
+  // Adds to the stack the words that a line '*' of the stack dump stands for: copies of the line
+  // before it, up to `address`, which is the address of the line after it.
   void RepeatUpTo(uint32_t address) {
     if (row_.empty() || address <= row_at_) return;
     for (size_t i = row_.size(); i < kStackWordsMax; ++i) {
@@ -207,7 +208,7 @@ class Reader {
 
   void ReadFields(const std::string& text) {
     // Register to which the previous number of this line of a crash record belongs.  If the next
-    // number has no name, it belongs to the register after this one.
+    // number has no name, it belongs to the register after `last`.
     std::optional<int> last;
     for (const NamedNumber& number : Split(text)) {
       std::optional<int> reg;
@@ -248,8 +249,8 @@ class Reader {
 
 std::optional<uint32_t> EmonLog::Failed() const {
   if (!epc) return std::nullopt;
-  // The highest bit of the cause says that the instruction was in the delay slot of a branch: epc
-  // is then the address of the branch before it.
+  // If the highest bit of the cause is set, the instruction was in the delay slot of a branch.  epc
+  // is then the address of the branch, and the instruction is one word later.
   return *epc + (cause.value_or(0) >> 31 != 0 ? kWordBytes : 0);
 }
 

@@ -35,8 +35,8 @@ struct EmonLog {
   std::optional<uint32_t> code;
   std::optional<uint32_t> cause;        // value of the register Cause
   std::optional<uint32_t> bad_address;  // value of the register BadVAddr
-  // Address of the instruction that failed or, if it is in the delay slot of a branch, of this
-  // branch.
+  // Address of the instruction that failed.  If this instruction is in the delay slot of a branch,
+  // the address of the branch.
   std::optional<uint32_t> epc;
   std::optional<uint32_t> context;  // context (a number) of the object that crashed
   std::array<std::optional<uint32_t>, kRobotRegisters> registers;
@@ -49,8 +49,8 @@ struct EmonLog {
   // of the branch, and bit 31 of `cause` is set.
   std::optional<uint32_t> Failed() const;
 
-  // Returns the object that crashed: its context in the list of the crash record is `context`.
-  // Returns null if the crash record does not list it.
+  // Returns the object that crashed: the element of `objects` with the same context as the field
+  // `context`.  Returns null if there is no such element.
   const Object* Crashed() const;
 };
 

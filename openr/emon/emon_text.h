@@ -27,7 +27,7 @@ struct CrashExplanation {
   std::optional<CodePlace> place;
   // Calls that may have led to the instruction that failed, the last call first.  They are found by
   // their return addresses: the value of register ra, and each word on the stack that could be a
-  // return address.  Some may be left from functions that had already returned.
+  // return address.  Some of these calls may be left from functions that had already returned.
   std::vector<CodePlace> calls;
   bool has_more_calls = false;  // true: more calls were found, and left out of `calls`
   // Reason why the instruction that failed, its function or its line is not known; "": nothing is
