@@ -40,8 +40,8 @@ std::string LineOf(Dwfl_Module* module, GElf_Addr address) {
 }  // namespace
 
 CodeLookup LookUpCode(const char* file, uintptr_t offset) {
-  // Removes the current object, so that malloc() and fopen() use the heap and the files of the
-  // host, not those of the object that has crashed.
+  // Removes the current object until this function returns, so that malloc() and fopen() use the
+  // heap and the files of the host, not those of the object that has crashed.
   const CurrentScope scope(nullptr, nullptr);
   // Makes libdwfl search debug information only beside the image file.  Other folders, with
   // installed debug packages, are not searched, because the output of a run would then differ from
@@ -59,8 +59,8 @@ CodeLookup LookUpCode(const char* file, uintptr_t offset) {
       dwfl_report_elf(session.get(), file, file, -1, kBase, /*add_p_vaddr=*/false);
   dwfl_report_end(session.get(), nullptr, nullptr);
   if (module == nullptr) return {};
-  // The difference between an address of libdwfl and the same address in the file: kBase for a
-  // shared object, 0 for a program that was linked for fixed addresses.
+  // The number that libdwfl adds to the addresses in the file: kBase for a shared object, 0 for a
+  // program that was linked for fixed addresses.
   GElf_Addr added = 0;
   if (dwfl_module_getelf(module, &added) == nullptr) return {};
   const GElf_Addr address = added + offset;

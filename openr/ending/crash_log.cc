@@ -112,9 +112,9 @@ void AddName(int signal, const siginfo_t& info, const void* context, SignalText*
   }
 }
 
-// Lets the object go on after a floating-point error.  ImageObject only adds a warning about such
-// an error when the handler has returned.  This function stores the address of the instruction for
-// the warning, and masks this kind of error, so that the instruction runs again without a signal.
+// Lets the object go on after a floating-point error, because such an error is only a warning.
+// Stores the address of the instruction for this warning, which ImageObject adds when the handler
+// has returned.  Masks this kind of error, so that the instruction runs again without a signal.
 // Returns false if the error must end the run: a division of integers by 0 or, with --strict, a
 // NaN.
 bool ContinueInSignal(const siginfo_t& info, void* context) {
@@ -149,8 +149,8 @@ class RecordFile {
   // Opens the file `name` for a crash record.  If `name` is null, no file is opened or written.
   explicit RecordFile(const std::string* name) : name_(name) {
     if (name == nullptr) return;
-    // Calls the system directly, because open() is replaced in this process by a function that may
-    // open a file of the object's Memory Stick instead.
+    // Makes the system call itself and does not call open(), because the runtime replaces open() in
+    // this process by a function that may open a file of the object's Memory Stick instead.
     descriptor_ =
         static_cast<int>(syscall(SYS_openat, AT_FDCWD, name->c_str(),
                                  O_WRONLY | O_CREAT | (g_adds ? O_APPEND : O_TRUNC), 0666));
@@ -183,8 +183,9 @@ class RecordFile {
   }
 
  private:
-  // Removes the part of this crash record that was written, because programs that read the file
-  // would take the part for the whole record.  Records of other processes in this file stay.
+  // Removes the written part of this crash record after a failed write, because programs that read
+  // the file would take the part for the whole record.  Records of other processes in this file
+  // stay.
   void RemovePart() const {
     if (begin_ > 0) {
       static_cast<void>(ftruncate(descriptor_, begin_) == 0);
@@ -322,10 +323,10 @@ void UseAlternateStack(bool on) {
   sigaltstack(&stack, nullptr);
 }
 
-// Ends the run after AddressSanitizer has printed `report`.  AddressSanitizer is in images of openr
-// build --sanitize.  The report's first line is "==123==ERROR: AddressSanitizer:
-// heap-use-after-free on address ...".  Only the kind of the error in this line is kept, here
-// heap-use-after-free.
+// Ends the run after AddressSanitizer, which is in images of openr build --sanitize, has printed
+// `report` about an error.  The report's first line is "==123==ERROR: AddressSanitizer:
+// heap-use-after-free on address ...".  The text about the end of the run has only the kind of the
+// error, here heap-use-after-free.
 void OnSanitizerReport(const char* report) {
   // Does nothing if no object runs, because AddressSanitizer then ends the process itself.
   if (t_current.object == nullptr) return;
@@ -333,8 +334,8 @@ void OnSanitizerReport(const char* report) {
   const char* const begin = std::strstr(report, kBegin);
   if (begin == nullptr) return;
   std::string_view rest = begin + sizeof kBegin - 1;
-  // AddressSanitizer puts this word before the names of some errors: "attempting double-free on
-  // ...".
+  // A word before the names of some errors, as in "attempting double-free on ...".  It is left out,
+  // because it does not belong to the name.
   static constexpr std::string_view kAttempting = "attempting ";
   if (rest.starts_with(kAttempting)) rest.remove_prefix(kAttempting.size());
   StopAsTheRobotDoes("AddressSanitizer: " + std::string(rest.substr(0, rest.find_first_of(" \n"))));
@@ -345,9 +346,9 @@ void OnSanitizerReport(const char* report) {
 }  // namespace openr_host
 
 #if !OPENR_ASAN
-// AddressSanitizer calls this function before it prints a report.  From now on file functions use
-// the files of the host and not those of the object, because AddressSanitizer reads debug
-// information for its report.  File functions stay so, because the object does not run again.
+// AddressSanitizer calls this function before it prints a report.  Makes file functions use the
+// files of the host instead of the files of the object, because AddressSanitizer reads debug
+// information for its report.  Nothing undoes this, because the object does not run again.
 extern "C" [[gnu::visibility("default")]] void __asan_on_error() {
   openr_host::t_current.image_code = false;
 }

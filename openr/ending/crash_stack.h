@@ -35,8 +35,8 @@ class CrashStack {
   // null if no stack frame is of the object's own code.
   const void* OwnAddress() const;
 
-  // Returns the place of OwnAddress(), an instruction of the object, in the file of the object's
-  // image; 0 if OwnAddress() is null.
+  // Returns the offset of the instruction at OwnAddress() in the file of the object's image; 0 if
+  // OwnAddress() is null.
   uintptr_t OwnOffset() const;
 
  private:

@@ -31,8 +31,9 @@ Ending* g_ending = nullptr;
 Current g_current;          // the object and handler that ran when the end of the process began
 bool g_is_awaited = false;  // true while an EndingAnswer exists, which reports an early end
 int g_answer = -1;
-// The file that also gets the JSON answer of a command whose run has ended early.  Its paths are
-// made together with the EndingAnswer, because OnSignalDuringEnding() must not allocate memory.
+// The JSON answer of a command whose run has ended early is written to this file (no value: to no
+// file) and to the descriptor g_answer.  The paths of the file are made together with the
+// EndingAnswer, because OnSignalDuringEnding() must not allocate memory.
 std::optional<PreparedFile> g_answer_file;
 
 void AnswerInSignal(const Ending& ending) {

@@ -24,7 +24,7 @@ SignalText& AddWord(const char* name, uint64_t number, SignalText* text) {
   return AddHex(number, kWordDigits, text);
 }
 
-// Adds the line of `object` in the list of objects that a crash record has.
+// Adds the line about `object` to `text`, which becomes a crash record's list of objects.
 void AddObject(const Object& object, SignalText* text) {
   text->Add(" ").Add(object.name.c_str());
   for (int column = 0; column < 3; ++column) {  // the id stands for context, thread and OID

@@ -131,8 +131,8 @@ void AddCurrentMessage(SignalText* text) {
   if (object == nullptr || object->handler.running == nullptr) return;
   const Message& message = *object->handler.running;
   text->Add("MESSAGE").Add(KindInWords(message));
-  // Looks the sender up only if a signal has interrupted the object's own code, because the runtime
-  // may have been changing the table of objects.
+  // Looks the sender up only if a signal has interrupted the object's own code.  If a signal has
+  // interrupted the runtime, the runtime may have been changing the table of objects.
   const Object* const sender =
       t_current.image_code ? t_current.system->object(message.sender) : nullptr;
   if (sender != nullptr) text->Add(" from ").Add(sender->name.c_str());
