@@ -50,9 +50,9 @@ size_t ExactSchedule::PickOf(const Deviation& spot, const std::vector<ObjectId>&
   const size_t index = nodes_.size();
   if (index < choices_.size()) {
     node.chosen = std::min(choices_[index], candidates.size() - 1);
-    // When the run comes to the last of the choices that the search has made for it, takes over the
-    // deliveries that the schedule must not choose (the sleep set).  The search has computed this
-    // set for the moment before this choice.
+    // At the last choice that the search has made for this run, replaces sleep_, the deliveries
+    // that must not be chosen, by next_sleep_.  The search has computed next_sleep_ for the moment
+    // before this choice.
     if (index + 1 == choices_.size() && !is_start) sleep_ = std::move(next_sleep_);
   } else {
     node.sleep = sleep_;
@@ -85,8 +85,8 @@ void ExactSchedule::BeginEvent(ObjectId target, size_t node) {
 }
 
 void ExactSchedule::OnDelivery(const Message& message) {
-  // Recognises a message that came without a choice, because only its receiver had a message to
-  // get.
+  // True if PickOf() has chosen the receiver of this message.  If false, there was no choice,
+  // because only this receiver had a message to get, so its delivery becomes the current one here.
   const bool was_chosen = has_event_ && !is_begun_ && event_target_ == message.target;
   if (!was_chosen) {
     FinishEvent();
@@ -101,8 +101,8 @@ void ExactSchedule::OnDelivery(const Message& message) {
 void ExactSchedule::FinishEvent() {
   if (!std::exchange(has_event_, false)) return;
   if (event_node_ != kNone) nodes_[event_node_].used = used_;
-  // Keeps sleep_, the deliveries that must not be chosen, while the run repeats the choices that
-  // the search has made, because the search gives sleep_ for the last of these choices.
+  // Does not remove deliveries from sleep_ while the run repeats the choices that the search has
+  // made, because PickOf() replaces the whole sleep_ at the last of these choices.
   if (nodes_.size() < choices_.size()) return;
   std::erase_if(sleep_,
                 [this](const auto& sleeper) { return !reduce_ || sleeper.second.Meets(used_); });

@@ -80,7 +80,7 @@ int64_t ExploreSchedule::ExtraDelayUs(const Message& message, int64_t now_us, in
   if (!of_its_own && message.reply_box == 0) {
     Stream* const stream = &streams_[{message.sender, message.target, message.selector}];
     due_us += PickedDelayUs(message, stream, from_network);
-    // Delays data from the network only behind earlier data from the same sender to the same
+    // Lets data from the network wait only for earlier data from the same sender to the same
     // handler, so that late data do not hold up messages of other objects.
     if (from_network) last_due_us = &stream->last_due_us;
   }
@@ -183,7 +183,7 @@ int64_t RandomSchedule::PickCostUs(const Deviation&, int64_t range_us) {
   return static_cast<int64_t>(cost_.NextBelow(static_cast<uint64_t>(2 * range_us + 1))) - range_us;
 }
 
-// Picks the number of the robot's first frame: 0, or so large a number that the frame counter
+// Picks the number of the robot's first frame: 0, or a number so large that the frame counter
 // begins again at 0 within the run of `frames` frames.  A real robot comes to the end of the
 // counter only after weeks, so this case is seldom tested on a real robot.
 int64_t RandomSchedule::PickFrame(const Deviation&, int64_t frames) {

@@ -70,11 +70,11 @@ class ExploreSchedule : public Schedule {
   void set_log(DeviationLog* log) { log_ = log; }
 
  protected:
-  // These functions make one choice.  `spot` says where in the run the choice is.  The field of
-  // `spot` for the result is not set yet: `object` for PickOf(), `us` for the other functions.
-  // PickOf() returns the index of the chosen candidate, PickFrame() the number of the first frame,
-  // the other functions a time that is added.  The result 0 always is the choice of a run without
-  // exploration.
+  // Each of these functions makes one choice.  `spot` says where in the run the choice is.  The
+  // field of `spot` for the result is not set yet: `object` for PickOf(), `us` for the other
+  // functions.  PickOf() returns the index of the chosen candidate, PickFrame() the number of the
+  // first frame, the other functions a time that is added.  The result 0 always is the choice of a
+  // run without exploration.
   virtual size_t PickOf(const Deviation& spot, const std::vector<ObjectId>& candidates) = 0;
   virtual int64_t PickDelayUs(const Deviation& spot, bool from_network) = 0;
   virtual int64_t PickCostUs(const Deviation& spot, int64_t range_us) = 0;
@@ -101,12 +101,14 @@ class ExploreSchedule : public Schedule {
   // Number of ties at the time tie_time_us_ so far.  A tie is a moment when several objects have a
   // message due.
   uint64_t tie_count_ = 0;
-  // The number of messages so far from one sender to one handler of one receiver, because
-  // deviations name a message by this number.  For messages from the network, also the time when
-  // the last message reaches the receiver, because the next message must not overtake it.  The key
-  // is sender, receiver and selector (number of the handler).
+  // Counts the messages from each sender to each handler of each receiver.  The key is sender,
+  // receiver and selector (number of the handler).  The value has the number of messages so far,
+  // because deviations name a message by this number.  For messages from the network, the value
+  // also has the time when the last message reaches the receiver, because the next message must not
+  // overtake it.
   std::map<std::tuple<ObjectId, ObjectId, uint32_t>, Stream> streams_;
-  // The number of calls of CostJitterUs() so far, by object and selector of the handler.
+  // Counts the calls of CostJitterUs() for each handler; the key is the object and the selector of
+  // the handler.
   std::map<std::pair<ObjectId, uint32_t>, uint64_t> calls_;
   // For each receiver, the time at which the last message to it arrives.  Messages from the network
   // do not count.

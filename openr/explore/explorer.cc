@@ -22,9 +22,9 @@ constexpr size_t kSeedsNamed = 10;
 
 bool IsBroken(const Json& answer) { return !answer.at("broken").is_null(); }
 
-// Passes the answers of runs on in the order of the numbers of the runs.  Keeps an answer that
-// comes early until all answers before it have come.  So the result does not depend on the speed of
-// each process.
+// Gives the answers of runs to a function in the order of the numbers of the runs.  Keeps an answer
+// that comes early until all answers before it have come.  So the result does not depend on the
+// speed of each process.
 class AnswerSorter {
  public:
   explicit AnswerSorter(std::function<void(const Json&)> take) : take_(std::move(take)) {}
@@ -132,8 +132,8 @@ Json ExploreSeeds(const ExplorePlan& plan) {
 Json VerifySeeds(const ExplorePlan& plan) {
   ExplorerProcesses pool(plan.prepare_run, plan.run, plan.limits, plan.jobs, true);
   Sum sum(plan);
-  // Counts the seeds for which the field `mark` of the run's answer, such as "differs", is true,
-  // and keeps the first kSeedsNamed of these seeds.
+  // The seeds for which a field of the run's answer, such as "differs", is true: their number, and
+  // the first kSeedsNamed of them.
   struct MarkedSeeds {
     uint64_t count = 0;
     Json seeds = Json::array();

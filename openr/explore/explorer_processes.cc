@@ -55,9 +55,9 @@ bool Send(int channel, const std::string& line) {
   return true;
 }
 
-// Takes all free blocks of the heap that begin before `end`, and never gives them back, so that
-// later blocks lie behind `end`.  Takes large blocks first, because otherwise malloc() would cut
-// small blocks out of them.
+// Takes all free blocks of the heap that begin before `end`, and never gives them back.  So later
+// blocks lie behind `end`, at other addresses than in other processes.  Takes large blocks first,
+// because otherwise malloc() would cut small blocks out of them.
 void UseUpFreeBlocks(const void* end) {
   constexpr size_t kLargest = 1 << 20, kSmall = 1024, kStep = 16;
   constexpr int kBlocksMax = 100'000;

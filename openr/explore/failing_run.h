@@ -14,9 +14,9 @@ namespace openr_host {
 class FailingRun : public KnownRun {
  public:
   // Boots the run that `prepare` assembles, with the deviations `script` (deviation.h) and the seed
-  // `seed`, both from the schedule file.  `answer` is the answer of ReplayDeviations().  If it has
-  // the time and the reason of a failure, this run goes on until that time.  Otherwise this run
-  // goes on for `for_us`.  Throws std::runtime_error if the run cannot start.
+  // `seed`, both from the schedule file.  `answer` is the answer of ReplayDeviations().  If the
+  // answer has the time and the reason of a failure, this run goes on until that time.  Otherwise
+  // this run goes on for `for_us`.  Throws std::runtime_error if the run cannot start.
   FailingRun(const PrepareRun& prepare, const nlohmann::ordered_json& script, uint64_t seed,
              int64_t for_us, const nlohmann::ordered_json& answer);
 

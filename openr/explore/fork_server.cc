@@ -29,8 +29,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Appends all data from `descriptor` to `text`, until no more data can come.  Returns false if no
-// data come for `wall_s` seconds.
+// Appends all data from `descriptor` to `text`, until the other end of `descriptor` is closed.
+// Returns false if no data come for `wall_s` seconds.
 bool ReadAll(int descriptor, int wall_s, std::string* text) {
   for (;;) {
     pollfd wanted = {descriptor, POLLIN, 0};

@@ -169,9 +169,9 @@ class PlanRun {
     return broken_.is_null() ? EndName(EndKind::kTime) : "property";
   }
 
-  // Adds the fields of the answer that explain a broken property (run_plan.h): the property itself,
-  // the deviations, the objects that wait, and the last messages.  `broken` is null if the run has
-  // broken no property.
+  // Adds to the answer `to` the fields that explain a broken property (run_plan.h): the property
+  // itself, the deviations, the objects that wait, and the last messages.  The field "broken" is
+  // null if the run has broken no property.
   void AddBroken(Json* to) const {
     Json& answer = *to;
     answer["broken"] = broken_;

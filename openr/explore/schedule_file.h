@@ -38,8 +38,8 @@ struct ScheduleFile {
 // the file has an error, throws std::runtime_error with the name of the file and the error.
 ScheduleFile ReadScheduleFile(const std::string& path, nlohmann::ordered_json* deviations);
 
-// Returns a text about a failure for a human reader: the property, the time, the text, the
-// deviations and the last messages.
+// Returns a text about a failure for a human reader: the seed, the broken property, the time, how
+// the property is broken, the deviations, the objects that wait and the last messages.
 std::string DescribeFailure(const nlohmann::ordered_json& failure);
 
 }  // namespace openr_host

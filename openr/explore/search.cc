@@ -137,7 +137,7 @@ class Search {
   ExplorerProcesses& pool_;
   std::vector<Frame> stack_;
   uint64_t runs_ = 0, orders_ = 0, cut_ = 0, broken_ = 0;
-  // Key: how runs ended; value: number of orders whose runs ended so.
+  // The number of orders for each reason of the run's end, such as "time"; the key is the reason.
   std::map<std::string, uint64_t> ended_by_;
   size_t choices_max_ = 0;
   std::string stopped_;
