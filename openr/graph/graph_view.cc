@@ -53,9 +53,9 @@ GraphView CollectGraph(System* system_pointer) {
     const Robot& robot = system.robot(wire.robot);
     GraphConnection seen{wire.robot, wire.subject, wire.observer, wire.where, false, 0};
     const SubjectState* const subject = FindSubject(system, robot, wire.subject);
-    // Finds the ObserverLink of this connection by counting: the subject has one link for each of
-    // its connections, in the order of the lines in CONNECT.CFG.  A line that names an unknown
-    // observer makes no link, so it is not counted.
+    // Finds the ObserverLink of this connection by its index: the subject has one link for each of
+    // its connections, in the order of the lines in CONNECT.CFG.  Does not count a line that names
+    // an unknown observer, because such a line makes no link.
     if (subject != nullptr && robot.directory.contains(wire.observer)) {
       const size_t link = links_used[{wire.robot, wire.subject}]++;
       seen.connected = link < subject->links.size();
