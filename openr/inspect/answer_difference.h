@@ -14,8 +14,8 @@ namespace openr_host {
 
 struct RobotModel;
 
-// A message whose bytes differ from the recorded bytes.  The object that openr replay --only names
-// has sent it.
+// A message that was sent by the object that openr replay --only names, and that has other bytes
+// than the recorded message.
 struct AnswerDifference {
   TraceRecord record{};         // describes the message in the replay
   std::string receiver, entry;  // names of the receiver and of its entry (handler)

@@ -12,9 +12,9 @@
 namespace openr_host {
 
 // The breakpoints of openr replay --step.  Each breakpoint is a text: "object JointMover", "service
-// Effector", "state JointMover accepting-commands", "when robots[0].pitch_deg > 10", "finding".  As
-// texts they can be passed to another process, which carries out the user's commands after going
-// back (stepper.h).
+// Effector", "state JointMover accepting-commands", "when robots[0].pitch_deg > 10", "finding".
+// When the user goes back, another process carries out the commands (stepper.h), and the texts are
+// passed to that process.
 class Breakpoints {
  public:
   Breakpoints(Replayer* replayer, const SimulationView* view) : replayer_(replayer), view_(view) {}

@@ -4,8 +4,8 @@
 
 namespace openr_host {
 
-// Makes the memory for the bytes at least twice as large, so that the bytes are seldom copied,
-// although more memory is often needed.
+// Makes the memory for the bytes at least twice as large.  Each growth copies all bytes, so growth
+// in small steps would copy them too often.
 void ByteWriter::Grow(size_t count) { bytes_.resize(std::max(2 * bytes_.size(), size_ + count)); }
 
 void ByteWriter::Text(std::string_view text) {

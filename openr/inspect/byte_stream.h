@@ -26,8 +26,8 @@ class ByteWriter {
   void Text(std::string_view text);  // writes the length, then the bytes of the text
 
   // Returns a pointer to room for `count` bytes behind the bytes written so far.  The caller writes
-  // bytes to this room, and then passes the end of its bytes to SetEnd().  So the room is checked
-  // only once for many numbers.
+  // bytes into this room, and then passes the end of its bytes to SetEnd().  So the free room is
+  // checked only once for many numbers.
   char* Room(size_t count) {
     if (count > bytes_.size() - size_) Grow(count);
     return bytes_.data() + size_;

@@ -28,8 +28,8 @@ void Recorder::Begin(Simulation* simulation, const SimulationOptions& options,
   header.program = OPENR_VERSION;
   header.stick = stick;
   header.stick_hash = system.robot(0).stick_hash;
-  // Leaves the field false for an explored run, which is a run with a schedule, because a replay
-  // write-protects the stick of every explored run.
+  // Leaves write_protected false for an explored run, which is a run with a schedule, because a
+  // replay write-protects the stick of every explored run anyway.
   header.write_protected =
       options.robots == 1 && schedule.empty() && !system.robot(0).stick->writable();
   header.robot = options.robot;

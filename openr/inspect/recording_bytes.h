@@ -1,5 +1,5 @@
-// The bytes of a recording, of which only the wanted part is in memory: the recording of a day has
-// some GiB.
+// Reads the bytes of a recording.  Keeps only the wanted part in memory, because the recording of a
+// day has some GiB.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace openr_host {
 class RecordingBytes {
  public:
   // Opens the file `file`.  Throws std::runtime_error if it cannot be opened.  A pipe or a device
-  // cannot be read from any place, so it is read to its end at once.
+  // cannot be read at an offset, so all its bytes are read here at once.
   explicit RecordingBytes(const std::string& file);
   ~RecordingBytes();
   RecordingBytes(const RecordingBytes&) = delete;
@@ -21,8 +21,8 @@ class RecordingBytes {
   // longer; the bytes that come later are left out.
   uint64_t size() const { return size_; }
 
-  // Returns the `count` bytes from the place `at` on, which are valid until the next call.  Returns
-  // fewer bytes if the file ends earlier, or if reading fails; error() then says why.
+  // Returns the `count` bytes from the offset `at` on, which are valid until the next call.
+  // Returns fewer bytes if the file ends earlier, or if reading fails; error() then says why.
   std::string_view Read(uint64_t at, uint64_t count);
   // Returns the errno of the last Read() that failed; 0: none has failed.
   int error() const { return error_; }

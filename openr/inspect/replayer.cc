@@ -30,8 +30,9 @@ std::string AfterColon(const std::string& said) {
   return said.empty() ? "" : ": " + OneLineOf(said);
 }
 
-// Returns the first value that differs between `now`, the content of a message, and `then`, its
-// recorded content, and how many others differ.  Returns "" if no value differs in words.
+// Returns a text with the first value that differs between `now`, the content of a message, and
+// `then`, its recorded content, and with the number of further values that differ.  Returns "" if
+// the sizes differ, or if no value differs when the contents are converted to words.
 std::string ValuesThatDiffer(const RobotModel& model, const std::string& entry,
                              const std::string& now, const std::string& then) {
   if (now.size() != then.size()) return "";
@@ -128,7 +129,8 @@ Replayer::Replayer(const ReplayOptions& replay) : file_(replay.file), reader_(re
         "handlers ended; openr trace shows what happened",
         file_));
   }
-  // Reads the whole file first, because the stick must be restored before the simulation is made.
+  // Reads the changes of the stick from the whole recording before it makes the simulation, because
+  // the simulation needs the stick with its content at the beginning of the recorded run.
   std::vector<TraceEntry> changes;  // recorded changes of the Memory Stick
   for (TraceReader reader(file_); reader.Peek() != nullptr;) {
     TraceEntry entry = reader.Take();
@@ -238,9 +240,9 @@ void Replayer::CompareFields(const TraceEntry& recorded, const TraceRecord& now,
     Differ(recorded,
            fmt::format("is caused by message {} now, by {} when recorded", now.cause, then.cause));
   } else if (now.size != then.size) {
-    // Compares the sizes even if the object `only_`, whose messages may differ from the recording,
-    // has sent the message.  The other objects are to get the recorded bytes in place of its bytes,
-    // and that needs the same size.
+    // Compares the sizes of messages of the object `only_`, too, although the content of these
+    // messages may differ from the recording.  The recorded bytes are put in place of their content
+    // for the other objects, and this needs the same size.
     Differ(recorded, fmt::format("has {} bytes now, {} when recorded", now.size, then.size));
   }
 }
@@ -355,8 +357,8 @@ void Replayer::EndAtLoss() {
 void Replayer::CompareEnd(const TraceEntry& end) {
   at_end_ = true;
   // Runs until the recorded end, because the recorded state hash is of that time.  When the robots
-  // are off, the replay may have no message at that time, so delivering messages alone does not
-  // lead to it.
+  // are off, the replay may have no message at that time.  Then delivering messages alone does not
+  // bring the clock to that time.
   if (system().now_us() < end.time_us) system().RunUntil(end.time_us);
   // Does not compare the hashes of messages and state if a message differs, because the hashes then
   // differ, too.
@@ -451,8 +453,8 @@ bool Replayer::Step() {
 }
 
 void Replayer::RunOne(int64_t time_us) {
-  // First applies the inputs that are due, and then looks at the time of what comes next in the
-  // recording, because that may be later than `time_us`.
+  // Applies all due inputs first, because NextTimeUs() would otherwise return the time of such an
+  // input instead of the time of the entry after it.
   while (ApplyInput()) {
   }
   if (!EndReason().empty()) return;

@@ -37,8 +37,8 @@ struct ReplayOptions {
 };
 
 // If images on a Memory Stick of the recording were built with openr build --sanitize, starts openr
-// again as StartWithSanitizerOf() does.  Commands call this before they construct a Replayer and
-// before they open other files.
+// again with the library of AddressSanitizer (StartWithSanitizerOf()).  Commands call this before
+// they construct a Replayer and before they open other files.
 void StartWithSanitizerOfRecording(const ReplayOptions& options);
 
 class Replayer : public KnownRun {
@@ -72,23 +72,24 @@ class Replayer : public KnownRun {
   // Ends the comparison with the recording.  The run can then go on without the recording.
   void Leave() { at_end_ = true; }
 
-  // Returns the name of the object ReplayOptions::only with the capitals of the object's own name.
+  // Returns the name of the object that ReplayOptions::only names.  The capitals in it are those of
+  // the object, because the user may have typed other ones.
   const std::string& only() const { return only_; }
   // Returns how many messages of the object ReplayOptions::only were compared.
   uint64_t answer_count() const { return answer_count_; }
   // Returns the messages of the object ReplayOptions::only that differ from the recorded messages.
   const std::vector<AnswerDifference>& answer_differences() const { return answer_differences_; }
 
-  // Number of messages so far that were equal to the recording.
+  // Returns how many messages so far were equal to the recording.
   uint64_t count() const { return count_; }
   // Returns how many messages the recording has up to and including the message with the number
   // `number`; nullopt if it has no such message.  The count is not the number, because messages are
   // numbered when they are posted and recorded when they are delivered.
   std::optional<uint64_t> CountUpTo(uint64_t number) const;
   bool at_end() const { return at_end_; }
-  // Returns a text if the replay has ended early; otherwise "".  A replay ends early where a worker
-  // process of the recorded run was lost (crashed or answered no more), because a replay cannot
-  // repeat what followed.
+  // Returns why the replay has ended early; "" if it has not ended early.  A replay ends early
+  // where a worker process of the recorded run was lost (crashed or answered no more), because a
+  // replay cannot repeat what followed.
   const std::string& loss() const { return loss_; }
 
   // Returns a text about the first difference between the replay and the recording: message, time,
@@ -108,7 +109,7 @@ class Replayer : public KnownRun {
   // Returns the name of the entry (handler) that gets the recorded message `message`.
   std::string EntryOf(const TraceEntry& message) const;
   // Sets difference_ to a text about the recorded message `recorded`.  `what` tells how the replay
-  // differs from it.
+  // differs from the recorded message.
   void Differ(const TraceEntry& recorded, const std::string& what);
   void CompareFields(const TraceEntry& recorded, const TraceRecord& record, const Message& message);
   std::string FindOnly(const std::string& name);

@@ -9,8 +9,8 @@
 
 namespace openr_host {
 
-// Data by which a process of openr replay --step that ends tells the waiting process of an earlier
-// snapshot what to do next.
+// Data that the processes of openr replay --step share.  When the user goes back, the process that
+// ends leaves here what the waiting process of an earlier snapshot must do next.
 struct SharedSession {
   bool went_back;    // true: a process has ended because the user goes back
   uint64_t target;   // number of messages after which going back ends

@@ -7,9 +7,10 @@
 namespace openr_host {
 namespace {
 
-// A snapshot of openr replay --step (a process that waits) is removed when the number of messages
-// since the next snapshot in the list is at least this many times the number of messages between
-// the snapshot before and the next snapshot.
+// Decides which snapshots of openr replay --step (processes that wait) are removed.  Let d be the
+// number of messages between the snapshot before and the snapshot after a snapshot in the list, and
+// n the number of messages since the snapshot after it.  The snapshot is removed if n is at least
+// this many times d.
 constexpr uint64_t kAgePerDistance = 4;
 
 }  // namespace

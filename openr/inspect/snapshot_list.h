@@ -35,11 +35,11 @@ class SnapshotList {
   // are too close together, and returns their processes, which the caller must end.  Never removes
   // the first snapshot.  REQUIRES: `snapshot` is later than all others.
   std::vector<pid_t> Add(const ProcessSnapshot& snapshot);
-  // Removes the snapshots of moments after more than `count` messages from the list.
+  // Removes from the list each snapshot that was made after more than `count` messages.
   void RemoveAfter(uint64_t count);
 
-  // Returns the number of messages before the moment of the last snapshot that is earlier than the
-  // virtual time `time_us`; 0 if there is none.
+  // Finds the last snapshot that is earlier than the virtual time `time_us`, and returns the number
+  // of messages before this snapshot.  Returns 0 if there is no such snapshot.
   uint64_t CountBefore(int64_t time_us) const;
   size_t size() const { return size_; }
   const ProcessSnapshot& operator[](size_t index) const { return all_[index]; }

@@ -37,8 +37,8 @@ namespace {
 // that waits, so that the user can go back to this moment.
 constexpr uint64_t kSnapshotMessages = 1000;
 
-// Returns the number that `text` has; nullopt if `text` is no number, or if the number is too
-// large.
+// Returns the number that `text` stands for; nullopt if `text` is no number, or if the number is
+// too large.
 std::optional<uint64_t> NumberIn(const std::string& text) {
   uint64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -103,7 +103,7 @@ class Stepper {
       WaitForCopies();
       if (shared_->ends) return false;
       // Ends this process, which is a copy, if the user goes back to a moment before the state that
-      // it keeps.  The process of an earlier snapshot then makes a new copy.
+      // this process keeps.  The process of an earlier snapshot then makes a new copy.
       if (shared_->target < here && is_copy_) _exit(0);
     }
   }

@@ -11,9 +11,9 @@ namespace {
 // so a larger size means that the file is damaged.
 constexpr uint64_t kPayloadMax = 64 << 20;
 // The largest number of bytes that the last payloads of all senders may have together when a file
-// is read.  Only the size of a payload and its differences from the last payload are in the file.
-// So without this limit, a damaged file of some hundred bytes could give large sizes without
-// differences and make the reader use all memory.
+// is read.  The file has only the size of a payload and its differences from the last payload, so a
+// damaged file of some hundred bytes could name many large payloads without differences.  This
+// limit keeps the reader from using all memory for them.
 constexpr uint64_t kKeptMax = 512 << 20;
 
 void WriteEvent(const NetworkEvent& event, ByteWriter* out) {

@@ -28,8 +28,8 @@ struct RunEnd;
 constexpr uint32_t kTraceVersion = 5;
 // The oldest version of the format of recordings that can be read.  Version 2 has no kEnded.
 // Versions 2 and 3 have kOldPause, kOldShutdown and kOldConsole in place of kInput.  Versions 2 to
-// 4 have kOldMessage in place of kMessage.  What has an old kind in a file gets the new kind when
-// it is read.
+// 4 have kOldMessage in place of kMessage.  An old kind is converted to the new kind when the file
+// is read.
 constexpr uint32_t kOldestTraceVersion = 2;
 
 // The options that, together with the recorded input, determine everything in a run.
@@ -58,7 +58,7 @@ struct TraceHeader {
 };
 
 struct TraceEntry {
-  // The kinds of what a recording consists of, such as messages and inputs.  Each comment names the
+  // The kind of a TraceEntry, such as a message or an input.  The comment of each kind names the
   // fields of TraceEntry that belong to the kind.
   enum class Kind : uint8_t {
     kObject = 1,  // an object, before its first message; fields: id, robot, name
@@ -98,7 +98,7 @@ struct TraceEntry {
   uint64_t state_hash = 0;
 };
 
-// Encodes and decodes what a recording consists of: messages, inputs and the like, each as a
+// Encodes and decodes the parts of a recording, such as messages and inputs; each part is a
 // TraceEntry.  Stores most numbers as the difference to the number before, because small numbers
 // take fewer bytes.
 class TraceCoder {
@@ -195,10 +195,10 @@ class TraceWriter {
   std::string Finish(System* system);
 
  private:
-  // How often the sender and the target of a link (a path from one sender to one entry of one
-  // receiver) had been replaced (Object::predecessors) when the file last had the names of both;
-  // -1: there is no such object.  If a number has changed since then, an object was replaced, and
-  // its names may have to be written again.
+  // How often the two objects of a link had been replaced (Object::predecessors) when their names
+  // were last written to the file.  The objects are the sender and the target; a link is a path
+  // from one sender to one entry of one receiver.  -1: there is no such object.  If a number has
+  // changed since then, an object was replaced, and its names may have to be written again.
   struct ReplacementCounts {
     int sender = -2;
     int target = -2;
@@ -244,7 +244,7 @@ class TraceReader {
   // that.  REQUIRES: Peek() is not null.
   TraceEntry Take();
 
-  // Returns texts about damaged or missing places of the file that have been found so far, such as
+  // Returns texts about damaged or missing parts of the file that have been found so far, such as
   // "FILE: block 3 at offset 4711: ...".
   const std::vector<std::string>& problems() const { return problems_; }
 
