@@ -207,7 +207,8 @@ Json AnswerScene(const RequestContext& context) {
   return scene;
 }
 
-// Limits of the rate that a client can set; the option --rate has the same limits.
+// Limits of the rate that a client can set, in virtual seconds per second of the computer's clock;
+// the option --rate has the same limits.
 constexpr double kRateMin = 0.001, kRateMax = 1000;
 
 // Returns `time_s` in microseconds; times beyond 30 years are shortened to 30 years, so that sums
@@ -282,9 +283,9 @@ Json AnswerCamera(const RequestContext& context) {
           {"png", Base64(png)}};
 }
 
-// Returns one event, the line about the state of the run whose kind, such as "values", the request
-// names.  The line is about this process: if the process is a view, a copy that repeats the run up
-// to a past moment, the line is about that moment.
+// Returns the event of the kind that the request names, such as "values": a line about the state of
+// the run.  The line is about this process: if the process is a view, a copy that repeats the run
+// up to a past moment, the line is about that moment.
 Json AnswerEvent(const RequestContext& context) {
   const auto name = context.request.at("name").get<std::string>();
   const auto& kinds = LiveEvents::Kinds();

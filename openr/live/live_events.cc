@@ -29,14 +29,14 @@ constexpr int64_t kMs = 1'000'000;  // a millisecond in nanoseconds
 // The least virtual time over which messages are counted to compute a rate.
 constexpr int64_t kRateUs = 500'000;
 
-// The largest number of lines, printed by objects before, that a client gets when it begins to
-// watch the event "log".
+// The largest number of earlier lines that a client gets when it begins to watch the event "log",
+// which has the lines that objects have printed.
 constexpr size_t kFirstLines = 200;
 
 double InSeconds(int64_t time_us) { return static_cast<double>(time_us) / 1e6; }
 
-// Returns the record (link) that the subject of `connection` has of the observer.  Returns null
-// until the objects have made the link.  Returns null also for a subject of a system object,
+// Returns the ObserverLink of `connection`, by which its subject sends to its observer.  Returns
+// null until the objects have made the link.  Returns null also for a subject of a system object,
 // because it has no OSubject.
 const ObserverLink* LinkOf(System* system, const Connection& connection) {
   const auto& directory = system->robot(connection.robot).directory;
@@ -124,17 +124,17 @@ std::string LiveEvents::Line(std::string_view name, EventCursor* cursor) {
   return line(name == "values" ? ValuesJson(context_.simulation) : Graph());
 }
 
-// While the user looks at an earlier moment of the run, returns the event `name` of that moment.
-// The process that shows that moment makes the event.  Returns "" for the event "log", because the
-// client has already got the log lines up to that moment.
+// Returns the event `name` about the earlier moment of the run that the user looks at.  The process
+// that shows this moment makes the event.  Returns "" for the event "log", because the client has
+// already got the log lines up to this moment.
 std::string LiveEvents::LineOfPast(std::string_view name, EventCursor* cursor) {
   if (name == "log") return "";
   // Resets the number of findings that were sent to the client, so that the client gets all
   // findings again when the present is shown again.
   if (name == "findings") cursor->findings = UINT64_MAX;
   const Rewind& rewind = *context_.rewind;
-  // Sets the highest bit of the version of this past moment, so that it is not equal to a version
-  // of the present: the sum of messages and virtual time in us, which is below 2^63.
+  // Sets the highest bit of the version of this past moment.  A version of the present is the sum
+  // of messages and virtual time in us, which is below 2^63, so the two are never equal.
   const uint64_t moment =
       static_cast<uint64_t>(rewind.shown_us()) + rewind.shown_messages() + (uint64_t{1} << 63);
   uint64_t& shown = cursor->versions[std::string(name)];
@@ -173,15 +173,17 @@ Json LiveEvents::Clock() {
 }
 
 // Computes the messages per second of virtual time since the last update, for every object and
-// connection.  Does nothing if the last update was so short ago that the rates would be inexact.
+// connection.  Does nothing if less than kRateUs has passed since the last update, because the
+// rates would be inexact.
 void LiveEvents::UpdateRates() {
   System& system = context_.simulation->system();
   const int64_t passed_us = system.now_us() - rates_us_;
   if (passed_us >= 0 && passed_us < kRateUs) return;
   rates_us_ = system.now_us();
   const auto update = [passed_us](Rate* rate, uint64_t count) {
-    // Takes the whole count if it is smaller than before: the count of messages begins at 0 again
-    // when an object is loaded again, or when nobody has watched the event "graph" for a time.
+    // Takes `count` itself as the increase if it is smaller than at the last update.  The count of
+    // messages begins at 0 again when an object is loaded again, or when nobody has watched the
+    // event "graph" for a time.
     const uint64_t more = count >= rate->count ? count - rate->count : count;
     rate->per_s = passed_us > 0 ? static_cast<double>(more) / InSeconds(passed_us) : 0;
     rate->count = count;

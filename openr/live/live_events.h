@@ -18,8 +18,8 @@ struct EventCursor {
   // True: the client has got the lines that objects had printed before it began to watch the run.
   bool has_console = false;
   uint64_t findings = UINT64_MAX;
-  // For each kind of event, by its name: the version of the run's state (LiveEvents::Version()) of
-  // which the client got an event of this kind last.
+  // The version of the run's state (LiveEvents::Version()) that the client got last, for each kind
+  // of event; the key is the name of the kind.
   std::map<std::string, uint64_t> versions;
 };
 
