@@ -219,7 +219,7 @@ unsigned MemoryExceptionCode(const void* context) {
 }
 
 // Returns the code of the exception that the robot's processor raises for the signal
-// (field-notes.md 4.1); 0 for an error that it does not notice.
+// (field-notes.md 4.1); 0 for an error that the robot's processor does not notice.
 unsigned RobotExceptionCode(int signal, const siginfo_t& info, const void* context) {
   // If the runtime itself has found the fault, takes the exception code from the text with which
   // the runtime has announced the fault, such as "a division by zero at Dog.cc:5 (exception 9)".

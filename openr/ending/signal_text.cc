@@ -15,8 +15,8 @@ namespace {
 const char* const kSystemEntries[] = {"DoInit", "DoStart", "DoStop", "DoDestroy"};
 
 // Returns the name of the object's handler with the number `selector`; "" if the name is not known.
-// The object's maps of names are read only if a signal has interrupted the object's own code.  If
-// it has interrupted the runtime, the runtime may have been changing these maps.
+// The object's maps of names are read only if a signal has interrupted the object's own code.  If a
+// signal has interrupted the runtime, the runtime may have been changing these maps.
 const char* EntryOf(const Object& object, uint32_t selector) {
   if (selector < 4) return kSystemEntries[selector];
   if (!t_current.image_code) return "";
