@@ -103,11 +103,11 @@ class ExactSchedule : public ExploreSchedule {
   std::vector<Node> nodes_;
   bool is_cut_ = false;
 
-  // ---- Members about the current delivery
+  // ---- Members about the current delivery, which their names call an event
   //
-  // A delivery becomes the current one when its receiver is chosen.  If only one object had a
-  // message to get, so that no choice was made, its delivery becomes the current one when the
-  // message is delivered.
+  // A delivery becomes current when its receiver is chosen.  If only one object had a message to
+  // get, no choice was made, and the delivery becomes current when the message is delivered.
+  // has_event_ is false while no delivery is current.
   bool has_event_ = false;
   bool is_begun_ = false;  // true when the message of the current delivery has been delivered
   ObjectId event_target_ = kNoObject;

@@ -57,8 +57,8 @@ class ExploreSchedule : public Schedule {
   int64_t CostJitterUs(const Object& object, uint32_t selector, int64_t range_us);
 
   // Returns the number of the first frame (8 ms) of `robot` in a run of `frames` frames.  Without
-  // exploration it is 0. A number near the largest frame number makes the frame counter begin again
-  // at 0 during the run; on a real robot this happens only after 24.8 days.
+  // exploration the number is 0.  A number near the largest frame number makes the frame counter
+  // begin again at 0 during the run; on a real robot this happens only after 24.8 days.
   int64_t FirstFrame(int robot, int64_t frames);
 
   // Returns the faults that `robots` robots get in a run of the length `for_us`, in order of time.
@@ -110,8 +110,8 @@ class ExploreSchedule : public Schedule {
   // Counts the calls of CostJitterUs() for each handler; the key is the object and the selector of
   // the handler.
   std::map<std::pair<ObjectId, uint32_t>, uint64_t> calls_;
-  // For each receiver, the time at which the last message to it arrives.  Messages from the network
-  // do not count.
+  // For each receiver, by its id: the time at which the last message to this receiver arrives.
+  // Messages from the network do not count.
   std::vector<int64_t> last_due_us_;
   // For each object: 1 if the object is the IPStack, whose messages are delayed as data from the
   // network, else 0; -1: not known yet.

@@ -62,8 +62,8 @@ nlohmann::ordered_json ReplayDeviations(const ExplorePlan& plan,
 
 // Returns the description of a failure, which is the field "failure" in the results of
 // ExploreSeeds(), VerifySeeds() and SearchOrders().  `answer` is the answer of the run that broke a
-// property.  `pool` makes more runs, to find the deviations that are needed to break it.  The
-// description has
+// property.  `pool` makes more runs, to find the deviations that are needed to break the property.
+// The description has
 //   "seed", "property", "time_us", "message", "text", "waits", "tail" (as in RunPlan()),
 //   "deviations" (the differences from an ordinary run that are needed to break the property, such
 //   as another order of messages; see deviation.h), "deviations_found" (number of differences

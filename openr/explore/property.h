@@ -46,9 +46,9 @@ struct PropertyEntry {
   std::unique_ptr<Property> (*make)();
 };
 
-// Returns the built-in properties, except no-crash and handlers-return, which every run must keep.
-// A run that breaks no-crash or handlers-return ends its process, so this process cannot check
-// these two properties.  ForkServer::Run() reports them.
+// Returns the built-in properties that are checked while a run goes on.  Every run must keep two
+// more properties: no-crash and handlers-return.  They are not in this table, because a run that
+// breaks them ends its process; ForkServer::Run() reports them.
 const std::vector<PropertyEntry>& PropertyTable();
 inline constexpr char kNoCrash[] = "no-crash";
 inline constexpr char kHandlersReturn[] = "handlers-return";

@@ -92,8 +92,8 @@ ScheduleFile ReadScheduleFile(const std::string& path, Json* deviations) try {
   simulation.body = json.at("body").get<std::string>();
   simulation.robots = json.at("robots").get<int>();
   // Uses the defaults if the fields "together" and "more_sticks" are missing, because older
-  // schedule files do not have them.  In the runs of these files each robot had a world of its own,
-  // and all robots had one stick.
+  // schedule files do not have these fields.  In the runs of these files each robot had a world of
+  // its own, and all robots shared one stick.
   simulation.together = json.value("together", false);
   simulation.more_sticks = json.value("more_sticks", simulation.more_sticks);
   simulation.strict = json.at("strict").get<bool>();

@@ -32,8 +32,8 @@ class Shortener {
   void MakeSmaller() {
     for (size_t i = 0; i < script_.size(); ++i) {
       if (!script_[i].contains("us")) continue;
-      // Does not make the field "us" of first frames and faults smaller, because it is the number
-      // of the frame or fault there, and not a time.
+      // Does not make the field "us" of a first frame or a fault smaller, because this field has
+      // the number of the frame or of the fault, and not a time.
       if (script_[i]["kind"] == "frame" || script_[i]["kind"] == "fault") continue;
       while (left_ > 0 && std::abs(script_[i]["us"].get<int64_t>()) > 1) {
         Json smaller = script_;
