@@ -1,7 +1,7 @@
 // Answers: the messages that one object sends in a replay, compared with the recorded messages.
 //
 // The other objects get the recorded bytes of these messages, so that they do what they did in the
-// recorded run.  Otherwise one different answer would change everything after it.
+// recorded run.  Otherwise one different answer would change all messages after this answer.
 #pragma once
 
 #include <cstdint>

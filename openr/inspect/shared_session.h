@@ -16,8 +16,8 @@ struct SharedSession {
   uint64_t target;   // number of messages after which going back ends
   int64_t until_us;  // virtual time up to which the session runs after going back; 0: none
   // True while a process of openr replay --step carries out the user's commands.  A process that
-  // ends as it should sets it to false.  If it is still true when the process has ended, the run
-  // has crashed.
+  // ends as it should sets `runs` to false.  If `runs` is still true when the process has ended,
+  // the run has crashed.
   bool runs;
   bool ends;  // true: openr replay --step must end
   bool differs;

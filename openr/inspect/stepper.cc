@@ -110,8 +110,8 @@ class Stepper {
 
   // Adds this process, which now keeps the state of the replay, to the list of snapshots.  Ends the
   // processes of snapshots that are no longer needed.  The child of an ended process becomes a
-  // child of the nearest snapshot before, which then waits for it, because each snapshot is a
-  // "subreaper" (prctl(2)).
+  // child of the nearest earlier snapshot, because each snapshot is a "subreaper" (prctl(2)).  This
+  // snapshot then waits for the child.
   void AddToSnapshots(uint64_t here) {
     prctl(PR_SET_CHILD_SUBREAPER, 1);
     for (const pid_t process :

@@ -259,7 +259,7 @@ class TraceReader {
   std::string EntryName(int32_t id, uint32_t selector) const;
   int RobotOf(int32_t id) const;
   // Returns how the run ended, as a word of EndName() and a text with the reason.  Both are empty
-  // if the recording does not have them, or if it has not been read so far.
+  // if the recording does not say how the run ended, or if its end has not been read so far.
   const std::pair<std::string, std::string>& ended() const { return why_ended_; }
   // Returns an error that explains why no message matches a filter, such as "there is no object
   // 'JointMvoer'; did you mean ...".  Returns "" if the recording has the object and the service.
