@@ -24,10 +24,10 @@ constexpr size_t kNameMax = 40;
 
 bool IsRunning(int process) { return kill(process, 0) == 0 || errno == EPERM; }
 
-// Returns whether a process has the socket at `path` open, as the run that made it does.  Connects
-// a socket of another type, because this fails in any case: with EPROTOTYPE if the socket is open,
-// with ECONNREFUSED if it is not (man 7 unix).  So this neither waits for the run, nor takes the
-// place of a client.
+// Returns whether a process has the socket at `path` open, as the run that made the socket does.
+// Tries to connect a socket of another type, because this attempt always fails: with EPROTOTYPE if
+// the socket is open, with ECONNREFUSED if it is not (man 7 unix).  So the test neither waits for
+// the run nor uses up one of its connections.
 bool IsOpen(const std::string& path) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
@@ -61,9 +61,10 @@ std::string LiveFolder() {
                         geteuid());
   if (mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
     throw std::runtime_error(fmt::format("{}: cannot be made: {}", folder, std::strerror(errno)));
-  // Checks who owns the folder for the sockets of runs, and that it is a folder.  It lies in the
-  // folder for temporary files, in which everybody may write, so another user may have made it
-  // first. lstat() does not follow links, so a link to another folder is refused, too.
+  // Checks that the folder for the sockets of runs is a folder of this user.  The folder may lie in
+  // the folder for temporary files, in which everybody may write, so another user may have made a
+  // file or folder of this name. lstat() does not follow links, so a link to another folder is
+  // refused, too.
   struct stat status;
   if (lstat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) ||
       status.st_uid != geteuid() || (status.st_mode & 077) != 0) {
@@ -96,8 +97,9 @@ std::vector<LiveRun> LiveRuns() {
       // Removes the socket of a process that was killed and could not remove it.
       unlink(run.socket.c_str());
     } else if (IsOpen(run.socket)) {
-      // The socket must be open, because another process may have the id of a run that has ended.
-      // A socket that is not open is left there: the process may be a run that is just opening it.
+      // Accepts only a run with an open socket, because the process id of a run that has ended may
+      // now belong to another process.  Does not remove a socket that is not open, because its
+      // process may be a run that is just opening the socket.
       runs.push_back(std::move(run));
     }
   }

@@ -20,7 +20,7 @@ std::string LiveFolder();
 
 // Returns the path of the socket of this process: "FOLDER/NAME.PROCESS".  Keeps letters, digits,
 // '_' and '-' of `name`, and replaces all other characters by '_'.  Cuts the name to 40 characters,
-// because the path of a socket can have at most 107.
+// because the path of a socket can have at most 107 characters.
 std::string LiveSocketPath(const std::string& name);
 
 // Returns the runs of this user that go on, sorted by name.  Removes the sockets of

@@ -71,8 +71,8 @@ void LiveServer::OpenAgain() {
   Open();
 }
 
-// Sends the answers that wait, because a run at full speed may end before its clients have taken
-// them.  Gives up after kLastAnswersNs, because a client may never read.
+// Sends the answers that are queued for clients, because a run at full speed may end before its
+// clients have taken all answers.  Gives up after kLastAnswersNs, because a client may never read.
 void LiveServer::SendLastAnswers() {
   const int64_t end_ns = WallClockNs() + kLastAnswersNs;
   for (;;) {
@@ -88,7 +88,9 @@ void LiveServer::SendLastAnswers() {
 }
 
 LiveServer::~LiveServer() {
-  // A fork of the run neither answers the clients of the original process nor removes its socket.
+  // Sends the last answers, and below removes the file of the socket, only in the process that made
+  // the socket.  A fork must not do so, because the clients and the file belong to the original
+  // process.
   if (getpid() == process_) SendLastAnswers();
   Forget();
   if (getpid() == process_) unlink(path_.c_str());
@@ -135,8 +137,9 @@ bool LiveServer::AnswerLines(Client* client) {
   return client->received.size() <= kRequestMax;
 }
 
-// Returns the answer to a request.  If the answer depends on the client, makes it here; otherwise
-// calls answer_, which answers from the state of the run.
+// Returns the answer to a request.  Answers "watch" and "couple" itself, because the function
+// answer_ does not know which client has sent the request.  For all other requests calls answer_,
+// which answers from the state of the run.
 nlohmann::ordered_json LiveServer::AnswerTo(Client* client, const nlohmann::json& request) {
   if (request.at("do") == "watch") return BeginWatch(client, request);
   if (request.at("do") == "couple" && couplings_ != nullptr)
@@ -165,8 +168,8 @@ nlohmann::ordered_json LiveServer::BeginWatch(Client* client, const nlohmann::js
   return {{"watching", !client->watches.empty()}};
 }
 
-// Tells `events_` whether any client watches the event "graph", because messages are kept only for
-// such clients.
+// Tells `events_` whether any client watches the event "graph".  The history of messages, which
+// this event shows, is kept only while a client watches this event.
 void LiveServer::SendWatchedEvents() {
   if (events_ == nullptr) return;
   const auto is_graph = [](const Watch& watch) {
@@ -189,9 +192,9 @@ void LiveServer::SendEvents(Client* client, int64_t now_ns) {
   if (!client->to_send.empty()) return;
   for (Watch& watch : client->watches) {
     if (now_ns < watch.next_ns) continue;
-    // Counts the time of the next event from the time when this event was due, and not from now.
-    // The run serves its clients only between frames, so an interval of 16 ms would become 24 ms if
-    // it were counted from now.
+    // Counts the interval from the time when this event was due, and not from now.  The run serves
+    // its clients only between frames of 8 ms.  An interval of 16 ms that is counted from now may
+    // end just after the run has served its clients, and the event would come after 24 ms.
     watch.next_ns = std::max(watch.next_ns + watch.interval_ns, now_ns);
     const std::string line = events_->Line(LiveEvents::Kinds()[watch.kind].name, &client->cursor);
     if (!line.empty()) client->to_send += line + "\n";

@@ -54,11 +54,11 @@ class LiveServer {
   // `timeout_ms`.  A run that is paused calls this function.
   void WaitAndServe(int timeout_ms);
 
-  // Closes the server's sockets in this fork of the process.  The server and the clients of the
-  // original process do not notice.
+  // Closes the server's sockets in this fork of the process.  The original process keeps its server
+  // and its clients.
   void Forget();
   // Makes a new socket for this fork of the process, which is a run of its own from now on.  Throws
-  // std::runtime_error if that is not possible.  REQUIRES: Forget() was called.
+  // std::runtime_error if the socket cannot be made.  REQUIRES: Forget() was called.
   void OpenAgain();
 
   // Returns whether any client watches the run.

@@ -22,7 +22,8 @@ void RunClock::GoTo(int64_t time_us) {
 
 void RunClock::AddSteps(Step step, int count) {
   Pause();
-  // Drops steps of another kind, because only the number of steps is kept, and all are of one kind.
+  // Drops the steps that are left if they are of another kind than `step`, because steps_left_ can
+  // count only steps of one kind.
   if (step != step_) steps_left_ = 0;
   step_ = step;
   steps_left_ = std::clamp(steps_left_ + count, 0, kStepsMax);

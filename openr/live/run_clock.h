@@ -11,8 +11,8 @@ namespace openr_host {
 
 class RunClock {
  public:
-  // A step of a paused run.  The run goes on to the end of the frame of 8 ms, over the next
-  // message, or over the next message with sensor values.
+  // A kind of step of a paused run.  The run goes on to the end of the frame of 8 ms, or until the
+  // next message is delivered, or until the next message with sensor values is delivered.
   enum class Step { kNone, kFrame, kMessage, kVector };
 
   // The largest number of steps that a paused run may still have to make.
@@ -35,8 +35,8 @@ class RunClock {
   // Pauses the run, and makes it go on for `count` steps of the kind `step`.  If steps of another
   // kind wait, replaces them.
   void AddSteps(Step step, int count);
-  // Removes one of the steps that the run has still to make, and returns it; kNone if no step is
-  // left.
+  // Removes one of the steps that the run has still to make, and returns the kind of this step;
+  // kNone if no step is left.
   Step TakeStep();
 
   // Makes the run go on as fast as possible to the virtual time `time_us`, and pauses the run at
