@@ -9,7 +9,9 @@
 
 namespace openr_host {
 
-// Limits within which a robot stands well (docs/body.md).
+// Limits for a robot that stands well (docs/body.md).  The tolerances are the largest differences
+// of pitch and height from a robot with joints that do not give way.  The tolerance of the pitch
+// holds for the roll, too.
 inline constexpr double kPitchToleranceDeg = 1, kHeightToleranceMm = 3;
 inline constexpr double kStaticErrorMaxDeg = 2, kDriftMaxMm = 10, kDriftMaxDeg = 3;
 

@@ -110,8 +110,8 @@ std::vector<DistanceReading> MeasureDistances(const RobotModel& model, double re
   for (int distance_mm = 100; distance_mm <= 1000; distance_mm += 50) {
     WorldThing wall;
     wall.size_m = {0.1, 2, 2};
-    // Puts the front of the wall, which is half its thickness of 0.1 m before its centre, at the
-    // point of the ray that is `distance_mm` from the sensor.
+    // Puts the front of the wall at the point of the ray that is `distance_mm` from the sensor.
+    // The wall is 0.1 m thick, so its centre is 0.05 m behind its front.
     wall.centre_m = {place_W.x() + ray_W.x() * distance_mm / 1000.0 + 0.05, 0, 1};
     wall.reflectance = reflectance;
     World world;

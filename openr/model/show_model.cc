@@ -10,8 +10,8 @@
 namespace openr_host {
 namespace {
 
-// Formats for the rows of the tables that `openr model show` prints.  The last column is a locator
-// and has no width.
+// Formats for the rows of the tables that `openr model show` prints.  The last column has no width,
+// because no other column follows it.
 constexpr char kJointRow[] = "  {:<11} {:>7} {:>15} {:>15} {:>10} {:>10}  {}\n";
 constexpr char kSensorRow[] = "  {:<15} {:>7} {:>23} {:<12}  {}\n";
 constexpr char kPartRow[] = "  {:<27} {:<14} {}\n";
@@ -20,8 +20,8 @@ std::string DegreeRange(const Range& range) {
   return fmt::format("{:.1f} to {:.1f}", Degrees(range.min), Degrees(range.max));
 }
 
-// Returns the colour of a light.  Returns two colours, such as "red or blue", for a light of the
-// ERS-7's face that has another colour in mode B of the face.
+// Returns the colour of a light.  If a light of the ERS-7's face has another colour in mode B, the
+// second mode of the face lights, returns both colours, such as "red or blue".
 std::string ColourOf(const Led& led) {
   if (led.colour_b.empty() || led.colour_b == led.colour) return led.colour;
   return fmt::format("{} or {}", led.colour, led.colour_b);

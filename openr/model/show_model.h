@@ -8,9 +8,9 @@
 namespace openr_host {
 
 // Returns tables of the joints with their limits, and of the other sensors, lights, ears, camera,
-// speaker and microphone.  Each has its locator.  Also returns the names of the postures.  Joints
-// and sensors are in the order of the model; their lines have the index of their values in sensor
-// vectors ("element").
+// speaker and microphone, each with its locator.  Also returns the names of the postures.  The
+// tables of joints and of sensors have the order of the model; their column "element" has the index
+// of the joint's or sensor's value in sensor vectors.
 std::string ShowModel(const RobotModel& model);
 
 }  // namespace openr_host
