@@ -12,8 +12,8 @@ namespace openr_host {
 namespace {
 
 constexpr double kDegPerCdeg = 0.01;
-// Step by which the first search for the lag between two motions goes on from one shift of time to
-// the next.
+// Distance between two neighbouring shifts of time that the first search for the lag between two
+// motions tries.
 constexpr double kShiftStepMs = 4;
 // The second search for the lag between two motions tries only shifts of time that differ by at
 // most this much from the best shift of the first search.
@@ -105,8 +105,9 @@ class LagSearch {
         end_ms_(std::min(a.times_ms.back(), b.times_ms.back())) {}
 
   void Search(JointDifference* found) {
-    // Limits the lag to a quarter of the common time, so that half of this time is left when a
-    // quarter is cut off at each end.
+    // Limits the lag to a quarter of the time that both motions have in common.  CopyRecords()
+    // leaves out the records in this much time at each end, so at least half of the common time is
+    // left for the comparison.
     const double most = std::min(kLagMaxMs, (end_ms_ - begin_ms_) / 4);
     CopyRecords(most);
     if (times_.size() < static_cast<size_t>(kSamplesMin) || !Moves(a_.deg[joint_])) return;

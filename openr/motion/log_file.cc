@@ -15,7 +15,8 @@ constexpr int kKeyFrameMax = 32767;
 constexpr const char* kPawNames[RC_LOG_PAWS] = {"left fore", "left hind", "right fore",
                                                 "right hind"};
 
-// Reads the records of a log of a motion; the robot's number of joints must be known.
+// Reads the records of a log of a motion.  The constructor gets the robot's number of joints,
+// because a log file has neither this number nor the name of the robot.
 class LogReader {
  public:
   LogReader(std::string_view bytes, int joints) : bytes_(bytes), joints_(joints) {}

@@ -63,8 +63,8 @@ std::vector<double> TimesOf(const LogFile& log) {
 }
 
 std::vector<double> TimesOf(const LogFile& log, const MtnFile& motion) {
-  // Returns early for a motion with only one key frame: it has no movement between key frames, so
-  // its log has only one record.
+  // Does not play a motion with only one key frame.  Such a motion has no movement between key
+  // frames, so its log has at most one record, at the time 0.
   if (motion.NumKeyFrames() < 2 && log.records.size() < 2)
     return std::vector<double>(log.records.size(), 0.0);
   size_t most = 0;  // largest number of records that agree with a play-back of `motion`
