@@ -20,8 +20,8 @@ constexpr double kNearBest = 0.05;
 
 void LagMeter::Add(Series* series, int64_t time_ms, const std::vector<int32_t>& joints) {
   if (!series->empty() && series->front().joints.size() != joints.size()) return;
-  // Keeps the times of the positions in order, because a time may be earlier than the time before
-  // when RemotePair estimates another travel time.
+  // Keeps the times of the positions in order: `time_ms` may be earlier than the time of the last
+  // positions, because RemotePair changes its estimate of the travel time of packets.
   if (!series->empty()) time_ms = std::max(time_ms, series->back().time_ms);
   series->push_back({time_ms, joints});
   while (series->front().time_ms < time_ms - kWindowMs - kLagMaxMs) series->pop_front();
@@ -98,8 +98,8 @@ std::optional<int64_t> LagMeter::LagMs() const {
     misfits.push_back(RelativeError(joint, lag_ms, from_ms));
   const double best = *std::min_element(misfits.begin(), misfits.end());
   if (best > kMisfitMax) return std::nullopt;
-  // Takes the smallest lag at which the misfit of the two movements has a good minimum, because a
-  // periodic movement fits again one period later, and that larger lag would be wrong.
+  // Takes the smallest lag at which the misfit has a minimum that is about as small as the least
+  // misfit.  A periodic movement fits again one period later, and this larger lag would be wrong.
   size_t at = 0;
   while (misfits[at] > best + kNearBest) ++at;
   while (at + 1 < misfits.size() && misfits[at + 1] < misfits[at]) ++at;

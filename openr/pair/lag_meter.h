@@ -17,7 +17,7 @@ class LagMeter {
  public:
   // Duration of the movement that is compared between the two robots.
   static constexpr int64_t kWindowMs = 3000;
-  // Largest lag of a robot behind the robot it follows that can be found.
+  // The largest lag of the follower behind the leader that LagMs() can find.
   static constexpr int64_t kLagMaxMs = 1500;
   // The smallest range of movement, in 0.01 degree, of a joint that is used to measure the lag, the
   // time by which the follower moves later than the leader.

@@ -23,8 +23,8 @@ constexpr int64_t kRoundTripMs = 500;  // time between two measurements of the r
 // The largest number of requests that one robot has not answered yet.  While a robot has so many,
 // no positions are sent to it, because newer positions follow.
 constexpr size_t kPendingMax = 16;
-// The time of silence after which a robot gets no more positions.  When the robot goes on, all
-// positions that were sent during its silence would be old.
+// The time of silence after which a robot gets no more positions, because it would carry out old
+// positions when it goes on.
 constexpr int64_t kSilentMs = 500;
 // Number of round trips to a robot (request and answer) whose times are kept; the shortest counts
 // as the time that the network needs.
@@ -209,7 +209,7 @@ void RemotePair::Run(PairControl* control, const std::function<void(const PairSt
 }
 
 // Waits until one of the two robots has sent something, or until a person has changed the settings
-// (PairSettings), which says what the robots are to do.
+// or ended the pair; at most kTellMs / 2.
 void RemotePair::Wait(const PairControl& control) {
   pollfd waited[] = {{sides_[kFirst].robot->descriptor(), POLLIN, 0},
                      {sides_[kSecond].robot->descriptor(), POLLIN, 0},
