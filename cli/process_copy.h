@@ -72,10 +72,10 @@ struct ProcessCopy {
 // REQUIRES: the process has one thread.
 ProcessCopy StartCopy(Orphan orphan, const std::function<void(int answers)>& work);
 
-// Calls `start`, which starts a program and returns 0 or an errno, in a copy of this process that
-// ends at once, so that the program is not a child of this process.  So this process need not wait
-// for the end of the program, and no zombie is left.  Returns the reason why the program was not
-// started; "" if it was started.
+// Starts a program that is not a child of this process.  So this process need not wait for the end
+// of the program, and no zombie is left.  Calls `start`, which starts the program and returns 0 or
+// an errno, in a copy of this process; the copy ends at once.  Returns the reason why the program
+// was not started; "" if it was started.
 // REQUIRES: `start` calls only functions that are allowed after fork().
 std::string StartThroughCopy(const std::function<int()>& start);
 

@@ -20,8 +20,8 @@ bool IsSameSecret(std::string_view a, std::string_view b);
 
 class Access {
  public:
-  // Makes the rules by which a server refuses requests.  The server is one that listens at `port`
-  // and at the IPv4 address `address`, which may be kAnyAddress (listen.h).
+  // Makes the rules by which a server refuses requests.  The server listens at `port` of the IPv4
+  // address `address`, which may be kAnyAddress (listen.h).
   Access(std::string token, std::string address, uint16_t port);
 
   // Returns the WebSocket subprotocol by which a page shows that it knows the token, a secret.

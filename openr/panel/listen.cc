@@ -40,7 +40,8 @@ void CheckListen(const ListenOptions& options) {
         "serves other computers");
   }
   ReadOrMakeToken(options.token_file);
-  // Listens at any free port for a moment, only to find out whether this computer has the address.
+  // Listens at any free port of options.address for a moment, only to find out whether this
+  // computer has this address.
   uint16_t port = 0;
   close(Listen(options.address, &port));
 }
@@ -69,8 +70,8 @@ int Listen(const std::string& address, uint16_t* port) {
   for (int number = first; number < first + kPortsMax && number <= 65535; ++number) {
     const int listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
     if (listener < 0) throw std::runtime_error(fmt::format("no socket: {}", std::strerror(errno)));
-    // Allows a port whose last connections still wait for their end, so that a new panel gets the
-    // same port as the panel before.
+    // Allows a port that old connections still occupy (state TIME_WAIT), so that a new panel gets
+    // the same port as the panel before.
     const int on = 1;
     setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
     sockaddr_in place{};

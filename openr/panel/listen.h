@@ -27,10 +27,10 @@ struct ListenOptions {
 // Returns the reason why nothing can listen at `address`; "" if it is an IPv4 address.
 std::string ListenAddressProblem(const std::string& address);
 
-// Throws std::runtime_error if `options` cannot be fulfilled: the token file has no token (the
-// secret that clients must send), this computer has no such address, or the server is not built.  A
-// run calls this before it begins, because its server is another process, whose end the run does
-// not see.
+// Throws std::runtime_error if the panel's server cannot do what `options` say: the token file has
+// no token (the secret that clients must send), this computer does not have the address, or this
+// openr was built without the server.  A run calls this function before it begins.  The server is
+// another process, so the run would not see later that the server has failed.
 void CheckListen(const ListenOptions& options);
 
 // Returns the token, the secret that clients must send, from the file `file`, as

@@ -101,8 +101,8 @@ void Page::Queue(std::string text) {
   if (queue_.Add(std::move(text))) {
     connection_->WantSend();
   } else {
-    // Closes the socket at once, without a reason.  The page reads nothing, so it would not read
-    // the reason either.
+    // Closes the socket at once, without a reason.  Too many messages wait, because the page does
+    // not read them, and the page would not read the reason either.
     is_closing_ = true;
     connection_->Abort();
   }
@@ -193,7 +193,8 @@ RcBridge* Page::BridgeTo(const nlohmann::json& request) {
     throw std::runtime_error(
         fmt::format("a page can use {} robots at most; open another page", kEndpointsMax));
   }
-  // Adds the bridge to bridges_ only after it was made, because RcBridge() may throw.
+  // Makes the bridge before bridges_ gets an entry for it.  RcBridge() may throw, and bridges_ must
+  // not keep an empty entry.
   auto bridge = std::make_unique<RcBridge>(std::move(find), outbox_);
   return bridges_.emplace(key, std::move(bridge)).first->second.get();
 }

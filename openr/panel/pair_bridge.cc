@@ -56,8 +56,8 @@ bool IsFirstTime(const PairBridge::Work& work) {
   static std::mutex mutex;
   static std::set<std::string> known;
   const std::lock_guard lock(mutex);
-  // Now and then forgets all pairs of robots that were connected before, because pages may name any
-  // number of robots.
+  // Forgets all pairs of robots when kKnownMax pairs are known.  Pages may name any number of
+  // robots, and this set must not grow without limit.
   if (known.size() >= kKnownMax) known.clear();
   return known.insert(fmt::format("{} {} {}", work.run.socket, work.robot, work.second.Text()))
       .second;
@@ -149,8 +149,8 @@ class Coupling {
 };
 
 // Prepares the pair as Hohl 2004, section 3.3.1 describes: gives the first robot's joints the
-// limits of the second robot's joints and, the first time, switches lights and ears off.  Returns
-// the answer for the page.
+// limits of the second robot's joints and, if these two robots are connected for the first time,
+// switches lights and ears off.  Returns the answer for the page.
 OrderedJson Prepare(const PairBridge::Work& work, RemotePair* pair) {
   OrderedJson joints = OrderedJson::array();
   const std::vector<RcJointState> limits = pair->CopyLimits();
@@ -183,7 +183,8 @@ std::string ServePair(PairBridge::Work* work) {
   try {
     RefuseOwnRobots(work->run, work->second);
     RemotePair pair(AddressInRun(work->run, work->robot), work->second, work->options);
-    // The page may have left during the seconds that connecting takes.
+    // Ends here if the page has ended the connection meanwhile, because connecting to the robots
+    // may take seconds.
     if (work->control.is_ended()) return "";
     const Coupling coupling(*work);
     SendAnswer(*work, Prepare(*work, &pair));

@@ -21,7 +21,7 @@ class PairBridge {
 
   // Makes the bridge and its thread.  `request` has the address of the second robot.  Throws
   // std::runtime_error if the address is missing, if there are too many threads, or if this
-  // computer cannot make another one.
+  // computer cannot make another thread.
   PairBridge(const LiveRun& run, size_t robot, const nlohmann::json& request,
              std::shared_ptr<Outbox> outbox);
   // Makes the thread disconnect both robots, and does not wait until it has done so.

@@ -40,7 +40,8 @@ constexpr size_t kPagesMax = 16;
 // The time that the server of the panel waits before it ends, so that pages can receive the message
 // that the run has ended.
 constexpr int kFarewellMs = 300;
-// The time that the server waits if it can neither accept nor close a connection.
+// The time that the server waits if it can neither accept nor close a connection, so that it does
+// not try again without a pause.
 constexpr int kNoDescriptorMs = 10;
 
 constexpr char kNoPage[] =
@@ -209,8 +210,8 @@ void Panel::WatchSignals() {
   sigemptyset(&signals);
   sigaddset(&signals, SIGINT);
   sigaddset(&signals, SIGTERM);
-  // Blocks the signals before any thread is made: threads inherit this, so the signals come only
-  // through the descriptor.
+  // Blocks the signals before any thread is made.  Each new thread inherits the blocked signals, so
+  // they interrupt no thread; the event loop reads them from the descriptor signals_.
   sigprocmask(SIG_BLOCK, &signals, nullptr);
   signals_ = signalfd(-1, &signals, SFD_CLOEXEC | SFD_NONBLOCK);
   if (signals_ >= 0) loop_->Watch(signals_, &signal_listener_);

@@ -13,9 +13,9 @@ struct PanelOptions {
   // The run for pages that name no run: its name, its process id, or both as NAME.PROCESS; "": no
   // run.
   std::string run;
-  // Descriptor of a pipe of which the run that has started this server holds the other end.  The
-  // server ends with the run, and writes nothing to standard error after its address.  -1: no run
-  // has started the server, and it ends with SIGINT or SIGTERM.
+  // The server's end of a pipe.  The run that has started this server holds the other end, so the
+  // server sees when the run ends, and ends, too.  Such a server writes nothing to standard error
+  // after its address. -1: no run has started the server; it ends with SIGINT or SIGTERM.
   int run_pipe = -1;
   ListenOptions listen = {};
   int robots = 1;  // number of robots whose remote control is forwarded (--listen)

@@ -17,8 +17,8 @@
 namespace openr_host {
 namespace {
 
-// Number that the reading end of a pipe gets as a descriptor of the panel's server.  The server
-// sees by this pipe when its run ends.
+// The descriptor under which the panel's server has the reading end of a pipe.  By this pipe the
+// server sees when its run ends.
 constexpr int kPipeInServer = 3;
 
 // Returns the command line `openr panel ...` with which a run starts the server of the panel.

@@ -39,8 +39,9 @@ void Answer(Outbox* outbox, RcCalls::Json answer, const std::vector<nlohmann::js
 }  // namespace
 
 struct RcBridge::Queue {
-  // A remote-control call of the page that waits to be sent to the robot, and the ids of the
-  // requests that its answer answers.
+  // A remote-control call of the page that waits to be sent to the robot.  Its member `ids` has the
+  // ids of all requests that get its answer: of its own request and of the requests that it has
+  // replaced.
   struct Call {
     nlohmann::json request;
     size_t size;

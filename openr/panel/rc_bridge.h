@@ -24,7 +24,7 @@ class RcBridge {
   static constexpr int kThreadsMax = 64;
 
   // Makes the bridge and its thread.  Throws std::runtime_error if there are too many threads, or
-  // if this computer cannot make another one.
+  // if this computer cannot make another thread.
   RcBridge(RcCalls::FindAddress find_address, std::shared_ptr<Outbox> outbox);
   // Makes the bridge's thread end after its present remote-control call, and does not wait until it
   // has ended.

@@ -258,7 +258,7 @@ Json RcCalls::PlayAndDelete(const Request& request) {
   const uint32_t begin = robot_->frame();
   // Waits until the robot's object JointMover has read the file, which takes at most four sensor
   // vectors after the answer to MTN_PLAY.  Asks at most kAsksMax times, because a paused run makes
-  // no vectors.
+  // no vectors and this loop would never end.
   constexpr int kAsksMax = 100;
   for (int i = 0; i < kAsksMax; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));

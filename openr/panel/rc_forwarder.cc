@@ -33,7 +33,8 @@ struct RcForwarder::Rules {
 
 namespace {
 
-// Longest time for which a client that was refused may still send, so that it can read the reason.
+// The longest time for which the server reads and drops what a client still sends before it closes
+// the client's connection, so that the client can read the last answer.
 constexpr int64_t kRefusedFarewellMs = 500;
 constexpr std::chrono::milliseconds kConnectTimeout{1000};
 
@@ -41,8 +42,8 @@ constexpr size_t kReceiveMax = 2 * RC_MAX_PACKET;  // number of bytes that fit i
 
 std::atomic<int> g_clients = 0, g_without_token = 0;
 
-// Waits until poll() reports one of `events` for `socket`.  Returns false at `deadline_ms`, a time
-// of the wall clock.
+// Waits until poll() reports one of `events` for `socket`.  Returns false if this does not happen
+// before `deadline_ms`, a time of the wall clock.
 bool WaitFor(int socket, short events, int64_t deadline_ms) {
   const int64_t left_ms = std::max<int64_t>(deadline_ms - WallClockMs(), 0);
   pollfd wanted = {socket, events, 0};
@@ -85,8 +86,8 @@ struct OwnAnswer {
   bool ends_connection;
 };
 
-// The connection of one client of the remote control, whose packets go to the robot and whose
-// answers come from the robot.
+// Forwards the packets of one client of the remote control to the robot, and the robot's answers to
+// the client.
 class Forwarding {
  public:
   Forwarding(int client, const RcForwarder::Rules& rules) : client_(client), rules_(rules) {}
@@ -175,8 +176,9 @@ bool Forwarding::ReceiveToken() {
 // may go to the robot.
 std::optional<OwnAnswer> Forwarding::OwnAnswerToRequest() const {
   const RcHeader& header = requests_.Header();
-  // Refuses a request with the command 0, because ReceiveAnswers() does not count a packet with
-  // command 0 and tag 0 as an answer.
+  // Refuses a request with the command 0 here.  If the robot got it, ReceiveAnswers() would not
+  // count the robot's answer when it has the command 0 and the tag 0, because such a packet answers
+  // no request.
   if (header.command == 0)
     return OwnAnswer{header, rcerrorUNKNOWN_COMMAND, "there is no command 0", false};
   // Treats the upload of every kind of file except a motion as code, so that a kind that the
@@ -256,8 +258,8 @@ void Forwarding::Forward() {
   if (!ForwardRequests()) return EndStream();
   for (;;) {
     const bool is_reading = is_client_there_ && !delayed_;
-    // Passes the client to poll() even while nothing is read from it (no POLLIN), because poll()
-    // still tells when the client has closed its connection.
+    // Passes the client's socket to poll() even while nothing is read from it (no POLLIN), because
+    // poll() still tells when the client has closed its connection.
     pollfd both[2] = {{client_, static_cast<short>(is_reading ? POLLIN : 0), 0},
                       {robot_, POLLIN, 0}};
     if (poll(both, 2, -1) < 0 && errno != EINTR) return;
@@ -276,8 +278,8 @@ void Serve(int client, const RcForwarder::Rules& rules) {
   setsockopt(client, SOL_SOCKET, SO_KEEPALIVE, &on, sizeof on);
   Forwarding forwarding(client, rules);
   const bool knows_token = forwarding.ReceiveToken();
-  // Counts the client here before it leaves g_without_token, because HasThreads() must not miss it
-  // in between.
+  // Counts the client in g_clients before g_without_token is decreased, because HasThreads() must
+  // not find both numbers 0 while this thread runs.
   const int clients = knows_token ? ++g_clients : 0;
   --g_without_token;
   if (!knows_token) return;
@@ -308,8 +310,8 @@ void RcForwarder::ServeClient(int connection) {
       close(connection);
     }).detach();
   } catch (const std::system_error&) {
-    // Gives up the new client of the remote control, because this computer cannot make a thread for
-    // it.  So it is no longer one of the clients that have not shown the token, a secret, yet.
+    // Gives up the new client, because this computer cannot make a thread for it, and counts it no
+    // longer among the clients that have not shown the token (a secret) yet.
     --g_without_token;
     close(connection);
   }

@@ -13,9 +13,9 @@ namespace openr_host {
 // robot gets no byte of a client that does not know the token.
 class RcForwarder {
  public:
-  // The largest number of clients of remote controls that this process serves at a time, and also
-  // the largest number of clients that have not shown the token, a secret, yet.  A robot itself
-  // serves eight clients.
+  // The largest number of clients of remote controls that this process serves at a time.  Clients
+  // that have not shown the token, a secret, yet are not among them and have a limit of their own.
+  // A robot itself serves eight clients.
   static constexpr int kClientsMax = 16;
   static constexpr int kWithoutTokenMax = 16;
   // The longest time in which a new client must show the token, a secret.

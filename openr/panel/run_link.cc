@@ -71,8 +71,8 @@ bool RunLink::OnReadable() {
 
 void RunLink::PassOnRest() {
   char buffer[64 << 10];
-  // Limits the number of reads of the bytes that an ended run has left in its socket.  A socket
-  // holds far less than so many reads take, so nothing is lost.
+  // Limits the number of reads, so that this loop ends in any case.  256 reads of 64 KiB take
+  // 16 MiB, and the socket of an ended run holds far less, so no bytes are lost.
   constexpr int kReadsMax = 256;
   for (int i = 0; i < kReadsMax; ++i) {
     const ssize_t count = recv(descriptor_, buffer, sizeof buffer, 0);

@@ -1,4 +1,5 @@
-// AcceptAll(), which accepts connections also when this process can open no more descriptors.
+// AcceptAll(), which accepts the connections that wait, or closes them if this process can open no
+// more descriptors.
 #pragma once
 
 #include <fcntl.h>

@@ -240,8 +240,8 @@ class LwsLoop : public WebLoop {
       case LWS_CALLBACK_HTTP:
         return SendAnswer(wsi, LoopOf(wsi)->service_->Answer(RequestOf(wsi)));
       case LWS_CALLBACK_HTTP_CONFIRM_UPGRADE: {
-        // Refuses all upgrades except those to WebSockets, because an upgrade to HTTP/2 would avoid
-        // our checks.
+        // Refuses all upgrades except those to WebSockets, because requests after an upgrade to
+        // HTTP/2 would avoid the checks of service_.
         if (std::strcmp(static_cast<const char*>(in), "websocket") != 0) return -1;
         const auto refusal = LoopOf(wsi)->service_->Refuse(RequestOf(wsi));
         if (refusal == nullptr) return 0;

@@ -35,7 +35,8 @@ struct WebAnswer {
   std::vector<std::pair<std::string, std::string>> headers = {};
 };
 
-// The connection to a page: the socket of a WebSocket, through which the server sends.
+// The connection of a WebSocket to its page.  A WebPage uses this connection to send messages, to
+// stop reading, and to close the WebSocket.
 class WebConnection {
  public:
   // Makes the event loop call WebPage::Next() as soon as the socket can take bytes.
@@ -52,7 +53,7 @@ class WebConnection {
   ~WebConnection() = default;
 };
 
-// The program's end of a WebSocket; the other end is a page in a browser.
+// The server's end of a WebSocket; the other end is a page in a browser.
 class WebPage {
  public:
   virtual ~WebPage() = default;
@@ -117,7 +118,8 @@ class WebLoop {
   // on.
   virtual Watched Watch(int descriptor, WebDescriptor* handler) = 0;
   virtual void WantWrite(Watched watched) = 0;
-  // Closes a watched descriptor soon.  The descriptor's handler is not called any more.
+  // Makes the event loop close a watched descriptor.  The descriptor's handler is not called any
+  // more.
   virtual void Forget(Watched watched) = 0;
 };
 
