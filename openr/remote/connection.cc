@@ -276,7 +276,8 @@ std::vector<Answer> Connection::RequestAll(int command, const std::vector<Bytes>
 RequestId Connection::SendBatch(const std::vector<Call>& calls) {
   Bytes payload;
   for (const Call& call : calls) {
-    // All requests of a batch have the tag 0, because their answers come in the same order.
+    // All requests of a batch have the tag 0, because the answers come in the order of the
+    // requests.
     const Bytes packet = MakePacket(call.command, 0, call.payload);
     payload.insert(payload.end(), packet.begin(), packet.end());
   }

@@ -31,8 +31,8 @@ namespace openr::remote {
 
 class TcpStream;
 
-// Structs for requests and answers of the remote-control protocol.  Client and robot share these
-// structs; the header files that declare them describe units and order.
+// Names in this library for the structs of the remote-control protocol.  The robot uses the same
+// structs; the header files that declare them (Remote*.h) describe their values and units.
 using Info = RcInfo;  // describes the design of the robot and what the robot does now
 // Describes a device: its names, and the limits of a joint or the kind of a sensor.
 using Description = RcDescription;
@@ -59,7 +59,8 @@ using RequestId = uint16_t;
 
 // The answer of the robot to a request.
 struct Answer {
-  // Number of the frame of 8 ms of the robot's newest sensor values; 0xffffffff: none.
+  // Number of the frame of 8 ms to which the robot's newest sensor values belong; 0xffffffff: no
+  // frame is known.
   uint32_t frame = 0xffffffff;
   int status = rcOK;  // result of the request, an RcStatus
   std::string error;  // the robot's error text if the status is not rcOK
@@ -104,8 +105,8 @@ class Connection {
 
   const Address& address() const { return address_; }
 
-  // Returns the number of the robot's frame of 8 ms in the newest answer for which a function of
-  // this class has waited.
+  // Returns the frame number in the last answer for which a function of this class has waited: the
+  // number of the frame of 8 ms to which the robot's newest sensor values belonged.
   uint32_t frame() const { return frame_; }
 
   // ---- Functions that describe the robot and its devices.  An index is the number of a device in
@@ -218,7 +219,8 @@ class Connection {
   // Returns whether the answer to the request `id` has arrived, so that Wait() returns at once.
   // Throws Error (kTimeout) if the request was sent longer ago than the time limit of the options.
   bool IsAnswered(RequestId id);
-  // Waits for the answer and returns it; throws Error (kRefused) if the robot refuses the request.
+  // Waits for the answer to the request `id` and returns it; throws Error (kRefused) if the robot
+  // refuses the request.
   Answer Wait(RequestId id);
   // Waits for the answer to the request `id` and returns it, even if the robot refuses the request.
   Answer WaitForAny(RequestId id);

@@ -9,7 +9,7 @@ namespace openr::remote {
 
 enum class ErrorCode {
   kAddress,  // the text is no address, or no host has the name in it
-  // No connection was made: no program listens at the address, or none answers in time.
+  // No connection was made: no program listens at the address, or no program answers in time.
   kUnreachable,
   kTimeout,      // the robot has not answered or taken bytes in time on an existing connection
   kLost,         // the connection to the robot has ended

@@ -40,8 +40,8 @@ int LogReader::ReadNewRecords() {
     count_ += part.head.here;
     records_ += part.records;
     if (next_ == part.head.count) return part.head.state;
-    // Throws an error if the robot sends no record although the log has more records, because this
-    // loop would never end.
+    // Throws an error if the robot sends no record although the log has more records, because
+    // without this check the loop would never end.
     if (part.head.here == 0)
       throw Error(ErrorCode::kProtocol,
                   connection_->address().Text() + ": the robot sends no records of its log");

@@ -18,7 +18,8 @@ struct Picture {
   std::string bytes;
 
   // Returns red, green and blue of each pixel, row by row from the top left.  Throws
-  // std::runtime_error if the picture is of layer C, which has no colours, or if bytes are missing.
+  // std::runtime_error if bytes are missing, or if the picture is of layer C, because this layer
+  // has no bands for brightness and colour.
   std::string Rgb() const;
 
   // Returns the picture as the bytes of a file: .ppm (P6), or .pgm (P5) for layer C.  Throws
