@@ -66,15 +66,16 @@ TcpStream::~TcpStream() { close(socket_); }
 
 bool TcpStream::WaitFor(short events, Clock::time_point deadline) const {
   for (;;) {
-    // Rounds the time up to whole milliseconds.  If 0.5 ms became 0 ms, poll() would not wait, and
-    // would be called again and again until the deadline.
+    // Rounds the remaining time up to whole milliseconds.  If 0.5 ms became 0 ms, poll() would not
+    // wait, and this loop would call poll() again and again until the deadline.
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
     const auto left_ms = std::clamp<int64_t>(left.count(), 0, 1'000'000'000);
     pollfd wanted{socket_, events, 0};
     const int ready = poll(&wanted, 1, static_cast<int>(left_ms));
     if (ready > 0) return true;
     if (ready == 0 && left_ms < 1'000'000'000) return false;
-    // Returns true after an error of poll(), because the next call on the socket finds the error.
+    // Returns true after an error of poll(), as if the socket were ready, because the next call of
+    // the caller on the socket reports an error of the socket.
     if (ready < 0 && errno != EINTR) return true;
   }
 }
