@@ -31,8 +31,8 @@ class GlProgram {
   GLuint program_ = 0;
 };
 
-// A square texture in which each pixel holds the distance of the nearest surface.  After Bind(),
-// OpenGL draws into this texture until something else is bound.
+// A square texture for the view from a light: each pixel holds the distance from the light to the
+// nearest surface.  After Bind(), OpenGL draws into this texture until something else is bound.
 class DepthTarget {
  public:
   explicit DepthTarget(int size_px);

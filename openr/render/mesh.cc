@@ -7,22 +7,22 @@
 namespace openr_host::render {
 namespace {
 
-// Adds one of the six sides of a rounded box as a square grid of points.  `axis` (0 to 2: x to z)
-// and `sign` (1 or -1) give the direction in which the side faces.  `flat` is half the size of the
-// box without its rounding, in each direction.  In each of its two directions, the first half of
-// the grid's lines forms the rounding at one edge of the side, the second half the rounding at the
-// opposite edge.  The flat part of the side lies between the two halves.
+// Adds one of the six sides of a rounded box to `mesh`, as a square grid of points.  `axis` (0 to
+// 2: x to z) and `sign` (1 or -1) give the direction in which the side faces.  `flat` has half the
+// length of each edge of the box, minus `radius`.  In both directions of the grid, the first half
+// of the lines lies on the rounding at one edge of the side, and the second half lies on the
+// rounding at the opposite edge.  The flat part of the side is between the two halves.
 void AddSide(int axis, float sign, const Eigen::Vector3f& flat, float radius, int steps,
              Mesh* mesh) {
   const int u_axis = (axis + 1) % 3;
   const int v_axis = (axis + 2) % 3;
   const int per_line = 2 * (steps + 1);
-  // Returns the tangent of the angle between the surface's normal at line `i` of the grid and the
-  // direction in which this side of the box faces.  The angles go from -45 to 45 degrees in equal
-  // steps, because this makes the edge evenly round.
+  // Returns the tangent of the angle by which the surface is turned at line `i` of the grid, away
+  // from the direction in which this side of the box faces.  The angles go from -45 to 45 degrees
+  // in equal steps, so that the edges are evenly round.
   const auto slope = [steps](int i) {
-    // The grid of points of this side of the box has its middle line twice: at the two borders of
-    // the flat part.  So `step` goes from -steps to 0, and then from 0 to steps.
+    // The lines `steps` and `steps` + 1 of the grid lie at the two borders of the flat part, and
+    // both have the angle 0.  So `step` goes from -steps to 0, and then from 0 to steps.
     const int step = i <= steps ? i - steps : i - steps - 1;
     return std::tan(static_cast<float>(step) / static_cast<float>(steps) * 0.78539816f);
   };

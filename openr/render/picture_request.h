@@ -27,10 +27,10 @@ struct PictureRequest {
 // may be left out; t=end is the end of the run.  Returns "" or the error.
 std::string ParsePictureRequest(std::string_view text, PictureRequest* plan);
 
-// Writes a picture of the robot in its present state to the file of `plan`.  `company` are the
-// robots in the same world; the robot itself may be among them.  The first picture with another
-// view than View::kCamera loads libopenr_render.so and the graphics library Mesa.  Returns "" or
-// the error.
+// Draws `robot` in its present state, and writes the picture to the file of `plan`.  `company` has
+// the robots in the same world, which are drawn as well; `robot` itself may be among them.  The
+// first picture with another view than View::kCamera loads libopenr_render.so and the graphics
+// library Mesa.  Returns "" or the error.
 std::string WritePicture(const PictureRequest& plan, VirtualRobot* robot,
                          const std::vector<VirtualRobot*>& company);
 

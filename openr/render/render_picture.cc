@@ -1,5 +1,5 @@
-// openr_render_picture(), which draws a scene as a PNG file.  The program loads libopenr_render.so
-// and calls only this function of it (scene.h).
+// openr_render_picture(), which draws a scene as a PNG file.  This function is the only function of
+// libopenr_render.so that the program calls (scene.h).
 #include <exception>
 
 #include "openr/render/png_file.h"

@@ -50,9 +50,9 @@ render::Camera CameraFor(const RobotLook& look, View view) {
 // Returns a camera that sees all robots and things.  It looks from the side of the world where y is
 // negative.
 render::Camera CameraOverWorld(const std::vector<RobotLook>& looks, const World& world) {
-  // The camera is placed so that the picture shows kRobot_m around the origin of each robot, and
-  // all things up to kReachMax_m from the middle between the robots.  Things that are further away
-  // do not count, because the robots would become too small.
+  // The picture must show kRobot_m around the origin of each robot, and all things within
+  // kReachMax_m of the point in the middle between the robots.  Things that are further away are
+  // ignored, because in a picture that shows them the robots would be too small.
   constexpr double kRobot_m = 0.25, kReachMax_m = 6;
   Eigen::AlignedBox2d seen;
   for (const RobotLook& look : looks) {

@@ -61,9 +61,10 @@ Colour LightColour(const std::string& name) {
   return {1.0f, 1.0f, 0.85f};
 }
 
-// The place of a light, when all joints are at 0 degrees.  The lights of the three robot models
-// have different names.  No document gives these places: the places on the ERS-210 are estimated
-// from photographs, and the places on the other models are chosen by the names of the lights.
+// The place of a light when all joints are at 0 degrees.  One table serves all three robot models,
+// because lights of different models have different names.  No document gives these places: the
+// places on the ERS-210 are estimated from photographs, and the places on the other models are
+// chosen by the names of the lights.
 struct LightPlace {
   const char* name;
   const char* body;
@@ -180,8 +181,8 @@ void AddFace(const RobotModel& model, std::vector<RobotShape>* shapes) {
   shapes->push_back(nose);
 }
 
-// Adds the end piece behind the trunk of a robot without tail joints.  Only the ERS-220 has no tail
-// joints; its overall length is 276 mm.  The end piece carries the tail lights.
+// Adds the end piece behind the trunk of the ERS-220, the only robot without tail joints.  The end
+// piece carries the tail lights, and is a part of the robot's overall length of 276 mm.
 void AddEndPiece(const RobotModel& model, std::vector<RobotShape>* shapes) {
   const int body = model.FindBody("body");
   if (body < 0 || model.FindBody("tail_tilt") >= 0) return;

@@ -1,4 +1,5 @@
-// The shapes of which pictures of a robot consist: rounded boxes that are fixed to its parts.
+// The shapes from which pictures of a robot are made: rounded boxes that are fixed to the parts of
+// the robot.
 #pragma once
 
 #include <Eigen/Geometry>

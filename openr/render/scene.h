@@ -19,7 +19,8 @@ struct Colour {
 struct Shape {
   Eigen::Isometry3d X_WS = Eigen::Isometry3d::Identity();  // centre and axes of the box in W
   Eigen::Vector3d size_m{0, 0, 0};                         // lengths of the box's edges
-  // Radius of the edges; a radius above half of the shortest edge is reduced to this half.
+  // Radius of the edges.  If the radius is larger than half of the shortest edge, half of the
+  // shortest edge is used instead.
   double radius_m = 0;
   bool is_cylinder = false;  // true: a cylinder along z fills the box; its edges are sharp
   // Three corners for each triangle of a surface, counterclockwise from outside, in the axes of the

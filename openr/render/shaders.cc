@@ -33,8 +33,9 @@ void main() {
 }
 )";
 
-// Draws light from the sun with a soft shadow, and light from the sky, which is weaker below other
-// shapes.  Adds gloss.  The grid of the floor fades into the background with distance.
+// Draws a point of a surface in the light of the sun, with soft shadows, and in the light of the
+// sky, which is weaker below other shapes.  Surfaces with gloss reflect the sun.  The grid on the
+// floor fades into the background with distance.
 const char kPictureFragmentShader[] = R"(#version 120
 uniform sampler2DShadow sun_depth;
 uniform sampler2DShadow sky_depth;

@@ -5,8 +5,9 @@
 namespace openr_host::render {
 namespace {
 
-// Nearest distance that is drawn: a share of the distance of the camera's target, so that the
-// depths of a wide view differ enough to tell paint from the floor.
+// The nearest distance at which surfaces are drawn, as a fraction of the distance from the camera
+// to its target.  With a smaller fraction, the depths in a wide view would differ too little to
+// tell paint from the floor.
 constexpr double kNearShare = 0.02;
 constexpr double kFarM = 30;
 
@@ -42,15 +43,15 @@ Eigen::Matrix4f CameraMatrix(const Camera& camera, double aspect) {
 Eigen::Matrix4f LightMatrix(const Eigen::Vector3d& target_W, const Eigen::Vector3d& to_light,
                             double half_m) {
   const double distance = 4 * half_m;
-  // Takes an upward direction that differs from the direction of the light, because LookAt() cannot
-  // compute a view in which both are the same.
+  // Takes an upward direction that is not parallel to the light, because LookAt() needs an upward
+  // direction that differs from the line of sight.
   const Eigen::Vector3d up =
       std::abs(to_light.x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
   Eigen::Matrix4d box = Eigen::Matrix4d::Identity();
   box(0, 0) = box(1, 1) = 1 / half_m;
-  // Depth in OpenGL is -1 at the near end of the drawn space and 1 at the far end.  Here the near
-  // end is at the light, and the far end is as far behind the target as the light is in front of
-  // it.  So a depth of 2 is twice `distance`; the sign is negative because the view looks along the
+  // In OpenGL, depth goes from -1 at the near end of the drawn space to 1 at its far end.  Here the
+  // near end is at the light, and the far end is `distance` behind the target.  So a difference of
+  // 2 in depth stands for 2 * `distance`.  The sign is negative because the view looks along the
   // negative z axis.
   box(2, 2) = -1 / distance;
   box(2, 3) = -1;
