@@ -32,8 +32,8 @@ void BranchNetwork::OpenAgain(NetHandle handle, const Socket& socket) {
       PassingNetwork::Listen(handle, socket.port);
       for (const NetHandle accepted : socket.accepts) PassingNetwork::Accept(handle, accepted);
       break;
-    // The other end of a TCP connection is still connected to the first run, so the robot sees a
-    // broken connection.
+    // A TCP connection cannot be opened again from the side of the robot.  So the robot gets an
+    // event that tells it that the connection is broken.
     case Socket::Kind::kStream: {
       NetworkEvent broken;
       broken.kind = NetworkEvent::Kind::kFailed;
@@ -124,8 +124,8 @@ void BranchNetwork::Drop(NetHandle handle, bool reset) {
   if (!repeats_) PassingNetwork::Drop(handle, reset);
 }
 
-// Updates sockets_, from which GoOn() opens the robot's sockets again, by the event that Poll()
-// returns to the robot now.
+// Updates sockets_, the record of the robot's sockets, after `event`, which Poll() returns to the
+// robot now.  GoOn() uses this record to open the sockets again.
 void BranchNetwork::Follow(const NetworkEvent& event) {
   switch (event.kind) {
     case NetworkEvent::Kind::kAccepted:

@@ -1,4 +1,4 @@
-// BranchNetwork, the network of a robot whose run can be copied at an earlier moment.
+// BranchNetwork, the network of a robot in a run that can go back to an earlier moment.
 //
 // In the run itself, BranchNetwork passes all calls on to the real network and logs the events that
 // come from outside.  In a copy of the run, BranchNetwork first returns the logged events again and
@@ -31,8 +31,8 @@ class BranchNetwork : public PassingNetwork {
   // call with the same number returned in the original run.  From now on nothing is sent.
   // REQUIRES: Forget() was called.
   void Repeat(std::deque<LoggedInput> inputs);
-  // Repeats events: each call of Poll() returns the events that the function `say` gives for it,
-  // such as the events of a recording.
+  // Repeats events: each call of Poll() calls `say` and returns the events that `say` returns, such
+  // as the events of a recording.
   void RepeatFrom(std::function<std::vector<NetworkEvent>()> say);
   // Goes on with the real network after Repeat() or RepeatFrom(), or after Forget() if nothing was
   // repeated.  Drops the inputs that Poll() has not returned yet, and opens the ports of the robot
@@ -75,8 +75,8 @@ class BranchNetwork : public PassingNetwork {
   const int robot_;
   InputLog& log_;
   uint64_t poll_ = 0;  // number of calls of Poll()
-  // The function given to RepeatFrom(), from which Poll() takes the events that it returns; null:
-  // Poll() returns the events in inputs_.
+  // The function from which Poll() takes its events, set by RepeatFrom(); null: Poll() does not
+  // call a function for its events.
   std::function<std::vector<NetworkEvent>()> say_;
   bool repeats_ = false;  // true: Poll() returns logged inputs, and nothing is sent
   // Inputs that Poll() has still to return, in the order of the calls of Poll() that returned them

@@ -108,8 +108,9 @@ bool Rewind::AfterFrame(bool is_watched) {
   const bool is_far =
       checkpoints_.empty() || system().now_us() - checkpoints_.back().time_us >= kDistanceUs;
   if (!is_far || now_ns < next_ns_) return false;
-  // Lets at least kDistanceNs pass by the clock of this computer between two checkpoints, because a
-  // run at full speed passes kDistanceUs in a moment and would do little but fork.
+  // Makes the next checkpoint at least kDistanceNs later by the clock of this computer.  Without
+  // this limit, a run at full speed would spend most of its time on forks, because it passes
+  // kDistanceUs of virtual time very quickly.
   next_ns_ = now_ns + kDistanceNs;
   if (MakeCheckpoint()) return true;
   if (!checkpoints_.empty()) DropOld();
@@ -159,8 +160,8 @@ void Rewind::Drop(Checkpoint* checkpoint) {
 void Rewind::DropOld() {
   UpdateMemory();
   const int64_t begin_us = system().now_us() - parts_.span_us;
-  // Keeps the last checkpoint before the span of time to which the run can go back, because views
-  // of moments before the second checkpoint begin there.
+  // Keeps the last checkpoint that is not later than `begin_us`, the earliest moment to which the
+  // run can go back, because a view of this moment is made from that checkpoint.
   while (checkpoints_.size() > 1 && checkpoints_[1].time_us <= begin_us) {
     Drop(&checkpoints_.front());
     checkpoints_.pop_front();
@@ -300,8 +301,9 @@ nlohmann::ordered_json Rewind::Branch(double rate) {
   }
   branch_ = answer->at("process");
   branch_parent_ = shown_->process;
-  // Leaves the process of the shown checkpoint alone.  That process waits for the branch, its
-  // child, and then ends with the exit code of the branch, for which WaitForBranch() waits.
+  // Closes only the socket.  Does not call Drop() for the checkpoint that is shown, because its
+  // process must go on: the process waits for its child, the branch, and ends with the exit code of
+  // the branch, which WaitForBranch() then returns.
   close(shown_->socket);
   for (Checkpoint& checkpoint : checkpoints_) {
     if (&checkpoint != shown_) Drop(&checkpoint);

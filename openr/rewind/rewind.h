@@ -112,9 +112,9 @@ class Rewind {
   // process.  REQUIRES: shows_past().
   nlohmann::ordered_json Forward(const nlohmann::json& request);
 
-  // Makes the view of a past moment a new run (a branch), which goes on at `rate`.  Returns {"run":
-  // NAME}, or {"error": TEXT}.  After success, the caller must end the run that it belongs to,
-  // which the branch replaces, and call WaitForBranch().
+  // Makes the view of a past moment a new run (a branch), which goes on at `rate` in place of this
+  // run.  Returns {"run": NAME, "files": [PATH, ...]}, or {"error": TEXT}.  After success, the
+  // caller must end this run and call WaitForBranch().
   nlohmann::ordered_json Branch(double rate);
   bool has_branched() const { return branch_ > 0; }
   // Waits until the branch, the process that goes on in place of this run, ends, and returns its
@@ -142,7 +142,7 @@ class Rewind {
   std::string Show(Checkpoint* checkpoint, const nlohmann::json& target);
   Checkpoint* LastBefore(int64_t time_us, uint64_t messages);
 
-  // These functions run in the process of a checkpoint or of a view.
+  // The functions from Wait() to GoOn() run in the process of a checkpoint or of a view.
   void Wait(int socket, const SavedStick& stick, ProcessFiles* files);
   bool RunView(int socket, const SavedStick& stick, ProcessFiles* files,
                const nlohmann::json& request);

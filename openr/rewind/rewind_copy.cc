@@ -42,8 +42,9 @@ void Rewind::Wait(int socket, const SavedStick& stick, ProcessFiles* files) {
   int exit_code = 0;
   for (;;) {
     const std::optional<PlainJson> request = ReceiveMessage(socket, -1);
-    // Ends this process when the original run has closed its socket: the run is over, or the last
-    // view has become a branch, a run of its own, and this branch is over.
+    // Ends this process when the original run has closed its end of the socket: the original run is
+    // over, or the last view has become a branch, and the branch is over.  In the second case,
+    // `exit_code` is the exit code of the branch.
     if (!request) _exit(exit_code);
     if (!request->contains("show")) {
       SendMessage(socket, {{"error", "no view is open"}});
@@ -89,8 +90,8 @@ bool Rewind::RunView(int socket, const SavedStick& stick, ProcessFiles* files,
       }
     } catch (const std::exception& error) {
       answer = {{"error", error.what()}};
-      // Ends the view only if it could not come to the moment that it was to show.  A refused
-      // request to answer a client, or to become a branch, leaves the view as it was.
+      // Ends the view only if it could not reach the moment that it was to show.  If the view has
+      // refused a request "answer" or "branch", its state is as before.
       has_failed = !next->contains("answer") && !next->contains("branch");
     }
     SendMessage(socket, answer);
@@ -114,8 +115,9 @@ void Rewind::Prepare(const SavedStick& stick, ProcessFiles* files, const PlainJs
   auto* const present = dynamic_cast<FolderStick*>(system().robot(0).stick.get());
   const std::string root = present->root();
   CopyStick(root, copy);
-  // Undoes all changes of the run, also those after the checkpoint, which the view has not made
-  // yet.
+  // Gives the files in the copy the content from before the run.  The stick also has changes from
+  // after the checkpoint, which must not be in the copy, because the view has not made these
+  // changes yet.
   SavedStick::Of(request.at("files")).CopyTo(copy);
   stick.CopyTo(copy);  // restores the files that objects had changed before the checkpoint
   files->OpenAgain(root, copy, temporary);
@@ -164,8 +166,8 @@ void Rewind::RunTo(const PlainJson& target) {
     if (now_us >= end_us) return;
     const int64_t frame_end_us = (now_us / kFrameUs + 1) * kFrameUs;
     RunOne(std::min(frame_end_us, end_us));
-    // Returns if neither the time has advanced nor a message has come, because then the run is
-    // over.
+    // Returns when RunOne() has neither advanced the time nor delivered a message, because then the
+    // run is over.
     if (system().now_us() == now_us && system().message_count() == before) return;
   }
 }

@@ -74,8 +74,8 @@ bool IsStandardStream(const struct stat& status) {
   return false;
 }
 
-// Returns the flags among `flags`, with which a file was opened, that are needed to open this file
-// again.
+// Returns those of `flags` that are needed to open a file again.  `flags` are the flags with which
+// the file was opened before.
 int FlagsAgain(int flags) { return flags & (O_ACCMODE | O_APPEND | O_NONBLOCK); }
 
 // Returns the path with a number behind the name: DIR/NAME-NUMBER.EXT for DIR/NAME.EXT.
@@ -131,8 +131,7 @@ size_t SavedStick::bytes() const {
 }
 
 void SavedStick::CopyTo(const std::string& folder) const {
-  // Goes through the paths in order of their names, so that a folder is made before the files in
-  // it.
+  // files_ is sorted by path, so a folder is made before the files in the folder.
   for (const auto& [path, saved] : files_) {
     const fs::path target = fs::path(folder) / path;
     if (saved.is_folder) {

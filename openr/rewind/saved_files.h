@@ -59,15 +59,16 @@ class ProcessFiles {
   // constructor was called.  Throws std::system_error.
   void OpenAgain(const std::string& stick, const std::string& copy, const std::string& temporary);
 
-  // Keeps the copies of written files when the fork has become a run of its own: the copy of
-  // DIR/NAME.EXT becomes DIR/NAME-2.EXT, or has the next free number.  A file in a trace, the
-  // folder DIR/NAME.ctf, gets a new trace, DIR/NAME-2.ctf.  Returns the new files and traces.
-  // Throws std::system_error.
+  // Keeps the copies of written files when the fork has become a run of its own.  The copy of
+  // DIR/NAME.EXT becomes DIR/NAME-2.EXT, or gets the next free number.  If the file belongs to a
+  // trace, which is the folder DIR/NAME.ctf, the copy goes into a new trace, DIR/NAME-2.ctf,
+  // together with the other files of the trace.  Returns the new files and traces.  Throws
+  // std::system_error.
   std::vector<std::string> KeepCopies();
 
-  // Finds the copy that OpenAgain() has made of the written file `path`, and moves it to `target`.
-  // This process, a fork of the run, then goes on writing to `target`; if `target` is "", it goes
-  // on writing to the copy.  Returns the path of the file that is written from now on.  Throws
+  // Moves the copy that OpenAgain() has made of the written file `path` to `target`.  This process,
+  // a fork of the run, then goes on writing to `target`.  If `target` is "", the copy stays where
+  // it is.  Returns the path of the file to which this process writes from now on.  Throws
   // std::runtime_error or std::system_error.
   std::string MoveCopy(const std::string& path, const std::string& target);
 
