@@ -69,8 +69,8 @@ class JointClient : public PassingNetwork {
   std::string out_;       // requests that the robot has not received yet
   int unanswered_ = 0;
   uint64_t taken_ = 0;  // bytes of answers that came since the last Poll()
-  // The largest number of bytes that the remote control's waiting call of Receive() takes; 0: no
-  // call waits.
+  // The largest number of bytes that the remote control accepts in its present call of Receive();
+  // 0: no call of Receive() waits for bytes.
   size_t wants_ = 0;
   bool is_closing_ = false;
   bool is_broken_ = false;  // true: the robot has sent something that is no valid answer

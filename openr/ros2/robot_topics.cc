@@ -122,8 +122,8 @@ RobotTopics::RobotTopics(Bus* bus, const std::string& space, VirtualRobot* robot
         break;
       case SensorKind::kJoint:
       case SensorKind::kAcceleration:
-        // Joints and acceleration get no topics of their own, because they are in the topics
-        // joint_states and imu.
+        // Sensors of joints and of acceleration get no topics of their own, because the topics
+        // joint_states and imu have their values.
         break;
     }
   }

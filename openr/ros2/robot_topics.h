@@ -22,8 +22,9 @@ class RobotTopics {
   // the kind and name of a sensor, such as "touch/paw_sensor_left_fore_leg".
   RobotTopics(Bus* bus, const std::string& space, VirtualRobot* robot);
 
-  // Publishes all values of the robot that are due.  Called after each frame of 8 ms.  Returns "",
-  // or the reason why the camera has no picture.
+  // Publishes the values of the robot: most of them in each frame, the others once a second or when
+  // they change.  Called after each frame of 8 ms.  Returns "", or the reason why the camera has no
+  // picture.
   std::string Publish(int64_t time_us);
 
  private:

@@ -90,8 +90,8 @@ void Ros2Link::ApplyCommands(Robot* robot) {
         ": a publisher does not match and is not heard; it has to be reliable and to speak "
         "XCDR1, which is the default of ROS 2");
   }
-  // Asks before SetTargets() stores newer joint targets, because only targets that the robot has
-  // not taken since the last frame count as waiting.
+  // Calls IsWaiting() before SetTargets() stores newer joint targets, because frames_waiting must
+  // count only targets that have waited since the last frame.
   const bool is_waiting = robot->client->IsWaiting();
   for (int i = 0; i < Ros2JointCommands::kWaitingMax; ++i) {
     const std::optional<Ros2JointCommand> command = robot->commands->Take();
