@@ -90,7 +90,8 @@ std::vector<std::string> HandlersAmong(const std::vector<std::string>& functions
   static const std::regex kMethod(
       "(\\w+)::\\w+\\((?:O(System|Notify|Ready|Control|Connect)Event const&|void\\*)\\)");
   std::vector<std::string> methods;
-  // The classes of objects.  A class that has a function DoInit() counts as the class of an object.
+  // The names of the classes that have a function DoInit().  Such classes are the classes of
+  // objects; the methods of all other classes are removed below, because they are no handlers.
   std::vector<std::string> classes;
   for (const std::string& function : functions) {
     const std::string name = Demangled(function);

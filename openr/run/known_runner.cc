@@ -40,8 +40,8 @@ class KnownRunner {
   int64_t FrameEnd() const { return (system_.now_us() / kFrameUs + 1) * kFrameUs; }
 
   void AfterFrame() {
-    // Takes checkpoints even while nobody watches, so that the beginning of the run can be shown
-    // later.
+    // Passes true, as if a client always watched the run, so that checkpoints are made from the
+    // beginning of the run, and a later client can go back to it.
     if (!parts_.rewind->AfterFrame(true)) return;
     // Restarts the pacer, which keeps virtual time in step with the clock of this computer, because
     // this process has just become a branch, which goes on from an earlier moment.
@@ -61,8 +61,8 @@ class KnownRunner {
     pacer_.Restart();
   }
 
-  // Runs to the end of the frame, at the rate that the user wants.  If the user goes to a later
-  // moment, runs to this moment without waiting for the clock.
+  // Runs to the end of the frame, and waits for the clock so that the run has the rate that the
+  // user wants.  Does not wait if the user has asked to go to a later moment.
   void GoOn() {
     RunClock& clock = *parts_.clock;
     const bool has_goal = clock.goal_us() != INT64_MAX;

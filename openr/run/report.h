@@ -15,7 +15,7 @@ class Simulation;
 class System;
 struct Ending;
 
-// Facts that the report of a run needs and that the simulation does not know.
+// Facts that MakeReport() needs for the report of a run and cannot get from the simulation.
 struct RunFacts {
   double wall_time_s = 0;
   uint64_t seed = 1;

@@ -36,8 +36,8 @@ void MakeStep(Simulation* simulation, RunClock::Step step, int64_t frame_end_us,
     const int64_t before_us = system.now_us();
     const uint64_t messages = system.message_count();
     const int64_t next_frame_us = (before_us / kFrameUs + 1) * kFrameUs;
-    // At end_us, virtual time stands still, but messages that are due exactly then are still
-    // delivered.
+    // Runs at most to end_us.  At end_us, virtual time does not advance any more, but `run_one`
+    // still delivers the messages that are due at end_us.
     run_one(std::max(before_us, std::min(next_frame_us, end_us)));
     goes_on = system.now_us() != before_us || system.message_count() != messages;
   }

@@ -79,7 +79,8 @@ class Runner {
   const std::vector<StandingMonitor>& standing() const { return standing_; }
 
  private:
-  // The facts about a robot that were printed last, so that only changes are printed.
+  // The state of a robot when the runner last printed a line about the robot.  The runner prints
+  // again only when this state has changed.
   struct PrintedFacts {
     uint16_t port = 0;    // port of its remote control; 0: none
     int boots = 1;        // number of boots of the robot
