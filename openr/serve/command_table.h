@@ -1,5 +1,5 @@
-// The commands of openr serve as data.  RunServer checks requests against them, docs/python.md
-// lists them, and the module openr_host has a method for each of them.
+// The table of the commands of openr serve.  RunServer checks requests against this table,
+// docs/python.md lists the commands, and the module openr_host has a method for each command.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -24,7 +24,8 @@ struct RunCommand {
   // Members of the command's answer, such as "time_s: number"; "bytes" stands for bytes after the
   // JSON text.
   const char* answer;
-  // Meaning of the bytes after the JSON text of the request; "": there are none.
+  // Meaning of the bytes that follow the JSON text of a request with this command; "": no bytes
+  // follow.
   const char* takes = "";
 };
 

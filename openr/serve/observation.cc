@@ -143,8 +143,8 @@ std::vector<ReadValue> FindGroup(const RobotValueName& wanted, const RobotModel&
   return values;
 }
 
-// Returns the quantity `wanted` if its name is known in this source file only; null if
-// FindQuantity() has to find the quantity.
+// Returns the quantity with the name `wanted` if this source file defines it, such as
+// "speed.JOINT"; null otherwise.  After null, the caller asks FindQuantity().
 Quantity FindOwn(const RobotValueName& wanted, const RobotModel& model) {
   const size_t dot = wanted.rest.find('.');
   if (dot == std::string::npos) return MotionOf(wanted.robot, wanted.rest);

@@ -16,17 +16,17 @@ struct ReadValue {
   Quantity read;
 };
 
-// Returns the values that `name` names.  It is the name of a quantity (docs/exploring.md), where
+// Returns the values with the name `name`: the name of a quantity (docs/exploring.md), where
 // "robots[0]." may be left out, or one of these names of a robot's values:
 //   target.JOINT, measured.JOINT            set point and measured angle, in degrees
 //   speed.JOINT, drive.JOINT                speed in degrees/s, drive of the motor
-//   sensor.NAME                             a sensor by its short name, "sensor.chin"
-//   paw.LEG                                 1 if the paw touches something, paw.LF
+//   sensor.NAME                             a sensor by its short name, such as sensor.chin
+//   paw.LEG                                 1 if the paw touches something, such as paw.LF
 //   vx_m_s, vy_m_s, vz_m_s                  velocity of the base in the world
 //   wx_deg_s, wy_deg_s, wz_deg_s            angular velocity of the base about its own axes
-// or a group: joints, targets, measured, speeds, drives, sensors, paws.  A group is all values of
-// its kind of one robot, in the order of the model.  Throws std::runtime_error if nothing has this
-// name.
+// or a group: joints, targets, measured, speeds, drives, sensors, paws.  A group has all values of
+// one kind of one robot, in the order of the model.  Throws std::runtime_error if no value has the
+// name `name`.
 std::vector<ReadValue> FindValues(const std::string& name, const RunView& view);
 
 class Observation {

@@ -2,7 +2,7 @@
 //
 // Both directions have the same form.  First come two little-endian numbers of 4 bytes: the length
 // of a JSON text and the number of further bytes.  Then come the text and the bytes.  The bytes
-// hold values of type double in the order of the computer, pictures or data of messages, which
+// hold values of type double in the byte order of the computer, pictures or data of messages, which
 // would be slow or long as JSON.
 #pragma once
 

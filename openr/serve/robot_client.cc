@@ -12,8 +12,8 @@ namespace openr_host {
 namespace {
 
 constexpr NetHandle kHandle = 1;
-// The IPv4 address of the first client that connects to a robot inside the process, 10.0.1.2, which
-// is in the network of the robot.
+// The IPv4 address 10.0.1.2.  Client number n gets the address n after this one, so that all
+// clients are in the network of the robot.
 constexpr uint32_t kFirstIp = 0x0a000102;
 constexpr uint16_t kFirstPort = 40000;
 constexpr size_t kReceiveMax = size_t{1} << 20;

@@ -132,7 +132,9 @@ RunServer::Answer RunServer::Time() {
   return {{{"time_s", static_cast<double>(run().system().now_us()) / 1e6}}, ""};
 }
 
-// Prepares this process for an object that crashes or whose handler does not return.
+// Makes this process report a crash of an object, or a handler that runs longer than
+// `handler_limit_us`, before the process ends.  The process then writes a crash record and answers
+// the present request.
 void RunServer::BeginGuards(int64_t handler_limit_us) {
   ending_action_.reset();
   watchdog_.reset();

@@ -55,8 +55,8 @@ ServedRun::ServedRun(const ServedRunOptions& options)
     DeliveredMessage seen = Describe(system(), record, message);
     const bool fits = std::any_of(filters_.begin(), filters_.end(),
                                   [&](const MessageFilter& filter) { return filter.Fits(seen); });
-    // Copies the content of the message only now, because most messages fit no filter and the
-    // content can be large, such as a camera's image.
+    // Leaves out a message that fits no filter before its content is copied.  Most messages fit no
+    // filter, and the content can be large, such as a camera's image.
     if (!fits) return;
     seen.content = ContentOf(message);
     Keep(std::move(seen));
@@ -141,8 +141,9 @@ std::optional<DeliveredMessage> ServedRun::RunUntilMessage(const MessageFilter& 
     const int64_t frame_end_us = (before_us / kFrameUs + 1) * kFrameUs;
     system().RunOne(std::min(frame_end_us, std::max(time_us, before_us)));
     Sample();
-    // The run goes on if its time has advanced or if it has delivered a message: at the time limit,
-    // virtual time stands still, but messages that are due exactly then are still delivered.
+    // The loop goes on if the time has advanced or a message was delivered.  At the time limit,
+    // virtual time does not advance any more, but messages that are due exactly at the limit are
+    // still delivered.
     goes_on = system().now_us() != before_us || system().message_count() != messages;
   }
   system().trace().RemoveSink(sink);

@@ -105,9 +105,8 @@ class ServedRun {
   std::string crash_log_;
   ConsoleLog console_;
   Recorder recorder_;
-  // Refuses requests to rewind the run that come through its socket (live_).  Makes no checkpoints,
-  // because Begin() is never called: the client of `openr serve` goes back in another way, by
-  // copies of this process.
+  // A Rewind that makes no checkpoints, because Begin() is never called.  It is here because live_
+  // needs a Rewind.  A client of `openr serve` goes back in another way, by copies of this process.
   Rewind rewind_;
   RunClock clock_{0};
   RobotClients clients_;

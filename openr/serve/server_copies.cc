@@ -43,13 +43,13 @@ class ReadyPipe {
   ReadyPipe(const ReadyPipe&) = delete;
   ReadyPipe& operator=(const ReadyPipe&) = delete;
 
-  // Tells the original process the problem that keeps the copy, its fork, from going on; "" means
-  // that the fork is ready.
+  // Called in the copy.  Tells the original process the problem because of which the copy cannot go
+  // on; "": the copy is ready.
   void Send(const std::string& problem) const {
     const std::string text = problem + '\n';
     [[maybe_unused]] const ssize_t count = write(ends_[1], text.data(), text.size());
   }
-  // Waits in the original process for the text that the copy, its fork, gives to Send().  Returns
+  // Called in the original process.  Waits for the text that the copy gives to Send(), and returns
   // this text.
   std::string Receive() {
     close(std::exchange(ends_[1], -1));
@@ -110,9 +110,9 @@ RunServer::Answer RunServer::DoDisconnect(const Request& request) {
   return Time();
 }
 
-// Makes a copy of this process.  Returns in both processes.  The original answers the request at
-// its own pipe.  The copy serves the socket that came with the request, where no program waits for
-// an answer yet.
+// Makes a copy of this process, and returns in both processes.  The original answers the request at
+// its own pipe.  The copy answers at the socket that came with the request; this answer tells the
+// program at the other end that the copy runs.
 RunServer::Answer RunServer::DoFork(const Request& request) {
   const int socket = pipe_.TakeDescriptor();
   if (socket < 0)
@@ -129,7 +129,8 @@ RunServer::Answer RunServer::DoFork(const Request& request) {
     const pid_t copy = CopyProcess(Flushed::kOwn, Orphan::kGoesOn);
     if (copy < 0) throw std::runtime_error(std::strerror(errno));
     if (copy == 0) return BecomeCopy(socket, record, [&](const std::string& t) { ready.Send(t); });
-    // Waits until the copy has files of its own, because both processes share the files until then.
+    // Waits until the copy has files of its own, because until then a change to the files by this
+    // process would also change the files of the copy.
     const std::string problem = ready.Receive();
     if (!problem.empty()) throw std::runtime_error("this run cannot be copied: " + problem);
     close(socket);
@@ -152,7 +153,8 @@ RunServer::Answer RunServer::BecomeCopy(int socket, const std::string& record,
     WatchCrashes();
   } catch (const std::exception& error) {
     tell(error.what());
-    // Ends this process, because it must not serve the pipe of the original process.
+    // Ends the copy, because a copy without files of its own cannot go on, and must not read
+    // requests from the pipe of the original process.
     _exit(1);
   }
   is_copy_ = true;
