@@ -1,4 +1,5 @@
-// IsActivity(), which tells by a message whether the objects of a stick still do something.
+// IsActivity(), which tells whether a message is a sign that the objects of a stick still do
+// something.
 #pragma once
 
 namespace openr_host {

@@ -16,8 +16,8 @@
 namespace openr_host {
 namespace {
 
-// Time between two checks whether clients have connected to a robot.  Clients do not notice so
-// short a time, and with this pause a run at full speed saves a system call in nearly every frame.
+// Time between two checks whether clients have connected to a robot.  Clients do not notice such a
+// short time, and with this pause a run at full speed saves a system call in nearly every frame.
 constexpr int64_t kAcceptIntervalNs = 100'000;
 
 }  // namespace

@@ -29,16 +29,15 @@ constexpr char kStartedVariable[] = "OPENR_SANITIZER";
 
 // Settings of AddressSanitizer.  AddressSanitizer must not handle the signals of crashes, because
 // the run handles them itself.  It must not report memory that an object keeps until the end,
-// because this memory is freed with the object.  It accepts that memory of new is freed with
-// free(), or memory of malloc() with delete, because some functions of the SDK pass blocks between
-// both.
+// because this memory is freed with the object.  It must not report that memory from new is freed
+// with free(), or memory from malloc() with delete, because some functions of the SDK mix the two.
 constexpr char kSettings[] =
     "detect_leaks=0:handle_segv=0:handle_sigbus=0:handle_sigfpe=0:handle_sigill=0:"
     "alloc_dealloc_mismatch=0:allocator_may_return_null=1";
 
 // Returns the path of the AddressSanitizer library that an image on the stick needs; "" if no image
-// needs it.  Skips folders that cannot be read, because the run itself reports them when it reads
-// the stick.
+// needs it.  Skips folders that cannot be read, because the run itself reports such folders when it
+// loads the stick.
 std::string SanitizerOfStick(const std::string& stick) {
   std::error_code error;
   constexpr auto kSkip = fs::directory_options::skip_permission_denied;

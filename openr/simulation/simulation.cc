@@ -92,8 +92,8 @@ VirtualRobotOptions DevicesOf(const SimulationOptions& options, bool is_first) {
 
 }  // namespace
 
-// Uses Locate() because, like a Memory Stick, it does not distinguish upper and lower case, and so
-// finds a folder "open-r", too.
+// Looks for the folder OPEN-R with Locate(), because Locate() does not distinguish upper and lower
+// case, as on a robot's Memory Stick.  So a folder "open-r" is found, too.
 bool HoldsOpenR(const std::filesystem::path& folder) {
   std::error_code error;
   const MemoryStick::Location root = FolderStick(folder).Locate("/MS/OPEN-R");
@@ -182,8 +182,9 @@ void Simulation::AddRobot(const SimulationOptions& options, int index) {
                     StickOf(index)));
   }
   if (!Load(robot, stand_ins)) loaded_ = false;
-  // Sets no function for a second boot if objects run in other processes.  These objects cannot be
-  // loaded again, because their processes keep the state from the first boot.
+  // Sets load_again, the function for a second boot of the robot, only if all objects run in this
+  // process.  Other processes keep the state from the first boot, so their objects cannot be loaded
+  // again.
   if (options.stand_ins) return;
   system_->robot(robot).load_again = [this, robot] {
     AddSystemObjectsAgain(system_.get(), &parts_.at(static_cast<size_t>(robot)));
@@ -219,9 +220,9 @@ std::vector<AddressPair> Simulation::AddressesOf(const SimulationOptions& option
   if (!text) return options.addresses;
   const AddressConfig config = ParseAddressConfig(kAddressFile, *text, model_.design);
   for (const Diagnostic& diagnostic : config.diagnostics) {
-    // Reports errors in HOSTADDR.CFG, a file of the stick, only for the first robot of each stick,
-    // because several robots may share a stick.  Robots from the number sticks_.size() on have the
-    // stick of an earlier robot.
+    // Reports errors in HOSTADDR.CFG, a file of the stick, only for the first robot that has this
+    // stick.  The robots with an index of sticks_.size() or more share the stick of an earlier
+    // robot.
     if (static_cast<size_t>(index) < sticks_.size())
       system_->AddFindingAbout(nullptr, diagnostic.severity, RenderWithoutKind(diagnostic));
   }

@@ -67,9 +67,9 @@ struct SimulationOptions {
   // uses in its place.  These pairs have precedence over those in HOSTADDR.CFG of the stick.
   std::vector<AddressPair> addresses;
   std::function<void(std::string_view)> console;
-  // A function that returns functions which make stand-ins: objects that pass messages on to
-  // objects in other processes.  LoadStick() calls these functions instead of loading the images of
-  // such objects.  Only a distributed run sets this field.
+  // A function that returns the StandIns of a robot: functions that LoadStick() calls for objects
+  // in other processes, instead of loading their images (load_stick.h).  Only a distributed run
+  // sets this field.
   std::function<StandIns(System*, int robot)> stand_ins;
   // A function that is called for each robot, with the robot's number and network.  It returns a
   // network that the robot uses instead; this network usually passes calls to the given network.
