@@ -121,9 +121,9 @@ void CtfWriter::AddSlice(const HandlerSlice& slice) {
                   .bytes()});
 }
 
-// Writes to the file of a timeline the ends of the handlers that ended at or before `time_ns`.
-// Called before the begin of a handler is written, because the events in the file are in order of
-// time.
+// Writes to the file of the timeline the events "handler_end" of all handlers that ended at or
+// before `time_ns`.  Called before the begin of a handler is written, because the events in the
+// file are in order of time.
 void CtfWriter::WriteEndsUntil(uint64_t time_ns) {
   for (; !ends_.empty() && ends_.top().time_ns <= time_ns; ends_.pop()) Add(ends_.top().bytes);
 }

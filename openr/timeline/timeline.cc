@@ -65,7 +65,7 @@ std::optional<double> Timeline::CostOf(const Object& object, const Message& mess
 }
 
 // Begins the slice of the timeline for the handler that gets `message` now.  First ends the slice
-// of the handler before.
+// of the previous handler.
 void Timeline::Deliver(const TraceRecord& record, const Message& message) {
   EndSlice();
   const Object* const object = system_->object(record.target);
@@ -97,9 +97,9 @@ void Timeline::EndSlice() {
     slice.length = HandlerSlice::Length::kWall;
     slice.length_us = static_cast<double>(now_ns - begin_ns_) / 1e3;
   }
-  // Without a cost file, draws the handlers of one instant one after the other, because this
-  // computer ran them one after the other.  With a cost file, each robot has a processor of its own
-  // with virtual times.
+  // Without a cost file, handlers that run at the same virtual time are drawn one after the other,
+  // because this computer ran them so.  With a cost file, each robot has a processor that gives
+  // each of its handlers a virtual time of its own.
   if (system_->dispatcher().cpus().empty()) {
     slice.at_us = std::max(slice.at_us, free_us_);
     free_us_ = slice.at_us + slice.length_us;

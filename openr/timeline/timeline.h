@@ -59,8 +59,8 @@ class Timeline {
   std::optional<HandlerSlice> running_;  // slice of the handler that runs
   // The time at which the handler that runs (`running_`) began, by the clock of this computer.
   int64_t begin_ns_ = 0;
-  // The end of the last slice of the timeline whose length is wall time; the next such slice begins
-  // at this time or later.
+  // The end of the last slice of the timeline that has wall time as its length.  The next such
+  // slice begins at this time or later, so that the two slices do not overlap.
   double free_us_ = 0;
   // Objects whose names are already in the timeline: the id, and how many objects had this id
   // before (Object::predecessors).

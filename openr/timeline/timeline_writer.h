@@ -51,7 +51,8 @@ class PerfettoWriter : public TimelineWriter {
   void Finish() override;
 
  private:
-  // The place of a slice in the drawing of the timeline; an arrow begins at this place.
+  // The place in the drawing of the timeline at which a slice begins.  The arrows of the messages
+  // that the handler of this slice has posted begin here.
   struct Place {
     int pid, tid;
     double at;
