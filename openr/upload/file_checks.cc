@@ -29,7 +29,8 @@ std::string BytesOfImage(const std::string& file, std::string packed, const RcIn
                                ImageProcessorName(imageMIPS), ImageProcessorName(info.processor)));
   }
   if (!image.problem.empty()) ThrowFor(file, image.problem);
-  // Sends the image unpacked, because RCServer takes a packed image as an image for a real robot.
+  // Sends the image unpacked, because RCServer treats each packed image as an image for a real
+  // robot.
   return std::move(image.bytes);
 }
 
