@@ -18,7 +18,8 @@ enum class Look {
 
 struct Curve {
   Look look = Look::kFirst;
-  // Text in the legend, which names all curves with the same label only once.
+  // Name of the curve in the legend.  If several curves have the same label, the legend shows this
+  // label only once.
   std::string label;
   std::vector<double> x, y;  // coordinates of the points of the curve; x rises
 };

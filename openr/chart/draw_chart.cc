@@ -1,5 +1,5 @@
-// Draws a chart with Cairo: openr_draw_chart(), the only function of libopenr_chart.so that the
-// program calls (chart.h).
+// Draws a chart with Cairo.  This file becomes the library libopenr_chart.so, of which the program
+// openr calls only the function openr_draw_chart() (chart.h).
 #include <cairo-svg.h>
 #include <cairo.h>
 
@@ -30,8 +30,8 @@ struct Rgb {
 };
 constexpr Rgb kBackground{1, 1, 1}, kPlotBackground{0.975, 0.978, 0.982}, kGrid{0.88, 0.89, 0.90},
     kFrame{0.62, 0.64, 0.67}, kInk{0.13, 0.15, 0.18}, kPaleInk{0.38, 0.41, 0.45};
-// Grey, and two colours of the palette of Okabe and Ito, which people with any colour vision can
-// tell apart.
+// Colours of curves: grey, and two colours of the palette of Okabe and Ito, which people with any
+// colour vision can tell apart.
 constexpr Rgb kGrey{0.66, 0.68, 0.71}, kBlue{0.0, 0.40, 0.64}, kVermilion{0.80, 0.32, 0.0};
 
 struct Rect {
@@ -59,8 +59,8 @@ Ticks TicksOf(const Span& span, int count) {
   for (const double factor : {5.0, 2.0, 1.0}) {
     if (factor * power >= rough) step = factor * power;
   }
-  // Subtracts 1e-6, because an error of rounding could otherwise leave out the number at the
-  // beginning of the axis.
+  // Subtracts 1e-6 before it rounds up, because an error of rounding in the quotient could
+  // otherwise leave out the number at the beginning of the axis.
   return {std::ceil(span.low / step - 1e-6) * step, step,
           std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)))};
 }
@@ -163,8 +163,8 @@ class Painter {
     cairo_save(cairo_);
     cairo_rectangle(cairo_, plot.x, plot.y, plot.width, plot.height);
     cairo_clip(cairo_);
-    // Draws the curves with the look kReference first, because their wide lines would cover the
-    // others.
+    // Draws the curves with the look kReference first, because their lines are wide and would
+    // otherwise cover the other curves.
     for (const Look look : {Look::kReference, Look::kFirst, Look::kSecond, Look::kMarks}) {
       for (const Curve& curve : panel.curves) {
         if (curve.look == look) DrawCurve(curve, plot, y_span);
@@ -278,7 +278,7 @@ class Painter {
     return extents.x_advance;
   }
 
-  // Returns `text`, or if it is wider than `room`, `text` with dots in place of its middle.
+  // Returns `text`.  If `text` is wider than `room`, replaces its middle part by dots.
   std::string Shortened(const std::string& text, double size, bool is_bold, double room) {
     std::string shortened = text;
     for (size_t left_out = 1;
@@ -295,15 +295,16 @@ class Painter {
     cairo_set_font_size(cairo_, size);
   }
 
-  // Draws a text whose base line begins at x, y.  With `anchor` 0.5 the middle of the text is at x;
-  // with `anchor` 1 its end is at x.
+  // Draws a text with its base line at the height y.  With `anchor` 0 the text begins at x; with
+  // 0.5 its middle is at x; with 1 its end is at x.
   void Text(double x, double y, const std::string& text, double size, bool is_bold,
             const Rgb& colour, double anchor = 0) {
     const double width = WidthOfText(text, size, is_bold);
     Colour(colour);
     cairo_move_to(cairo_, x - anchor * width, y);
     cairo_show_text(cairo_, Printable(text).c_str());
-    // Forgets the end of the text, from which Cairo would draw a line to a mark that follows.
+    // Deletes Cairo's current point, which is now at the end of the text.  Otherwise cairo_arc(),
+    // which draws the circles of a curve, would begin with a line from this point.
     cairo_new_path(cairo_);
   }
 
