@@ -120,7 +120,8 @@ class McapReader {
     }
     const std::string_view bytes = record->ReadBytes(record->U64());
     const auto* const data = reinterpret_cast<const unsigned char*>(bytes.data());
-    // 0 stands for a chunk without a checksum (MCAP specification).
+    // Does not check a chunk with the checksum 0, which means that the chunk has no checksum (MCAP
+    // specification).
     if (crc != 0 && crc32_z(0, data, bytes.size()) != crc) {
       throw std::runtime_error(
           fmt::format("{}: the chunk at byte {} is damaged: its checksum is wrong", file_,
@@ -132,8 +133,8 @@ class McapReader {
     --depth_;
   }
 
-  // Throws std::runtime_error with the name of the file, the place in it of the MCAP record that is
-  // being read, and the text `why`.
+  // Throws std::runtime_error with the name of the file, the position of the present MCAP record in
+  // this file, and the text `why`.
   [[noreturn]] void Refuse(const std::string& why) const {
     throw std::runtime_error(
         fmt::format("{}: the record at byte {} {}", file_, good_ + kMcapMagic.size(), why));
@@ -192,8 +193,8 @@ class McapReader {
   Table table_;
   std::map<std::string, size_t> places_;  // key: name of a quantity; value: index in table_.series
   std::map<uint16_t, std::string> schemas_, topics_;
-  // Place in the file of the MCAP record that is being read, or of the chunk that contains this
-  // record, for error messages.
+  // Position in the file of the present MCAP record, counted from the end of kMcapMagic; error
+  // messages need it.  For a record in a chunk, this is the position of the chunk.
   size_t good_ = 0;
   int depth_ = 0;  // 1 while the records of a chunk are read, else 0
   bool is_over_ = false;

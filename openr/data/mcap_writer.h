@@ -69,8 +69,8 @@ class McapWriter {
   struct ChunkPlace {
     Times times;
     uint64_t offset = 0, length = 0;
-    // For each channel with messages in this chunk: the number of the channel, and the offset in
-    // the file of the index of its messages.
+    // Number of each channel that has messages in this chunk, and the offset in the file at which
+    // the index of these messages begins.
     std::vector<std::pair<uint16_t, uint64_t>> indexes;
     uint64_t indexes_length = 0;
     uint64_t size = 0;  // number of bytes of the records in the chunk

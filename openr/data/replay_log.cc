@@ -31,7 +31,8 @@ std::string LogReplay(Replayer* replayer, const DataLogOptions& options,
     if (timeline != nullptr) timeline->Rest();
     if (log != nullptr && system.now_us() == frame_end_us) log->Sample();
     progress.Show(system.now_us());
-    // Ends the loop if the virtual time has not changed, because then all robots are off.
+    // Ends the loop if the virtual time has not changed, because then all robots are off, and the
+    // time would never reach `until_us`.
     if (system.now_us() == before_us) break;
   }
   return finish();

@@ -48,7 +48,7 @@ std::string PanelOf(const std::string& name) {
 }
 
 // Returns whether `wanted`, a name or a pattern with '*', means the quantity `name`.  The parts of
-// the name before a dot may be left out, so 'RF_j*' means all angles of the joints of this leg.
+// the name before a dot may be left out, so 'RF_j*' means all joint angles of the leg RF.
 bool IsLike(const std::string& name, const std::string& wanted) {
   std::string pattern;
   for (const char c : wanted) {
@@ -178,8 +178,8 @@ class ChartMaker {
     }
   }
 
-  // Makes the plots larger if the chart has at most four panels, because so few panels have room in
-  // one column.
+  // Puts the panels below each other and makes them larger if the chart has at most four panels.
+  // More panels would make one column too high.
   void LayOut() {
     if (panels_.size() > 4) return;
     chart_.columns = 1;
@@ -202,7 +202,8 @@ class ChartMaker {
       panel.curves.back().look = group->look;
       panel.curves.back().label = group->label;
     }
-    // Sorts the curves by their look, because the legend lists the looks in this order, too.
+    // Sorts the curves by their look, because the legend lists the labels in the order of the
+    // curves.
     std::stable_sort(panel.curves.begin(), panel.curves.end(),
                      [](const Curve& a, const Curve& b) { return a.look < b.look; });
     chart_.panels.push_back(std::move(panel));
