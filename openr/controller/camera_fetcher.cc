@@ -33,7 +33,8 @@ void CameraFetcher::Fetch() {
         std::string rgb = robot.TakePicture(kLargestLayer).Rgb();
         const std::lock_guard lock(mutex_);
         picture_ = std::move(rgb);
-        // Sets the count of attempts so that the loop, which adds 1, counts from 0 again.
+        // Resets `tries`, because a picture has come.  The loop then adds 1, so the next attempt
+        // has number 0.
         tries = -1;
       } catch (const remote::Error& error) {
         if (error.status() != rcerrorBUSY && error.status() != rcerrorNO_PICTURE) throw;

@@ -23,8 +23,8 @@ class CameraFetcher {
   // returns true, if a new picture has come since the last call.
   bool CopyNewPicture(std::string* rgb);
 
-  // Returns the reason why no pictures come from the robot's camera.  Returns "" if pictures come,
-  // if none has come for less than 10 s, or if the reason was returned before.
+  // Returns the reason why no pictures come from the robot's camera; "" if no new reason has been
+  // found since the last call.  A camera that another client uses becomes a reason only after 10 s.
   std::string TakeProblem();
 
  private:

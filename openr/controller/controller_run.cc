@@ -41,7 +41,7 @@ void CatchStop() {
   sigaction(SIGTERM, &action, nullptr);
 }
 
-// A run of a controller, from the start of its main() to its end.
+// Runs a controller on this computer, from the start of its main() to the end of its loop.
 class Session {
  public:
   explicit Session(const ControllerRun& run)

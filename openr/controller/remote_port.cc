@@ -21,8 +21,8 @@ namespace remote = openr::remote;
 using Clock = std::chrono::steady_clock;
 
 constexpr int kFrameMs = 8;
-// Longest time for which RemotePort waits for packets of the robot.  After each wait it looks
-// whether Ctrl-C was pressed.
+// Longest time for which RemotePort waits for packets of the robot, so that it soon notices when
+// Ctrl-C is pressed.
 constexpr std::chrono::milliseconds kSlice{50};
 // Number of events from the robot after which RemotePort looks for the robot's answers to commands,
 // even if more events wait.  Without this limit many events could keep RemotePort from reading the
@@ -32,8 +32,8 @@ constexpr int kEventsAtOnce = 64;
 // 0 (docs/remote-control.md).
 constexpr uint32_t kFramesMax = 0x0ffffff1;
 
-// Returns whether the frame number `frame` is later than `other`.  Takes into account that counting
-// begins again at 0 after the largest number.
+// Returns whether the frame number `frame` is later than `other`.  After the largest frame number,
+// counting begins again at 0, so a smaller number can be the later one.
 bool IsAfter(uint32_t frame, uint32_t other) {
   const uint32_t difference = (frame + kFramesMax - other % kFramesMax) % kFramesMax;
   return difference > 0 && difference < kFramesMax / 2;
@@ -358,10 +358,10 @@ void RemotePort::Print(const char* text) {
 
 // ---- Functions that let the main() of a controller be an endless loop
 
-// Blocks in robot_step() until ControllerCore continues the loop of the controller; then returns
-// true.  On this computer the controller may block, so it needs no second stack, which it has on
-// the robot.  Each call of on_step_() runs one iteration of ControllerCore, and one of these
-// iterations sets is_continued_.
+// Blocks the main() of the controller in robot_step() until ControllerCore calls ContinueLoop();
+// then returns true.  Meanwhile each call of on_step_() runs one iteration of ControllerCore.  The
+// object Controller of a simulated robot must not block, so it needs a second stack for its main().
+// On this computer, main() may block, so no second stack is needed.
 bool RemotePort::LeaveLoop() {
   is_continued_ = false;
   while (!is_continued_) on_step_();
