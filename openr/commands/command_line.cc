@@ -84,8 +84,8 @@ std::string NotExpected(const CLI::App& command, const std::string& word) {
   return fmt::format("there is no flag {}{}", word, DidYouMean(word, flags));
 }
 
-// Returns the help text about `command`.  Makes the text directly, because CLI11's help() describes
-// the command that the user has called, which may be another one, such as `help`.
+// Returns the help text about `command`.  Does not use help() of CLI11, because help() describes
+// the command that the user has called: for "openr help run" this is `help`, not `run`.
 std::string HelpAbout(const CLI::App& app, const CLI::App& command) {
   const std::string path = PathOf(command);
   const std::string name = path.empty() ? app.get_name() : app.get_name() + " " + path;
@@ -110,8 +110,8 @@ class HelpFormatter : public CLI::Formatter {
   }
 
  private:
-  // Returns the words that the user types before the name of a subcommand of `command`, with a
-  // blank at the end, such as "openr rc HOST ".
+  // Returns the beginning of a command line that calls a subcommand of `command`: all words before
+  // the name of the subcommand, with a blank at the end, such as "openr rc HOST ".
   std::string WordsUpTo(const CLI::App& command) const {
     std::string words = command.get_parent() == nullptr ? "" : WordsUpTo(*command.get_parent());
     words += command.get_name() + " ";
@@ -140,8 +140,9 @@ std::string ForTerminal(const std::string& help) {
   return text;
 }
 
-// Finds the command by its words, not by what CLI11 has read: CLI11 takes `move` in "openr rc move
-// --help" for HOST, and would describe `rc`.
+// Finds the command to describe by the words in `argv`.  Does not use the command that CLI11 has
+// found: in "openr rc move --help" CLI11 takes `move` for the positional HOST, so it would describe
+// `rc`.
 std::string HelpAskedFor(const CLI::App& app, int argc, char** argv) {
   const CLI::App* about = &app;
   for (int i = 1; i < argc; ++i) {
@@ -161,8 +162,8 @@ std::string ExplainCommandLine(const CLI::App& app, const CLI::ParseError& error
   const auto is = [&error](CLI::ExitCodes kind) {
     return error.get_exit_code() == static_cast<int>(kind);
   };
-  // Explains the missing command first.  A misspelt command causes two errors, a missing command
-  // and an unknown word, but only NoSuchCommand() suggests the right spelling.
+  // Looks for a missing command before it looks for an unknown word.  A misspelt command causes
+  // both errors, but only NoSuchCommand() suggests the right spelling.
   if (is(CLI::ExitCodes::RequiredError) && NeedsCommand(command)) {
     const auto word = std::find_if_not(rest.begin(), rest.end(), &IsFlag);
     if (word != rest.end()) return NoSuchCommand(command, *word);

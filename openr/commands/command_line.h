@@ -11,9 +11,9 @@ namespace openr_host {
 // is the whole program; `error` is the exception that app.parse() has thrown.
 std::string ExplainCommandLine(const CLI::App& app, const CLI::ParseError& error);
 
-// Returns the formatter of all help texts.  Its line "Usage:" also has the positionals of the
-// commands that contain the command, such as HOST in "openr rc HOST move", because a call without
-// them fails.
+// Returns the formatter of all help texts.  In the help text about a command, the line "Usage:"
+// also shows the positionals of the commands above this command, such as HOST in "openr rc HOST
+// move", because a call without these positionals fails.
 std::shared_ptr<CLI::FormatterBase> MakeHelpFormatter();
 
 // Returns the help text `help` as it is printed: with bold headings if standard output is a

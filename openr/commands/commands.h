@@ -15,8 +15,8 @@ namespace openr_host {
 int RunProgram(int argc, char** argv);
 
 // Adds the command `wanted`, the first word of the command line, to `app`, with its help.  Adds all
-// commands if `wanted` is "" or no command, or if it is a command that describes the other
-// commands, such as "help".
+// commands if `wanted` is "" or no name of a command, or if it is a command that describes the
+// other commands, such as "help".
 void DescribeProgram(CLI::App* app, int* exit_code, std::string_view wanted);
 
 void AddRunCommand(CLI::App* app, int* exit_code);

@@ -11,7 +11,8 @@
 
 namespace openr_host {
 
-// The name by which the help calls the value of --world.
+// Name of the type of --world's value in CLI11.  The help shows this name, and DescribeCommands()
+// recognises by this name that the value of a flag is a world.
 inline constexpr char kWorldType[] = "WORLD";
 
 // Adds the flags of all commands that load the objects of a stick: --stick, --robot, --world and
@@ -46,8 +47,8 @@ CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name,
 CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name, int64_t* us,
                              const std::string& description);
 
-// Returns the rate that `text`, the value of --rate, means: virtual seconds per second; 0 for
-// "max". Throws CLI::ValidationError if `text` is no rate.
+// Returns the rate that `text`, the value of --rate, means: seconds of virtual time per second of
+// real time; 0 for "max".  Throws CLI::ValidationError if `text` is no rate.
 double RateOf(const std::string& text);
 
 // Returns a check of a flag's value: it accepts only whole numbers from 0 to 2^64 - 1.

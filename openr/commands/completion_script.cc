@@ -68,8 +68,9 @@ void AddPaths(const CommandInfo& command, std::vector<std::string>* patterns) {
   }
 }
 
-// Returns the argument with which the script for bash calls its function _openr_files to complete a
-// value of the kind `value`; "" if such values name no files.
+// Returns the argument of _openr_files, the function of the bash script that completes names of
+// files: "-d" for folders, "-f" for files.  Returns "" if the value of an option of the kind
+// `value` is no file and no folder.
 const char* KindOf(Value value) {
   if (value == Value::kFolder) return "-d";
   return value == Value::kFile || value == Value::kWorld ? "-f" : "";

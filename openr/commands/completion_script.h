@@ -14,8 +14,8 @@ struct InputInfo {
   std::vector<std::string> words;  // the words that may follow, such as names of sensors
 };
 
-// Names of robot models, of their parts and of worlds, and the inputs, which users type in command
-// lines.  Each list is sorted.
+// Names that users type in command lines: of robot models, of their joints and sensors, and of
+// worlds.  Also has the inputs (docs/inputs.md).  Each list is sorted.
 struct DataNames {
   std::vector<std::string> joints;   // joints of all robot models
   std::vector<std::string> sensors;  // sensors of all robot models, without the sensors of joints

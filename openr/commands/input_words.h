@@ -1,5 +1,5 @@
-// The words of which inputs (docs/inputs.md) consist, from which shells and prompts complete
-// inputs.
+// Splits the descriptions of inputs (docs/inputs.md) into words.  Shells and prompts offer these
+// words when a user types an input.
 #pragma once
 
 #include <set>

@@ -59,7 +59,7 @@ std::string Entry(const OptionInfo& option, bool is_positional) {
   return text + "\n";
 }
 
-// Returns the names of the positionals, each after a blank.
+// Returns the names of the positionals of `command`, each after a blank.
 std::string Positionals(const CommandInfo& command) {
   std::string text;
   for (const OptionInfo& positional : command.positionals) {

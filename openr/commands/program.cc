@@ -57,8 +57,8 @@ void PrintFailure(const std::string& why, bool as_json) {
   std::printf("%s\n", JsonText(nlohmann::json{{"error", why}}).c_str());
 }
 
-// Prints the help or the version, and returns the exit code.  CLI11 reports a request for help or
-// version as an `error` with exit code 0.
+// Prints the help or the version that the user has asked for, and returns the exit code.  CLI11
+// tells of such a request by an exception, `error`, with exit code 0.
 int PrintAskedFor(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
   std::ostringstream text;
   const int exit_code = app.exit(error, text, text);
@@ -76,8 +76,8 @@ int PrintAskedFor(const CLI::App& app, const CLI::ParseError& error, int argc, c
 
 }  // namespace
 
-// Describes only the command `wanted` if possible, because to describe all commands takes a fifth
-// of the time in which the program starts.
+// Adds only the command `wanted` to `app` if possible, because the program needs a fifth of its
+// start time to add all commands.
 void DescribeProgram(CLI::App* app, int* exit_code, std::string_view wanted) {
   app->name("openr");
   app->formatter(MakeHelpFormatter());
@@ -115,8 +115,8 @@ int RunProgram(int argc, char** argv) {
     PrintFailure(Explain(error), as_json);
     return kExitWrong;
   } catch (const std::system_error& error) {
-    // Reports the answer of the command as lost if standard output has an error, because
-    // fmt::print() has then thrown this exception.
+    // Reports that the answer of the command is lost if standard output has an error, because
+    // fmt::print() has then thrown `error`.
     if (std::ferror(stdout) != 0) {
       NoteLostAnswer(error.code().value());
     } else {

@@ -93,8 +93,8 @@ InputInfo MakeInput(const std::string& usage, const std::set<std::string>& joint
   return input;
 }
 
-// Returns the names of joints, sensors and the like in the models and worlds that came with openr,
-// and the inputs.
+// Returns the names of joints, sensors, robot models and worlds that came with openr, and the
+// inputs in kInputs.
 DataNames FindDataNames() {
   std::set<std::string> joints, sensors;  // sorted, each name once
   for (const std::string& name : ModelNames()) {
@@ -120,8 +120,8 @@ void AddCompletionCommand(CLI::App* app, int* exit_code) {
       app->add_subcommand("completion", "Prints the script by which a shell completes commands");
   auto shell = std::make_shared<std::string>();
   command->add_option("SHELL", *shell, "Which shell")->required()->check(CLI::IsMember({"bash"}));
-  // Captures `shell`, too, because the option SHELL stores its value in `shell`, which must exist
-  // as long as the command.
+  // Captures `shell`, which the callback does not use, so that the string exists as long as the
+  // command: the option SHELL stores its value in the string.
   command->callback([app, shell, exit_code] {
     PrintAnswer(BashCompletion(DescribeCommands(*app), FindDataNames()));
     *exit_code = kExitGood;
