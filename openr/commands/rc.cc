@@ -28,12 +28,12 @@ remote::Address AddressOf(const RcFlags& flags) {
 }
 
 int Perform(const RcFlags& flags, const RcAction& action) {
-  // If --with names a second robot, performs the action at each of the two robots separately.  With
-  // --log, performs one action for both robots together instead, because the log has the records of
-  // both robots.
+  // Performs the action at two robots separately if --with names a second robot.  With --log,
+  // performs one action for both robots together instead, because it writes one log with the
+  // records of both robots.
   if (!flags.with.empty() && flags.log.empty()) {
-    // Reads HOST here as well, so that a wrong address is an error of the command line, as it is
-    // with one robot.
+    // Checks the address HOST before two robots are used, so that a wrong address is an error of
+    // the command line, as it is with one robot.
     AddressOf(flags);
     return PerformAtBoth(flags, action);
   }

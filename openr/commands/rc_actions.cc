@@ -103,8 +103,8 @@ RcAction RcJointAction(RcCommand command, const std::string& unit) {
   return [command, unit](remote::Connection* robot, const RcFlags& flags) {
     const Device joint = FindDevice(robot, rcdeviceJOINT, flags.device);
     const double in_force = LimitValue(robot, command, joint.index, flags.value);
-    // Compares the accepted value with the wanted value in hundredths of a degree, because the
-    // robot has no finer numbers.
+    // Compares the accepted value with the wanted value in hundredths of a degree.  The robot has
+    // no finer numbers, so a smaller difference comes from rounding and not from a limit.
     const bool limited =
         std::lround(in_force * kCdegPerDeg) != std::lround(flags.value * kCdegPerDeg);
     const std::string why =

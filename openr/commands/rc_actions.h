@@ -48,8 +48,8 @@ struct RcFlags {
   std::vector<int> gains;  // new gains P, I and D; empty: the present gains are only shown
 };
 
-// Returns the options of the connections to robots.  Throws std::runtime_error if the file of
-// --token-file has no token (the secret that a robot's server asks for).
+// Returns the time limit and the token for a connection to a robot.  The token is the secret that a
+// robot's server asks for.  Throws std::runtime_error if the file of --token-file has no token.
 remote::Options OptionsOf(const RcFlags& flags);
 
 // A function that carries out a command of openr rc: it sends requests to `robot` and prints the
@@ -70,7 +70,8 @@ void RcPowerAction(remote::Connection* robot, const RcFlags& flags);
 
 // Plays a motion on two robots at the same time (rc_play_with.cc).
 void RcPlayWithAction(remote::Connection* robot, const RcFlags& flags);
-// Returns the log of a motion `bytes`, changed into the log of a simulated robot (rc_play_with.cc).
+// Returns `bytes`, the log of a motion, as the log of a simulated robot: with its measured values
+// in the group of simulated values (rc_play_with.cc).
 std::string SimulatedLog(const std::string& bytes);
 
 // Fetches a picture from the robot's camera (rc_camera.cc).
@@ -89,7 +90,7 @@ void RcDeleteAction(remote::Connection* robot, const RcFlags& flags);
 void RcRebootAction(remote::Connection* robot, const RcFlags& flags);
 void RcShutdownAction(remote::Connection* robot, const RcFlags& flags);
 
-// Returns the action that sends `command` to a joint; it is rcMOVE, rcSPEED or rcACCEL.  `unit` is
+// Returns the action that sends a joint `command`, which is rcMOVE, rcSPEED or rcACCEL.  `unit` is
 // the unit of the value, for the printed answer.
 RcAction RcJointAction(RcCommand command, const std::string& unit);
 

@@ -33,8 +33,8 @@ constexpr int64_t kFollowPeriodMaxUs = 10'000'000;
 // line a second, because RemotePair reports the status every 200 ms.
 constexpr int kStatusesPerReport = 5;
 
-// A robot of the two at which openr rc carries out the same action (--with), and the result of the
-// action at this robot.
+// Robot that performs the same action as another robot (--with), and the result of the action at
+// this robot.
 struct Partner {
   std::string address;
   std::unique_ptr<remote::Connection> connection;

@@ -36,8 +36,8 @@ std::string UpperCaseName(const std::string& file) {
 void Upload(remote::Connection* robot, RcFileKind kind, const std::string& name,
             const std::string& bytes) {
   const auto kilobytes = [](size_t size) { return (size + 1023) / 1024; };
-  // Shows the progress of the upload only if standard output is a terminal, because then a person
-  // reads the output.
+  // Shows the progress on standard error if standard output is a terminal.  Else a program probably
+  // reads the output, and nobody needs the progress.
   const int descriptor = isatty(STDOUT_FILENO) != 0 ? STDERR_FILENO : -1;
   ProgressLine line(descriptor, kilobytes(bytes.size()), "KB of " + name, 0);
   robot->Upload(kind, name, bytes,

@@ -14,8 +14,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr uint32_t kNoFrame = 0xffffffff;
 
-// The robot's address, which RcRobotLabel has set for the answers that this thread prints; "":
-// none.
+// Address of the robot that sends the answers of this thread.  RcRobotLabel sets it, and each
+// printed answer begins with it; "": without an address.
 thread_local std::string t_robot;
 std::mutex g_print_mutex;  // protects the output, because with two robots two threads print
 

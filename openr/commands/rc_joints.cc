@@ -37,8 +37,8 @@ JointGoal ParseGoal(const std::string& text) {
 
 void RcPoseAction(remote::Connection* robot, const RcFlags& flags) {
   std::vector<JointGoal> goals;
-  // Reads the wanted positions of all joints before it asks the robot anything, so that a misspelt
-  // position is refused at once.
+  // Reads the wanted positions of all joints before the first request to the robot, so that a
+  // misspelt position is refused before the robot moves.
   for (const std::string& text : flags.goals) goals.push_back(ParseGoal(text));
   std::vector<remote::Call> calls;
   for (JointGoal& goal : goals) {
