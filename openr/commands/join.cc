@@ -102,9 +102,9 @@ void HandleEndSignals(int flags) {
   _exit(128 + g_ended_by);
 }
 
-// Discards all output to standard error while the SilencedErrors exists, if `is_on` is true.  Used
-// when a worker without a network tries again, because Cyclone DDS would print the same errors each
-// time.
+// Discards all output to standard error while an object of this class exists, if `is_on` is true.
+// Used when a worker has found no network and another worker tries again, because Cyclone DDS would
+// print the same errors at each attempt.
 class SilencedErrors {
  public:
   explicit SilencedErrors(bool is_on) : before_(is_on ? dup(STDERR_FILENO) : -1) {
@@ -144,8 +144,8 @@ Outcome Work(const WorkerOptions& options, bool is_known) {
     if (ending->object == nullptr) return;
     const CurrentScope scope(ending->object->system, ending->object);
     worker->ReportCrash(ending->finding.text());
-    // Calls PrintHandledMessage() after ReportCrash(), so that the run gets the report even if this
-    // call crashes.  PrintHandledMessage() prints the message whose handler has ended the process.
+    // Prints the message whose handler has ended the process.  Does so only after ReportCrash(), so
+    // that the run gets the report even if PrintHandledMessage() crashes.
     PrintHandledMessage(*ending);
   });
   const std::string problem = worker->Run();
@@ -154,8 +154,8 @@ Outcome Work(const WorkerOptions& options, bool is_known) {
 
 // Copies the default Memory Stick of this host to a temporary folder, because objects may change
 // files on it.  Returns the folder; "" when the copy cannot be made.  The worker uses this folder
-// if the run is on another host and the run's stick has the same files.  `stick` gets the RunStick,
-// whose destructor removes the folder.
+// if the run is on another host and the run's stick has the same files.  Stores in `*stick` a
+// RunStick; its destructor removes the folder.
 std::string OwnStick(std::optional<RunStick>* stick) {
   try {
     return stick->emplace("", true).folder();
@@ -164,7 +164,8 @@ std::string OwnStick(std::optional<RunStick>* stick) {
   }
 }
 
-// A worker in this process, from its flags to its exit code.
+// The worker that `openr join` runs in this process.  The constructor takes the flags of the
+// command, and Run() returns the exit code.
 class JoinedWorker {
  public:
   explicit JoinedWorker(JoinFlags flags);
@@ -173,8 +174,9 @@ class JoinedWorker {
 
   // Runs the worker until the run or the user ends it.  Returns the exit code.  If `is_known`, an
   // earlier worker has failed for the same reason.  If the run's objects need the library of
-  // AddressSanitizer, starts this program again; with `sanitized_stick`, sets it to the path of
-  // their stick instead, and returns kNeedsSanitizer.
+  // AddressSanitizer, which this process lacks, starts this program again.  But if the caller gives
+  // `sanitized_stick`, sets `*sanitized_stick` to the path of the run's stick instead, and returns
+  // kNeedsSanitizer.
   int Run(bool is_known = false, std::string* sanitized_stick = nullptr);
 
  private:
@@ -234,7 +236,8 @@ std::string JoinedWorker::StickProblem(const std::string& stick) {
       stick);
 }
 
-// Prepares this process for objects of `stick` that crash or whose handlers do not return.
+// Prepares this process for errors of the objects of `stick`: it writes a crash record if an object
+// crashes, and ends if a handler does not return.
 void JoinedWorker::Begin(const std::string& stick) {
   const bool is_own = own_stick_ && own_stick_->folder() == stick;
   const std::string file = is_child() ? flags_.crash_log
@@ -252,10 +255,10 @@ void JoinedWorker::Begin(const std::string& stick) {
   watchdog_.emplace(flags_.handler_limit_us);
 }
 
-// Runs a worker in this child process.  Returns the exit code, which is kOffline after an
-// exception.  If `is_known`, an earlier worker has printed the same error already, so it is not
-// printed again.  If the exit code is kNeedsSanitizer, writes the path of the stick to the pipe
-// `stick_pipe`.
+// Runs a worker in this process, which is a child process of `openr join --restart`.  Returns the
+// exit code, which is kOffline if the worker throws an exception.  With `is_known`, does not print
+// the error of this exception, because an earlier worker has printed the same error.  If the exit
+// code is kNeedsSanitizer, writes the path of the stick to the pipe `stick_pipe`.
 int JoinInThisProcess(const JoinFlags& flags, bool is_known, int stick_pipe) {
   try {
     std::string stick;
@@ -295,10 +298,10 @@ int JoinInChild(const JoinFlags& flags, bool is_known, pid_t* child, std::string
   return status;
 }
 
-// Runs a worker in a child process, and starts another worker when it ends before the run is over.
-// Each worker has a new process, so a crash does not harm the next worker.  Without a network,
-// prints one error and tries again.  If even the first worker has no network, returns an error,
-// because the flags for the network are probably wrong.
+// Runs a worker in a child process, and starts another worker when this worker ends before the run
+// is over.  Each worker has a new process, so a crash does not harm the next worker.  When a worker
+// finds no network, prints an error once and starts the next worker.  But when the first worker
+// finds no network, returns kExitWrong, because the flags for the network are probably wrong.
 int JoinWithRestarts(const JoinFlags& flags) {
   constexpr unsigned kPause_s = 1;
   HandleEndSignals(0);
