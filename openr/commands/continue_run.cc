@@ -81,8 +81,8 @@ class ContinuedRun {
  private:
   // Gives each robot a network that first repeats the recorded data, and then uses a real network.
   void Prepare(SimulationOptions* simulation) {
-    // Gives the robots real networks, which the replay does not use, because the run goes on live
-    // after it.
+    // Gives the robots real networks.  A BranchNetwork does not use its real network during the
+    // replay, but needs it when the run goes on live.
     simulation->host_network = true;
     simulation->network_filter = [this, recorded = simulation->network_filter](
                                      int robot, std::unique_ptr<Network> inner) {
@@ -95,8 +95,9 @@ class ContinuedRun {
     if (recorder_ != nullptr) recorder_->Listen(simulation);
   }
 
-  // Returns the folder of the Memory Stick with which the run was recorded, or that the user has
-  // given instead.  The replay uses a copy of this stick.
+  // Returns the folder of the Memory Stick for the replay, which then uses a copy of this stick.
+  // This is the folder that the user has given; without such a folder, the folder with which the
+  // run was recorded.
   std::string StickName() const {
     if (!options_.replay.stick.empty()) return options_.replay.stick;
     return TraceReader(options_.replay.file).header().stick;
@@ -151,7 +152,8 @@ RunPlan PlanOf(const ContinueOptions& options) {
 }  // namespace
 
 int ContinueRun(const ContinueOptions& options) {
-  // Ignores SIGHUP, which comes when the terminal is closed, if the run ends by itself.
+  // Ends a run without a fixed end when the terminal is closed (SIGHUP), because nobody could press
+  // Ctrl-C later.  A run with a fixed end (`for_us`) ignores SIGHUP.
   InterruptCounter interrupts(options.for_us ? HangUp::kIgnored : HangUp::kCounts);
   ContinuedRun run(options);
   System& system = run.simulation().system();

@@ -33,10 +33,10 @@ class DistributedRun {
 
   bool has_processes() const { return workers_ != nullptr; }
 
-  // Changes `options`, from which the simulation is made later.  Adds functions that make
-  // stand-ins: objects that pass messages on to the objects in the workers.  With --ros2, also adds
-  // a JointClient to each robot's network; it sends the robot the commands of ROS 2. `say` prints
-  // messages about ROS 2 for the user.
+  // Changes `options`, from which the caller then makes the simulation.  Adds functions that make
+  // stand-ins for the objects in the workers.  With --ros2, also adds a JointClient to each robot's
+  // network; the JointClient sends the commands of ROS 2 to the robot.  `say` prints messages about
+  // ROS 2 for the user.
   void Enter(SimulationOptions* options, const Ros2Link::Say& say);
 
   // Throws std::runtime_error if the flags --place, --placement or --isolate name an object that
@@ -54,8 +54,8 @@ class DistributedRun {
   // `plan`.
   void Begin(Simulation* simulation, RunPlan* plan);
 
-  // Sends the last status of the run to openr top, and closes the link to ROS 2. When the link is
-  // closed, it prints how many messages for the user it has left out.
+  // Sends the last status of the run to openr top.  With --ros2, prints how many messages about ROS
+  // 2 were not shown to the user during the run.
   void RunIsOver();
 
   // Adds warnings to the run's report about messages that were not delivered because a worker
@@ -66,8 +66,9 @@ class DistributedRun {
   // has crashed or a handler has run too long, so that the report is written soon.
   void ShortenTimeouts();
 
-  // Adds a description of each worker to `report`, the report of the run: its objects, its losses
-  // and the times of its handlers.  Does nothing without workers.
+  // Adds a description of each worker to `report`, which is the report of the run.  The description
+  // has the objects of the worker, its losses and the times of its handlers.  Does nothing without
+  // workers.
   void Describe(nlohmann::ordered_json* report) const;
 
   // Ends the worker processes that run objects of this run.

@@ -36,7 +36,7 @@ void AddBusFlags(CLI::App* command, BusOptions* bus) {
       ->add_option("--dds-config", bus->config_file,
                    "File with settings of Cyclone DDS that are added (security)")
       // Refuses a folder as the value of --dds-config.  Cyclone DDS would take the folder for an
-      // empty file, and the run would lack the protection that the user wants.
+      // empty file, and the run would lack the security settings that the user wants.
       ->check(IsReadable("--dds-config", "file with settings of Cyclone DDS", ".xml"));
   // Checks that the file of --dds-config is for the DDS domain of --dds-domain, because Cyclone DDS
   // silently ignores settings for another domain.  The check needs both flags, so it runs after all
@@ -174,8 +174,9 @@ std::unique_ptr<WorkerGroup> MakeWorkerGroup(const PlacementFlags& flags, const 
   if (options.bus.run.empty())
     options.bus.run = options.placement.host_of.empty() ? UniqueRunName() : "openr";
   const int watched_s = WatchedLease(flags);
-  // Takes the long lease only if all workers are on this host, because the end of a worker on
-  // another host is noticed only when its lease is over.
+  // Sets the lease to `watched_s` only if all workers are on this host, because the run notices
+  // their end also without a lease.  The end of a worker on another host is noticed only when its
+  // lease is over, so the lease of --dds-lease, which is short by default, stays.
   if (options.placement.host_of.empty()) options.bus.lease_s = watched_s;
   for (const auto& [process, host] : options.placement.host_of) options.bus.peers.push_back(host);
   options.stick = std::filesystem::absolute(stick.folder()).lexically_normal();

@@ -33,7 +33,8 @@ struct PlacementFlags {
   BusOptions bus;
   int64_t wait_us = 60'000'000;
   int restarts = 0;
-  // Flags that have no effect if the run has only one process.
+  // Flags that have no effect if all objects run in this process; RefuseIdleFlags() then refuses
+  // these flags.
   std::vector<const CLI::Option*> of_processes;
   std::vector<const CLI::Option*> of_dds;  // flags that have no effect if the run does not use DDS
 };

@@ -93,7 +93,8 @@ struct SharedFinding {
 // robots as one line, because they would otherwise hide the finding of a single robot.
 void PrintFindings(const Json& findings) {
   std::vector<SharedFinding> shared;
-  // The index in `shared` of each finding; the key is severity and text of the finding.
+  // Index of each finding in the list `shared`.  The key is the severity and the text of a finding,
+  // so equal findings of several robots have the same index.
   std::map<std::pair<std::string, std::string>, size_t> places;
   for (const Json& finding : findings) {
     const std::string severity = finding["severity"].get<std::string>();
@@ -178,7 +179,7 @@ SimulationOptions RobotJobs::Options() {
   SimulationOptions options = flags_.simulation;
   options.stick = stick_.folder();
   options.robots = 1;
-  // Protects the stick, because all robots share it.
+  // Does not let the robots write to the stick, because all robots share it.
   options.writable_stick = false;
   // Opens no ports, because all robots would open the same ports.
   options.host_network = false;
@@ -203,7 +204,9 @@ void RobotJobs::Print(std::string_view text) {
 void RobotJobs::RunInCopy(int robot, int answer) {
   robot_ = robot;
   const EndingAnswer ending_answer(-1);
-  // Has a value if the finding about a crash must name the file of the crash record (CrashLog).
+  // Text that the finding about a crash adds after the name of the crash record's file (CrashLog);
+  // nullopt: the finding does not name this file, because the file is on the stick that the user
+  // has named.
   std::optional<std::string> place;
   if (stick_.is_default()) place = "";
   const CrashLog crash_log({stick_.crash_log()}, true, place);
@@ -236,9 +239,9 @@ void RobotJobs::StoreReport(int robot, const std::string& said, int status) {
   reports_[static_cast<size_t>(robot)] = std::move(report);
 }
 
-// Starts the process of `robot`.  Blocks the signals of Ctrl-C until the copy of the process has
-// been made.  Only the original process may count a Ctrl-C; it then passes the Ctrl-C on to its
-// copies.
+// Starts the process of `robot`, which is a copy of this process.  Blocks SIGINT and SIGTERM until
+// the copy has been made, because only the original process may count a Ctrl-C; it passes the
+// Ctrl-C on to its copies.
 ProcessCopy RobotJobs::Start(int robot) {
   sigset_t signals, before;
   sigemptyset(&signals);
@@ -317,7 +320,7 @@ Json RobotJobs::Merge(double wall_time_s) {
   uint64_t messages = 0;
   const Json* last = nullptr;  // the report of the robot that ended last
   for (size_t i = 0; i < reports_.size(); ++i) {
-    // Leaves out a robot that was not started, because Ctrl-C came first.
+    // Leaves out a robot without a report: Ctrl-C came before this robot was started.
     if (reports_[i].is_null()) continue;
     const Json& report = reports_[i];
     if (last == nullptr || report["virtual_time_s"] >= (*last)["virtual_time_s"]) last = &report;

@@ -50,7 +50,8 @@ class RobotJobs {
   InterruptCounter interrupts_;
   // Number of the robot that this copy of the process runs; -1: the original process.
   int robot_ = -1;
-  // Text that the objects of this robot have printed after their last whole line.
+  // Beginning of a line that the objects of this robot have printed; its end has not been printed
+  // yet.
   std::string line_;
   Simulation simulation_;
   // The report of each robot, by the number of the robot; null: the robot has not run.

@@ -124,8 +124,8 @@ EventScript ReadEvents(const std::string& file) {
   }
 }
 
-// Makes the server for `openr poke`, `openr attach` and the panel.  A run goes on without the
-// server if its socket cannot be made.
+// Makes the server for `openr poke`, `openr attach` and the panel.  Returns null if the socket of
+// the server cannot be made; the run then goes on without the server.
 std::unique_ptr<LiveServer> MakeLiveServer(const LiveContext& context, const std::string& name,
                                            Couplings* couplings) {
   try {
@@ -153,7 +153,7 @@ std::unique_ptr<PanelProcess> StartPanel(const RunFlags& flags, const LiveServer
                                                      .robots = flags.simulation.robots});
 }
 
-// A run of `openr run`, from the flags of the user to the report.
+// Carries out `openr run`: makes the run that the flags describe, and writes its report.
 class CommandedRun {
  public:
   explicit CommandedRun(const RunFlags& flags);
@@ -167,8 +167,8 @@ class CommandedRun {
   std::string LiveName() const;
   std::string ReasonNotRewindable() const;
   void BeginRewind(LiveServer* live, Runner* runner, Watchdog* watchdog);
-  // Returns the file descriptor of the terminal line that shows the progress of the run.  Returns
-  // -1, which means no line, if the end of the run is not known, or if a program reads the output.
+  // Returns the file descriptor to which the progress of the run is printed.  Returns -1, so that
+  // no progress is printed, if the end of the run is not known, or if a program reads the output.
   int ProgressStream() const { return plan_.for_us && !flags_.json ? STDERR_FILENO : -1; }
   std::optional<std::string> PlaceOfCrashRecord() const;
   void BeginRecording();
@@ -443,8 +443,8 @@ int RunJobs(const RunFlags& flags) {
   return WriteReport(report, flags) && is_good ? kExitGood : kExitWrong;
 }
 
-// Prints a note if the run uses the default stick although the current folder has a stick (MS),
-// such as `openr new` makes.  A person in such a folder expects that stick to run.
+// Prints a note if the run uses the default stick although the current folder has a stick (MS), as
+// `openr new` makes it.  The user may expect that the run uses the stick of this folder.
 void NoteOwnStick(const SimulationOptions& options) {
   if (options.stick.empty() && HoldsOpenR("MS"))
     fmt::print(stderr,

@@ -124,8 +124,8 @@ void DescribeOutput(CLI::App* command, RunFlags* flags) {
       ->check(IsWritable());
 }
 
-// Adds the flags of the remote control, of the web panel, and of network addresses that programs
-// have compiled in (--ip).
+// Adds the flags of the remote control and of the web panel, and the flag --ip, which gives the
+// host's address for a network address in the code of programs.
 void DescribeNetwork(CLI::App* command, RunFlags* flags) {
   command
       ->add_option("--rc-port", flags->simulation.rc_port,

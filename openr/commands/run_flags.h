@@ -54,9 +54,9 @@ void DescribeRunFlags(CLI::App* command, RunFlags* flags);
 // Adds the flags --log-data, --log-images and --timeline, which openr run and openr replay have.
 void AddDataLogFlags(CLI::App* command, DataLogOptions* options, std::string* timeline);
 
-// Returns whether the run has a panel.  The flags --panel, --no-panel and --listen decide.  Without
-// them, the run has a panel if the panel is installed and standard output is a terminal (without
-// --json), because a person then looks at the run.
+// Returns whether the run has a panel.  The flags --panel, --no-panel and --listen decide this.
+// Without these flags, the run has a panel if the panel is installed and a person seems to look at
+// the run: standard output is a terminal, and the flag --json is not given.
 bool WantsPanel(const RunFlags& flags);
 
 // Returns the plan of the run that the flags describe.  Throws CLI::ValidationError if two flags
