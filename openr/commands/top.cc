@@ -73,8 +73,8 @@ class Top {
     runs_.Update(reader_.Take(), Now_s());
   }
 
-  // Prints all runs once, as a table or as JSON.  Throws std::runtime_error when standard output
-  // cannot be written.
+  // Prints the status of all runs once, as a table or as JSON.  Throws std::runtime_error when
+  // standard output cannot be written.
   void Show() {
     PrintAnswer(flags_.json ? JsonText(TopJson(runs_.All(), Now_s())) + "\n" : Table());
     FlushAnswer();

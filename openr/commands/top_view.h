@@ -34,9 +34,9 @@ class RunStatusList {
   std::map<Key, Run> runs_;
 };
 
-// Returns the table of openr top as text, with a row for each run.  If the table is wider than
-// `columns` characters, leaves out its least important columns and wraps lines that are not part of
-// the columns. 0 means no limit.
+// Returns the text that openr top shows: for each run a headline and a table with a row for each
+// object.  If the table is wider than `columns` characters, leaves out its least important columns.
+// Also wraps the headline and other long lines.  If `columns` is 0, the width has no limit.
 std::string TopText(const std::vector<RunStatusList::Run>& runs, double now_s, size_t columns = 0);
 
 // Returns the JSON {"runs": [...]}, with one object for each run.
