@@ -24,8 +24,8 @@ struct CheckFlags {
   bool json = false;
 };
 
-// Returns the locators of the devices of all robots, such as "PRM:/r4/c1-Joint2:j1".  A controller
-// gives such a locator to robot_get_device().
+// Returns the locators of the devices of all robot models, such as "PRM:/r4/c1-Joint2:j1".  The
+// check of a controller reports a call of robot_get_device() with any other locator.
 std::vector<std::string> AllLocators() {
   std::vector<std::string> locators;
   for (const char* robot : {"ers210", "ers220", "ers7"}) {

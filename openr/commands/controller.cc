@@ -104,8 +104,9 @@ int (*LoadController(const ControllerFlags& flags))() {
 }
 
 int Run(const ControllerFlags& flags) {
-  // Loads libopenr_controller.so before the controller's library.  The controller's library names
-  // it without a folder, so the dynamic linker can only use a copy that is already loaded.
+  // Loads libopenr_controller.so before the controller's library, which is linked with
+  // libopenr_controller.so and names no folder for it.  So the dynamic linker finds
+  // libopenr_controller.so only if it is already loaded.
   auto* const run = Load<RunController>(ControllerLibrary(), kRunControllerName);
   auto* const controller_main = LoadController(flags);
   if (controller_main == nullptr) return kExitWrong;

@@ -1,4 +1,5 @@
-// The command openr editor: makes the files for Visual Studio Code in a folder that exists.
+// The command openr editor: adds the files for Visual Studio Code to a folder that has the sources
+// of objects or of a controller.
 #include <fmt/format.h>
 
 #include <memory>

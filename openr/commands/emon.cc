@@ -47,8 +47,8 @@ std::string LastRecord(const std::string& text) {
 }
 
 // Prints what the crash record of a run on a computer says.  Needs no image, because such a record
-// already names functions and lines.  `log` has no value if the record has no part in the robot's
-// form.
+// already names functions and lines.  `log` is the part of the record that has the form of a
+// robot's crash record; nullopt if the record has no such part.
 void ExplainRunRecord(const EmonFlags& flags, const std::string& text,
                       const std::optional<EmonLog>& log) {
   if (!flags.image.empty()) {

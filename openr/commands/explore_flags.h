@@ -30,8 +30,8 @@ struct ExploreFlags {
   std::string record_file;
 };
 
-// Adds the flags of openr explore to `command`, with their defaults, and the list of properties
-// that its help ends with.
+// Adds the flags of openr explore, with their defaults, to `command`.  Also adds a list of
+// properties to the end of the help of `command`.
 void AddExploreFlags(CLI::App* command, ExploreFlags* flags);
 
 }  // namespace openr_host

@@ -58,8 +58,8 @@ void StartWithSanitizersOf(const SimulationOptions& simulation) {
 }
 
 void SetStick(const ExploredStick& stick, const SharedConsole& console, ExplorePlan* plan) {
-  // Loads the cost file here only to report its errors once.  Later each process loads the file
-  // again.
+  // Loads the cost file here only to report an error in it once.  The processes of the exploration
+  // load the cost file again later, and each of them would report the error.
   LoadCostFile(stick.simulation.cost_file);
   plan->run.for_us = stick.for_us;
   plan->run.properties.names = stick.properties;

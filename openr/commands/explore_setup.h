@@ -24,7 +24,8 @@ class SharedConsole {
   void Print(std::string_view text) const;
 
   // Returns "FILE: cannot be written: reason" if a write has failed in this process or in a child
-  // process; else "".  All these processes share `error_`.
+  // process; else "".  A child process stores its error in `error_`, which points to memory that
+  // all these processes share.
   std::string Problem() const;
 
  private:

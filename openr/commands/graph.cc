@@ -56,7 +56,7 @@ void Write(const std::string& text, const std::string& name) {
   if (!problem.empty()) throw std::runtime_error(problem);
 }
 
-// Runs to the virtual time `end_us`.  Shows the progress on a terminal.
+// Runs `system` until the virtual time is `end_us`.  Shows the progress on a terminal.
 void RunFor(System* system, int64_t end_us) {
   constexpr int64_t kSliceUs = 200'000;
   RunProgressLine progress(STDERR_FILENO, system->now_us(), end_us);

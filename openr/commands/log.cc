@@ -43,7 +43,7 @@ struct LogFlags {
   std::string file, other;
   std::string motion;  // motion file that was played for the log; "": not named
   // Names of the groups of values (commanded, measured or simulated) on the two sides of a
-  // comparison; "": the values that the log of the motion has decide.
+  // comparison; "": GroupOf() or OtherGroupOf() chooses a group that the log of the motion has.
   std::string group, other_group;
   std::string output;  // file for the chart of the log; "": no chart
   bool json = false;
@@ -136,8 +136,8 @@ void LogInfo(const LogFlags& flags) {
   if (duration_s) {
     fmt::print("  {:.3f} s\n", *duration_s);
   } else {
-    // Leaves out the name of the file, with which the error begins, because the line that was
-    // printed first has this name already.
+    // Prints the error without its first words, which are the name of the file, because the first
+    // line of the output has this name already.
     fmt::print("  no times: {}\n", why_not.substr(flags.file.size() + 2));
   }
 }
@@ -169,8 +169,8 @@ void LogCsv(const LogFlags& flags) {
   try {
     times_ms = TimesOfLog(flags.file, log, flags.motion);
   } catch (const std::runtime_error& error) {
-    // Prints the table without times if the user has named no motion, because the other columns
-    // need none.
+    // Goes on with an empty column time_ms if the user has named no motion, because no other column
+    // needs the times of the motion.
     if (!flags.motion.empty()) throw;
     fmt::print(stderr, "{}; the column time_ms is empty\n", error.what());
   }
@@ -252,8 +252,9 @@ Comparison CompareWithin(const LogFlags& flags) {
 void WarnIfMotionsDiffer(const TimedLog& first, const TimedLog& second) {
   const std::vector<const JointConstants*> joints = LoggedJoints(*first.log.robot);
   const size_t count = std::min(first.log.records.size(), second.log.records.size());
-  // Leaves out the first record of each log of a motion, because the robot got the commanded
-  // positions of this record before the motion began.
+  // Skips the first record of each log, because the robot got the commanded positions of this
+  // record before the motion began.  So these positions may differ even if the motions are the
+  // same.
   for (size_t i = 1; i < count; ++i) {
     const LogRecord& a = first.log.records[i];
     const LogRecord& b = second.log.records[i];

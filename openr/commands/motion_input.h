@@ -1,4 +1,5 @@
-// Reads from the command line motion files and the names of files for charts, for several commands.
+// Functions that several commands share, for motion files and for charts that the user names in the
+// command line.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -30,8 +30,8 @@ struct NewFlags {
   std::string folder;
 };
 
-// Returns the commands that a user needs after openr new.  The user can paste them into a shell in
-// the current folder.
+// Returns the commands that build and run the new object, for the output of openr new.  The user
+// can paste them into a shell in the current folder.
 std::string NextCommands(const std::string& folder) {
   const std::string openr = ShellWord(ProgramCall());
   const std::string prefix = std::filesystem::path(ProgramFolder()).parent_path();
@@ -72,9 +72,9 @@ std::string NewObjectProblem(const std::string& name) {
 }
 
 // Removes .gitignore from `files` if `folder` already has this file, so that the user's file stays
-// as it is.  The case is usual: a user makes a new object in a repository that has only a
-// .gitignore yet.  Returns the lines that the file in the folder lacks; "" if it has them all, or
-// if the folder has no such file.
+// as it is.  This happens often, because a new repository has a .gitignore before the user makes an
+// object in it.  Returns the lines that the file in the folder lacks; "" if it has them all, or if
+// the folder has no such file.
 std::string RemoveIgnoreFile(const std::string& folder, std::vector<NewFile>* files) {
   const std::optional<std::string> present = ReadText(std::filesystem::path(folder) / kIgnoreFile);
   if (!present) return "";

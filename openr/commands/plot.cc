@@ -106,9 +106,9 @@ Table TableOfMotionLog(const PlotFlags& flags, const std::string& bytes) {
   return table;
 }
 
-// Reads the file as a table.  The first bytes of the file tell its format.  A file whose first
-// bytes tell nothing is read as CSV.  If its name ends in .mcap, it is read as MCAP, so that the
-// error message is about MCAP.
+// Reads the file as a table.  The first bytes of the file tell its format.  If they do not tell a
+// format, the name of the file decides: a file with the ending .mcap is read as MCAP, so that the
+// error message is about MCAP, and any other file is read as CSV.
 Table ReadTable(const PlotFlags& flags) {
   const std::string bytes = BytesOf(flags.file);
   if (bytes.starts_with(kMcapMagic)) return ReadWithProgress(ReadMcapTable, flags.file, bytes);

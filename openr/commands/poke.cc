@@ -1,5 +1,5 @@
-// The commands openr poke and openr attach: they send inputs to a run that goes on, and attach
-// shows a console of this run.
+// The commands openr poke and openr attach, for a run in another process.  `openr poke` sends one
+// input to the run.  `openr attach` is a console, which sends each input that the user types.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -184,7 +184,8 @@ class RunConsole {
     return client_.Ask(request);
   }
 
-  // Returns the member `member` of each element of the array `list` in the answer to `request`.
+  // Sends `request` and returns names from the answer: the member `member` of each element of the
+  // array `list`.  Returns an empty list if the answer has no such array.
   std::vector<std::string> NamesIn(const Json& request, const char* list, const char* member) {
     std::vector<std::string> names;
     const Json answer = Ask(request);
@@ -215,7 +216,8 @@ class RunConsole {
     const Json answer = Ask(std::move(request));
     if (answer.contains("error")) return PrintProblem(answer.at("error").get<std::string>());
     PrintAnswer(text(answer));
-    // Sends the answer on at once, because a program may read it through a pipe and wait for it.
+    // Empties the output buffer at once, because a program may wait for the answer at the other end
+    // of a pipe.
     FlushAnswer();
     return true;
   }
@@ -287,8 +289,8 @@ int RunAttach(const LiveFlags& flags) {
   for (std::string line; lines.Read(prompt, &line) && line != "quit";) {
     if (!line.empty() && !console.Line(line)) good = false;
   }
-  // Returns kExitWrong after a line with an error only if the lines come from a script.  A person
-  // at a terminal has seen each error at once.
+  // Returns kExitGood if the user has typed the lines at a terminal, because the user has already
+  // seen each error.  If the lines come from a script, returns kExitWrong after an error.
   return good || is_terminal ? kExitGood : kExitWrong;
 }
 

@@ -168,7 +168,8 @@ int Replay(ReplayFlags flags) {
   if (flags.panel) return Show(flags);
   Replayer replayer(flags.replay);
   const EndingAction ending_action([&replayer](Ending* ending) {
-    // Uses fputs() because fmt::print() throws if nobody reads standard error.
+    // Uses fputs(), because fmt::print() throws an exception if standard error cannot be written,
+    // and nothing can catch an exception here: this function is called in a signal handler.
     std::fputs(fmt::format("openr: {} {} equal up to here\n", Counted(replayer.count(), "message"),
                            replayer.count() == 1 ? "was" : "were")
                    .c_str(),

@@ -48,8 +48,8 @@ void SetByFlag(const std::string& flag, const std::string& key, const std::strin
 void AddWlanFlags(CLI::App* command, WlanFlags* flags) {
   for (const WlanQuestion& question : WlanQuestions()) {
     const std::string key = question.key, flag = question.flag;
-    // Leaves out three settings of WLANCONF.TXT.  Their flags are added below, because these flags
-    // take no value or one of a few words.
+    // Skips three settings of WLANCONF.TXT, because their flags take no value or only certain
+    // words.  These flags are added separately below.
     if (key == "WEPENABLE" || key == "USE_DHCP" || key == "APMODE") continue;
     command
         ->add_option_function<std::string>(
