@@ -59,8 +59,8 @@ Ticks TicksOf(const Span& span, int count) {
   for (const double factor : {5.0, 2.0, 1.0}) {
     if (factor * power >= rough) step = factor * power;
   }
-  // Subtracts 1e-6 before it rounds up, because an error of rounding in the quotient could
-  // otherwise leave out the number at the beginning of the axis.
+  // Subtracts 1e-6 before rounding up, because a rounding error in the quotient could otherwise
+  // leave out the number at the beginning of the axis.
   return {std::ceil(span.low / step - 1e-6) * step, step,
           std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)))};
 }

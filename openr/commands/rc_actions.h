@@ -90,8 +90,8 @@ void RcDeleteAction(remote::Connection* robot, const RcFlags& flags);
 void RcRebootAction(remote::Connection* robot, const RcFlags& flags);
 void RcShutdownAction(remote::Connection* robot, const RcFlags& flags);
 
-// Returns the action that sends a joint `command`, which is rcMOVE, rcSPEED or rcACCEL.  `unit` is
-// the unit of the value, for the printed answer.
+// Returns the action that sends `command`, which is rcMOVE, rcSPEED or rcACCEL, to a joint.  `unit`
+// is the unit of the value, for the printed answer.
 RcAction RcJointAction(RcCommand command, const std::string& unit);
 
 // Returns the action that sends `command`.  With rcLED the action switches a light on or off.  With

@@ -14,8 +14,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr uint32_t kNoFrame = 0xffffffff;
 
-// Address of the robot that sends the answers of this thread.  RcRobotLabel sets it, and each
-// printed answer begins with it; "": without an address.
+// Address of the robot that has sent the answers which this thread prints.  RcRobotLabel sets the
+// address, and each printed answer begins with it; "": answers begin without an address.
 thread_local std::string t_robot;
 std::mutex g_print_mutex;  // protects the output, because with two robots two threads print
 
