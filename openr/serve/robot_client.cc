@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include "runtime/core/system.h"
@@ -12,9 +13,7 @@ namespace openr_host {
 namespace {
 
 constexpr NetHandle kHandle = 1;
-// The IPv4 address 10.0.1.2.  Client number n gets the address n after this one, so that all
-// clients are in the network of the robot.
-constexpr uint32_t kFirstIp = 0x0a000102;
+constexpr uint32_t kFirstIp = 0x0a000103;  // the IPv4 address 10.0.1.3, of the first connection
 constexpr uint16_t kFirstPort = 40000;
 constexpr size_t kReceiveMax = size_t{1} << 20;
 constexpr int kClientsMax = 64;
@@ -44,8 +43,10 @@ int RobotClients::Connect(const System& system, int robot, uint16_t port) {
   const int number = ++last_;
   Client& client = clients_[number];
   client.network = std::make_unique<LoopbackNetwork>(HubOf(robot));
-  client.network->Attach(kFirstIp + static_cast<uint32_t>(number));
-  // Ports may repeat, because every client has an address of its own.
+  client.ip = FreeAddress(robot, stack->address());
+  client.robot = robot;
+  client.network->Attach(client.ip);
+  // Ports may repeat, because connections that are open have different addresses.
   client.network->Connect(kHandle, static_cast<uint16_t>(kFirstPort + number % 20000),
                           {stack->address(), port});
   Poll(&client);
@@ -53,6 +54,16 @@ int RobotClients::Connect(const System& system, int robot, uint16_t port) {
   const std::string problem = client.problem;
   clients_.erase(number);
   throw std::runtime_error(fmt::format("port {}: {}", port, problem));
+}
+
+uint32_t RobotClients::FreeAddress(int robot, uint32_t robot_ip) const {
+  std::set<uint32_t> taken = {robot_ip};
+  for (const auto& [number, client] : clients_) {
+    if (client.robot == robot && !client.has_ended) taken.insert(client.ip);
+  }
+  uint32_t ip = kFirstIp;
+  while (taken.contains(ip)) ++ip;
+  return ip;
 }
 
 RobotClients::Client& RobotClients::Find(int connection) {

@@ -45,6 +45,8 @@ class RobotClients {
  private:
   struct Client {
     std::unique_ptr<LoopbackNetwork> network;
+    int robot = -1;   // number of the robot to which the connection is made; -1: not yet known
+    uint32_t ip = 0;  // the address of the program, as the robot sees it
     bool is_connected = false;
     bool has_ended = false;
     std::string problem;
@@ -58,6 +60,9 @@ class RobotClients {
     if (hub == nullptr) hub = std::make_shared<LoopbackHub>();
     return hub;
   }
+  // Returns the address for a new connection to a robot: the lowest one of the network that neither
+  // the robot, whose address is `robot_ip`, nor an open connection to this robot has.
+  uint32_t FreeAddress(int robot, uint32_t robot_ip) const;
   Client& Find(int connection);
   static void Poll(Client* client);
 

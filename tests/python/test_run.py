@@ -194,6 +194,15 @@ class RunTest(unittest.TestCase):
         with self.assertRaisesRegex(openr_host.NotMet, "has not sent 5 bytes"):
             self.run_.connect(54000).receive(5, within_s=0.1)
 
+    def test_a_hundred_connections_in_a_row_are_served(self):
+        # The robot has the address 10.0.1.100, which no connection may take from it.
+        for _ in range(100):
+            connection = self.run_.connect(54000)
+            self.run_.run(0.016)
+            connection.close()
+            self.run_.run(0.016)
+        self.assertIn("WALK.MTN", openr_host.Remote(self.run_).motions())
+
     def test_descriptors_of_a_refused_request_are_closed(self):
         folder = f"/proc/{self.run_._channel.process}/fd"
         before = len(os.listdir(folder))
