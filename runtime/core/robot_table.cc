@@ -38,12 +38,13 @@ void RobotTable::BeginShutdown(int index, const RunEnd& why) {
 
 void RobotTable::CutPower(int index, const RunEnd& why) {
   const bool is_shutdown = why.kind == EndKind::kPowerOff;  // a shutdown has set Robot::end already
-  // Replaces the reason (Robot::end) of a shutdown that has begun, but not the reason of a robot
-  // that is off.
+  // Records the cut of the power as the reason (Robot::end) why the robot goes off, even if a
+  // shutdown has begun and has set another reason.  Keeps the reason of a robot that is off
+  // already.
   if (index < count() && !is_shutdown && !Get(index).powered_off) Get(index).end = why;
   NoteEnd(index, why);
   for (const auto& object : system_->objects()) {
-    // Leaves the object manager on, because it serves all robots of the System.
+    // Does not mark the object manager as off, because it serves all robots of the System.
     if (object == nullptr || object->robot != index || object.get() == &system_->manager().host())
       continue;
     object->delivery.set_off(true);
@@ -55,7 +56,9 @@ void RobotTable::CutPower(int index, const RunEnd& why) {
   NoteIfAllAreOff(*Get(index).end);
 }
 
-// Lets `robot`, which has just shut down, wait for its next boot if a boot timer runs.
+// Called after `robot` has shut down.  If a boot timer runs and the robot can be loaded again,
+// switches the devices off and adds the robot to off_robots_, which boots it when the timer ends.
+// Otherwise the robot stays off.
 void RobotTable::WaitForBoot(Robot* robot) {
   const std::optional<int64_t> off_us = robot->services->TimeOffUs();
   if (!off_us || robot->load_again == nullptr) return;

@@ -33,7 +33,7 @@ class RobotTable {
   int count() const { return static_cast<int>(robots_.size()); }
   const std::vector<std::unique_ptr<Robot>>& all() const { return robots_; }
 
-  // Adds a connection that the boot will make.
+  // Adds a connection between two services, which the next boot of the robot makes.
   void Connect(Connection connection) { connections_.push_back(std::move(connection)); }
   const std::vector<Connection>& connections() const { return connections_; }
 

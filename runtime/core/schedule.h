@@ -24,9 +24,9 @@ class Schedule {
     kNext,   // the object that gets its message next, among the objects with a message due now
   };
 
-  // Returns the index in `candidates` of the object that is next, as the answer to `question`:
-  // which object gets its DoStart next, or its message.  Index 0 is the choice of a run without a
-  // schedule.  Called only with two or more candidates.
+  // Chooses one of the objects in `candidates` and returns its index.  `question` says what the
+  // chosen object gets next: its DoStart, or its next message.  Index 0 is the choice of a run
+  // without a schedule.  Called only with two or more candidates.
   virtual size_t Choose(Question question, const std::vector<ObjectId>& candidates) = 0;
 
   // Returns the time to add to the due time of `message`, which is being posted and is due

@@ -44,8 +44,8 @@ bool IsZero(const char* bytes) {
 [[noreturn]] void ReportNoMemory() {
   const std::string why =
       fmt::format("this computer has no memory for a stack of {} bytes", StackMemory::kBytes);
-  // While a handler runs, stops the object and throws no exception for the missing memory, because
-  // the exception would have to pass through code of the object.
+  // While a handler runs, ends this handler as a crash of its object.  Does not throw an exception
+  // then, because the exception would have to pass through code of the object.
   if (t_current.object != nullptr) StopAsTheRobotDoes(why);
   throw std::runtime_error(why);
 }
@@ -97,8 +97,8 @@ size_t StackMemory::UsedBytes(size_t gap_bytes) const {
     if (!IsZero(step)) lowest = step;
     if (static_cast<size_t>(lowest - step) >= gap_bytes) break;
   }
-  // Moves `lowest` up to the lowest byte of the stack that is not zero.  Until now `lowest` is the
-  // first of the kStepBytes bytes among which this byte is.
+  // Until now, `lowest` is the beginning of the lowest piece of kStepBytes bytes that are not all
+  // zero.  Moves `lowest` up to the first byte in this piece that is not zero.
   uint64_t word = 0;
   while (lowest < top() && (std::memcpy(&word, lowest, sizeof word), word == 0))
     lowest += sizeof word;

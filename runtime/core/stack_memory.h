@@ -6,9 +6,9 @@
 //
 //     guard page | 752 KiB for imported functions | guard page | 256 KiB for the image | 4 KiB
 //
-// The last 4 KiB are only read.  A call of an imported function copies a fixed number of bytes of
-// arguments from the stack, even if there are fewer.  Near the top of the stack this copy reads the
-// last 4 KiB.
+// The last 4 KiB, above the image's stack, are only read.  A call of an imported function copies a
+// fixed number of bytes of arguments from the image's stack, even if there are fewer.  Near the top
+// of the stack this copy reads beyond the stack, into these 4 KiB.
 #pragma once
 
 #include <cstddef>
@@ -62,7 +62,8 @@ class StackMemory {
   size_t UsedBytes(size_t gap_bytes) const;
 
   // Sets to zero the bytes of this stack that UsedBytes(gap_bytes) counts, and returns their
-  // number.  So the next handler finds a stack of zeros.
+  // number.  So the next handler finds a stack of zeros, and bytes that it sends without setting
+  // them are the same in every run.
   size_t Clear(size_t gap_bytes);
 
   // Tells AddressSanitizer that this stack is empty.  Functions that never returned have left marks

@@ -44,8 +44,8 @@ void ReportStacks(System* system) {
   for (const auto& object : system->objects()) {
     if (object == nullptr || !object->is_image || object->limits.stack_bytes == 0) continue;
     if (object->stack_max <= object->limits.stack_bytes) continue;
-    // Adds no warning about this object, because NoteStackUse() has reported it already with
-    // --strict.
+    // Adds no warning about this object, because with --strict NoteStackUse() has already added an
+    // error about its stack.
     if (system->options().strict && IsSurelyTooMuch(*object)) continue;
     system->AddFindingAbout(object.get(), Severity::kWarning, Describe(*object));
   }

@@ -1,8 +1,9 @@
 // Reports handlers that use more stack than the .ocf file (the settings) of their object gives.
 //
 // On the robot a stack that is too small overwrites other memory, and nothing reports it
-// (field-notes.md, 3.7).  Stack frames of a 64-bit host are at most twice as large as the robot's.
-// So only a handler that uses more than twice the size here surely overflows on the robot.
+// (field-notes.md, 3.7).  On the 64-bit host, stack frames are at most twice as large as on the
+// robot.  So a handler surely overflows its stack on the robot only if it uses more than twice the
+// size of the .ocf file on the host.
 #pragma once
 
 #include <cstddef>

@@ -22,9 +22,10 @@ struct Stall {
   int64_t since_us = 0;     // virtual time when the wait began
   std::string text;         // "JointMover waits for ready of RCServer on ... since t=1.248 s"
   const char* advice = "";  // tells the author of the program how to end the wait
-  // True if the observer has asserted no ready since its last notification, or not at all, and no
-  // data wait for the observer.  The observer may have forgotten to assert, or may want no more
-  // data.  So this stall is reported only if no object of the run sends messages any more.
+  // True if no data wait for the observer, and the observer has not asserted ready since its last
+  // notification, or has never asserted ready.  The observer may have forgotten to assert ready, or
+  // may want no more data.  So this stall is reported only if no object of the run sends messages
+  // any more.
   bool may_be_done = false;
   // True if the observer has probably stopped on purpose, so the report has a note and not a
   // warning.  This is assumed in two cases: the observer has taken two notifications or more, so it
@@ -50,8 +51,8 @@ std::vector<std::string> DescribeWaits(const System& system);
 // Adds a finding for every stall (an object that waits for a ready, for a reply or for the
 // processor) that has lasted for kStallUs or longer.  The finding is a note if the observer has
 // probably stopped asking for data on purpose (`is_chosen`), otherwise a warning.  `is_silent` says
-// whether no object sends messages any more; only then are the stalls reported in which the
-// observer may want no more data (`may_be_done`).  Called at the end of a run.
+// whether no object sends messages any more.  If it is false, adds no finding for a stall in which
+// the observer may want no more data (`may_be_done`).  Called at the end of a run.
 void ReportStalls(System* system, bool is_silent);
 
 }  // namespace openr_host

@@ -52,7 +52,7 @@ namespace {
 // is a system service.  If the sender is a system service, replacing is intended: a slow program
 // sees the newest sensor values.  If the observer is a system service, replacing is common:
 // programs that work send command vectors and sounds without asking whether the robot is ready
-// (docs/body.md).  In both cases the data still count as dropped.
+// (docs/body.md).  In both cases Object::dropped_count still counts the loss.
 void ReportReplaced(const SubjectState& subject, const ObserverLink& link) {
   if (subject.object->is_system) return;
   const Object* const observer = subject.system->object(ObjectIdOf(link.observer.GetOID()));
@@ -160,8 +160,8 @@ void SubjectState::SendPending(ObserverLink* link) {
          data_count + link->units[unit_count].data <= MAX_NUM_DATA) {
     data_count += link->units[unit_count++].data;
   }
-  // If Send() fails, the data that it should send stay pending, and the next notification or ready
-  // tries to send them again.
+  // Keeps the data pending if Send() fails.  The next notification or ready then tries to send them
+  // again.
   const auto sent_count = static_cast<size_t>(data_count);
   if (!Send(link, link->pending.data(), sent_count, unit_count)) return;
   link->pending.erase(link->pending.begin(), link->pending.begin() + data_count);

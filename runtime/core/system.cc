@@ -148,7 +148,9 @@ bool System::RunUntil(const std::function<bool()>& predicate, int64_t budget_us)
   return predicate();
 }
 
-// Posts by calls() a notification or a ready that MessagePoster::PostAtOnce() has not queued.
+// Posts, with the slower SystemCalls::Post(), a notification or a ready that
+// MessagePoster::PostAtOnce() has not queued, because the message may have to be refused or
+// delayed.
 [[gnu::noinline]] int32_t System::PostByCalls(Message* message) {
   return calls_->Post(OwnedMessage(message), 0);
 }
@@ -189,8 +191,8 @@ void System::RecordFinding(const Object* object, Severity severity, std::string 
   finding.message = running == nullptr ? 0 : running->number;
   finding.time_us = now_us();
   finding.text = std::move(text);
-  // Describes the message that is being handled only for a new finding.  The description takes
-  // time, and some findings are added again in every frame.
+  // Describes the message that is being handled, but only if the finding is new.  The description
+  // takes time, and some findings are added again in every frame.
   Finding* const added = findings_.Add(std::move(finding));
   if (added != nullptr && running != nullptr && options_.say != nullptr)
     added->said = options_.say(*this, *running);

@@ -73,11 +73,12 @@ class System {
   template <typename T, typename... Args>
   T* AddObject(int robot, const std::string& name, Args&&... args);
 
-  // Returns the temporary folder for copies of images, because each object is loaded from a copy of
-  // its own (image.h).  The folder exists as long as the System.
+  // Returns the temporary folder for the copies of images; each object is loaded from a copy of its
+  // own (image.h).  The folder exists as long as the System.
   RunFolder* run_folder();
 
-  // Adds a connection that the boot will make.  REQUIRES: before Boot(), or in Robot::load_again.
+  // Adds a connection between two services, which the next boot makes.  REQUIRES: before Boot(), or
+  // in Robot::load_again.
   void Connect(Connection connection) { robot_table_.Connect(std::move(connection)); }
   const std::vector<Connection>& connections() const { return robot_table_.connections(); }
 
@@ -144,16 +145,16 @@ class System {
     return message;
   }
 
-  // Queues a message of NewMessage(), due `delay_us` from now.  Returns an sError: sSUCCESS,
-  // sINVALIDOID, or sFULLMSGQENTRY if the receiver's queue is full (only with
+  // Queues a message that NewMessage() has made, due `delay_us` from now.  Returns an sError:
+  // sSUCCESS, sINVALIDOID, or sFULLMSGQENTRY if the receiver's queue is full (only with
   // SystemOptions::strict) or if the schedule (schedule.h) makes the post fail.
   int32_t Post(OwnedMessage&& message, int64_t delay_us = 0) {
     host_addresses_.Check(*message);
     return calls_->Post(std::move(message), delay_us);
   }
-  // Posts a notification or a ready as Post() does, but does not search it for addresses of the
-  // host (HostAddresses::Check()).  This function is inline, because most messages of a run are of
-  // these two kinds.
+  // Posts a notification or a ready as Post() does, but does not search the message for addresses
+  // of the host (HostAddresses::Check()).  This function is inline, because most messages of a run
+  // are of these two kinds.
   [[gnu::always_inline]] int32_t PostAtOnce(OwnedMessage message) {
     Message* const posted = message.release();
     Object* const target = object(posted->target);
@@ -203,9 +204,9 @@ class System {
   MessageQueue& queue() { return poster_.queue(); }
   MessagePoster& poster() { return poster_; }
   SystemCalls& calls() { return *calls_; }
-  // Each of the next two functions calls the function of calls() with the same name.  If calls() is
-  // LocalCalls, whose functions only call those of the RegionTable, calls the RegionTable itself,
-  // which saves a virtual call.
+  // The next two functions do the same as the functions of calls() with the same names.  If calls()
+  // is LocalCalls, they call the RegionTable directly, as LocalCalls would do, which saves a
+  // virtual call.
   bool PinRegion(uint32_t region) {
     return calls_are_local_ ? regions_.Pin(region) : calls_->PinRegion(region);
   }

@@ -1,10 +1,10 @@
 // SystemCalls: the interface for all actions of a handler that other objects or users can see.
 //
-// SystemCalls are of three kinds.  LocalCalls works on the tables of the System itself.  In a
-// worker process, WorkerCalls sends the calls to the master (distribution/worker_calls.h).  The
+// SystemCalls has three implementations.  LocalCalls works on the tables of the System itself.  In
+// a worker process, WorkerCalls sends the calls to the master (distribution/worker_calls.h).  The
 // master executes them with CheckedCalls, which checks what the worker asks for
-// (distribution/checked_calls.h).  The functions of the SDK use System::calls() and work with every
-// kind.
+// (distribution/checked_calls.h).  The functions of the SDK use System::calls() and work with all
+// three.
 //
 // The caller is the current object (t_current).  While objects are loaded, there may be no caller.
 #pragma once
@@ -99,8 +99,10 @@ class SystemCalls {
   // not pinned.
   virtual bool UnpinRegion(uint32_t region) = 0;
 
-  // The next four functions change or check the access rights `info` of the caller, or of object
-  // `other`, to `region`; they call the functions of RegionShares.  All return an sError.
+  // The next four functions call the functions of RegionShares for the caller.  AllowAccess() gives
+  // object `other` the right `info` to use `region`.  Attach() and Detach() begin and end the
+  // caller's use of the region, and CheckAccess() checks whether the caller has the right `info`.
+  // All return an sError.
   virtual int32_t AllowAccess(uint32_t region, MemoryProtectionInfo info, ObjectId other,
                               bool giving_ownership) = 0;
   virtual int32_t Attach(uint32_t region, MemoryProtectionInfo info) = 0;

@@ -15,9 +15,10 @@ void AddSystemInputs(System* system);
 // Adds the input `type TEXT`, which types `text` on the terminal of `robot`.
 void TypeText(System* system, int robot, std::string_view text);
 
-// Reads values that a message shall carry: "5" (an int), "1.5" (a double), "float:1.5", "byte:7",
-// "short:7", "long:7" (8 bytes), "hex:00ff", or "\"text\"" (its characters).  Appends their bytes,
-// little-endian and without padding, to `bytes`.  Returns "" or the error.
+// Reads one value of a message from `word` and appends its bytes, little-endian and without
+// padding, to `bytes`.  The forms of `word` are "5" (an int), "1.5" (a double), "float:1.5",
+// "byte:7", "short:7", "long:7" (8 bytes), "hex:00ff", and "\"text\"" (the characters between the
+// quotes).  Returns "" or the error.
 std::string ReadMessageValue(std::string_view word, std::string* bytes);
 
 }  // namespace openr_host

@@ -48,8 +48,8 @@ class TimeEvents {
   // Posts the messages of all time events that are due now, in the order of the events' ids, which
   // is the same in every run.
   void PostDue();
-  // Posts the messages that were ordered for the arrival of the reply in reply box `box` of object
-  // `owner` (AddReply()), and removes these orders.  Called when this reply has arrived.
+  // Posts the messages of the reply events of object `owner` that wait for the reply in its reply
+  // box `box`, and removes these events.  Called when this reply has arrived.
   void ReplyArrived(ObjectId owner, uint64_t box);
 
   void HashState(Hasher* hasher) const;

@@ -104,7 +104,8 @@ void Trace::Record(const Message& message, int64_t now_us) {
 }
 
 // Calls the sinks, the functions that are called for every delivered message.  Not inline, because
-// Record() would then have to save more registers for every message, even if there are no sinks.
+// the inlined calls would make Record() save more registers for every message, even if there are no
+// sinks.
 [[gnu::noinline]] void Trace::CallSinks(const TraceRecord& record, const Message& message) {
   for (const auto& [number, sink] : sinks_) sink(record, message);
 }

@@ -75,13 +75,14 @@ class Trace {
 //   notification: its counts and the bytes of its regions
 //   ready: its command and the number of regions that it gives back
 //   any other message: its bytes
-// For the kind kHashed returns the hash that the sender has set.
+// The hash of a message of the kind kHashed is Message::payload_hash, which its sender has set.
 uint64_t PayloadHash(const Message& message, uint32_t* size);
 
 // Returns the content of `message`, which a trace file stores and a replay compares.  The content
 // of a notification is the bytes of its regions; of a ready, its command and the number of regions
-// that it gives back; of any other message, its bytes.  Returns "" for the kind kHashed: its bytes
-// hold addresses, which differ from run to run, so comparing them would be useless.
+// that it gives back; of any other message, its bytes.  Returns "" for a message of the kind
+// kHashed, because its bytes hold addresses, which differ from run to run, so that comparing them
+// would be useless.
 std::string PayloadBytes(const Message& message);
 
 // Returns the content of `message`, the same bytes as PayloadBytes().  If they are in one piece in

@@ -9,8 +9,9 @@
 #include <sanitizer/tsan_interface.h>
 
 extern "C" {
-// Functions of ThreadSanitizer that its header does not declare.  After calls of these functions
-// ThreadSanitizer ignores memory accesses and locks of the running fiber.
+// Functions of ThreadSanitizer that its header does not declare.  After a call of the first
+// function, ThreadSanitizer ignores memory accesses of the running fiber; after a call of the
+// second function, it ignores locks.
 void AnnotateIgnoreReadsBegin(const char* file, int line);
 void AnnotateIgnoreSyncBegin(const char* file, int line);
 }
@@ -22,9 +23,9 @@ int g_fibers = 0;  // number of WatchedFibers that have a fiber of their own
 // True if this process is a copy, made by fork(), of a process that had fibers.  In the copy,
 // ThreadSanitizer takes the fibers for threads that fork() did not copy, and from then on ignores
 // the fiber that has called fork().  Enter() then makes ThreadSanitizer ignore all other fibers
-// too.  Otherwise ThreadSanitizer would not see that the ignored fiber puts accesses of the others
-// in order, and would report races that do not exist.  No race is missed, because such a copy has
-// only one thread.
+// too.  Otherwise ThreadSanitizer would report races that do not exist between two other fibers: it
+// ignores the switches to and from the first fiber, and these switches put the accesses of the
+// others in order.  No race is missed, because such a copy has only one thread.
 bool g_is_copy = false;
 
 void NoteCopy() { g_is_copy = g_is_copy || g_fibers > 0; }

@@ -2,8 +2,8 @@
 //
 // ThreadSanitizer keeps for each thread a list of the calls that have not returned yet.  Code that
 // moves to another stack needs another list, because otherwise the returns on the second stack
-// would end calls of the first.  ThreadSanitizer too calls such a list, with what it knows of the
-// memory accesses, a fiber.
+// would end calls of the first.  ThreadSanitizer keeps such a list, together with what it knows of
+// the memory accesses, in an object that it also calls a fiber.
 //
 // In a build without ThreadSanitizer the class has no members, and its functions do nothing.
 #pragma once

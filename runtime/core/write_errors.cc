@@ -57,9 +57,9 @@ void ReportErrorMark(std::FILE* file) {
 }
 
 void FlushStreams(Object* object) {
-  // Sorts the object's open streams by the names of their files, because the keys of the map are
-  // addresses, which differ from run to run, and the order of the streams becomes that of the
-  // findings.
+  // The map of the object's open streams is ordered by addresses, which differ from run to run.
+  // Sorts the streams by the names of their files instead, because the findings are added in this
+  // order.
   std::vector<std::pair<std::string, std::FILE*>> streams;
   for (const auto& [stream, file] : object->files.streams) {
     if (file.writes) streams.emplace_back(file.name, stream);
