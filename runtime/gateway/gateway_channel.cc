@@ -103,9 +103,9 @@ void IncomingChannel::Received(std::string_view bytes) {
   GatewaySet set;
   GatewayStream::Result result;
   while ((result = stream_.NextSet(&set)) == GatewayStream::Result::kTaken) {
-    // Warns if the peer (the gateway on the other computer) sends data before it has got a ready
-    // for them, because it must wait for a ready.  This is not reported as an error, because
-    // nothing is lost: the local subject keeps the data until its observer is ready.
+    // The peer (the gateway on the other computer) must wait for a ready before it sends data.  If
+    // it has not waited, only warns and keeps the connection, because the data can still be used:
+    // they wait in the local subject until its observer is ready, unless newer data replace them.
     if (!std::exchange(asked_, false)) {
       gateway_->Warn(
           "the peer sends data before it was told that the observer is ready; they wait, and newer "

@@ -1,11 +1,11 @@
 // A channel is one service of the gateway: it carries the notifications of a subject on one
-// computer to an observer on another computer, the peer.
+// computer to an observer on another computer.  The peer is the gateway of the other computer.
 //
 // A ready, the observer's message that it can take data, goes in the other direction, as measured
-// on Sony's gateway.  On the side of the subject, the gateway asserts ready to the subject when the
-// connection is made.  It keeps the data of one notification (a set) until the peer is ready, sends
-// the set and asserts ready again.  On the side of the observer, the gateway sends the observer's
-// readies to the peer.
+// on Sony's gateway.  On the subject's side, the gateway asserts ready to the subject when the
+// connection is made.  The gateway keeps the data of one notification (a set) until the peer is
+// ready, sends the set to the peer and asserts ready to the subject again.  On the observer's side,
+// the gateway sends the observer's readies to the peer.
 #pragma once
 
 #include <OPENR/OObserver.h>

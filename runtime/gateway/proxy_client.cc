@@ -72,8 +72,9 @@ void ProxyClient::Down() {
 void ProxyClient::SendNext() {
   if (waits_ || requests_.empty() || !connection_.is_up()) return;
   waits_ = true;
-  // Before the first call to a system object of the robot, the robot is asked for the object's OID.
-  // A call needs the OID, but the caller has given only the name.
+  // A call needs the OID of a system object of the robot, but the caller has given only the
+  // object's name.  So before the first call to an object, asks the robot for the OID of this
+  // object.
   const Request& request = requests_.front();
   ProxyFrame frame;
   if (const auto known = oids_.find(request.object); known == oids_.end()) {

@@ -42,8 +42,8 @@ class ProxyClient : public GatewayChannel {
   void AddRequest(const void* payload, size_t size);
   // Fails all requests if the oldest request has waited for the robot's answer for kPatienceUs,
   // because the other requests are sent only after the answer to this request.  The error is
-  // sTIMEOUT.  But if the connection to the robot is open, closes the connection, and the error is
-  // sFAIL.
+  // sTIMEOUT if the connection to the robot is not open.  If the connection is open, closes it, and
+  // the error is sFAIL.
   void Expire();
 
   void Up() override;

@@ -1,8 +1,8 @@
 // Carries the OPENR:: functions about the robot's devices from a program on a PC to the robot that
 // the line !ROBOT_PROXY of HOSTGW.CFG names.
 //
-// A function whose message no source describes is not sent to the robot; a program that calls it
-// gets a warning (docs/network.md has the list).
+// If the message of a function is not known, the function is not sent to the robot, and a program
+// that calls the function gets a warning (docs/network.md has the list).
 #pragma once
 
 #include <cstdint>
@@ -53,8 +53,8 @@ class ProxyServices : public ForwardingServices {
   OStatus ObservePowerStatus(const OPowerStatus& notify, const OServiceEntry& entry) override;
   OStatus UnobservePowerStatus(const OServiceEntry& entry) override;
 
-  // The functions that the runtime calls are those of this run's own robot, which Shutdown() shuts
-  // down, and which boots again if a boot timer runs.
+  // The next five functions are called only by the runtime.  The services of this run's own robot
+  // execute them, because Shutdown() shuts this robot down, and a boot timer boots it again.
   std::optional<int64_t> TimeOffUs() const override { return local_->TimeOffUs(); }
   void SwitchOff() override { local_->SwitchOff(); }
   void RunFrameWhileOff() override { local_->RunFrameWhileOff(); }

@@ -12,8 +12,8 @@ namespace {
 
 constexpr size_t kNameBytes = 64;
 
-// Reads the 32-bit words at the beginning of an item.  An item is what the gateway receives at
-// once: the bytes of one call of an OPEN-R function, or of the answer to it.
+// Reads the 32-bit words at the beginning of an item.  An item has the bytes of one call of an
+// OPENR:: function, or of the answer to such a call.
 class ItemReader {
  public:
   explicit ItemReader(const std::string& item) : item_(item) {}

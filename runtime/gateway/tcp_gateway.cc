@@ -170,8 +170,9 @@ class GatewayLoader {
     if (!text && !CallsARobot()) return;
     const ConnectConfig wires = ParseConnectConfig("CONNECT.CFG", text.value_or(""), Design());
     const bool is_wired = !config_.services.empty() && NamesGateway(wires);
-    // Adds the gateway also if CONNECT.CFG connects one of its services, or if programs call a
-    // robot: a robot's stick names the gateway in OBJECT.CFG, but the stick of a PC does not.
+    // Adds the gateway, although OBJECT.CFG does not name it, if CONNECT.CFG connects one of its
+    // services, or if programs call a robot.  The stick of a PC need not name the gateway in
+    // OBJECT.CFG; only a robot's stick must do so.
     if (host_ == nullptr && (is_wired || CallsARobot())) {
       Add();
       if (has_robot_file_)
@@ -200,8 +201,8 @@ class GatewayLoader {
   }
 
   // Returns whether HOSTGW.CFG names a robot to which calls of OPENR:: functions are sent.  In this
-  // case the run plays a PC, whose stick need not name the gateway in OBJECT.CFG or CONNECT.CFG, so
-  // the gateway is added without that.
+  // case the run plays a PC, and the gateway is added even if neither OBJECT.CFG nor CONNECT.CFG of
+  // the PC's stick names it.
   bool CallsARobot() const { return config_.proxy && !config_.proxy->host.empty(); }
 
   static bool NamesGateway(const ConnectConfig& wires) {
