@@ -45,8 +45,8 @@ namespace {
 //
 // A copy of the default stick, which is removed at the end of its run, does not need the bytes on
 // the disk.  Its files are written to the disk as well, because otherwise a full disk would not be
-// noticed, and because this costs little: a search for a walk, which uploads two motions for each
-// try, spends 4 % of its time here.
+// noticed.  This costs little: a program that searches for a good walk, and uploads two motions for
+// each try, spends 4 % of its time here.
 int WriteThrough(const std::string& host_path) {
   const ApiScope scope;  // the functions below get paths of the host
   const int error = errno;
@@ -166,9 +166,9 @@ FILE* OpenFile(const char* path, const char* mode) {
   return Remember(next(host.c_str(), mode), host, writes, path);
 }
 
-// Removes `file` from the open files of the current object, because `file` is about to be closed,
-// and returns its entry in the table of these files.  Adds a finding if an earlier write to the
-// file has failed.
+// Removes `file`, which is about to be closed, from the current object's table of open files, and
+// returns the record that the table had of it.  Adds a finding if an earlier write to the file has
+// failed.
 OpenFiles::File ForgetStream(FILE* file) {
   const ApiScope scope;
   const auto found = t_current.object->files.streams.find(file);
@@ -205,9 +205,9 @@ int WithPath(Function* next, StickUse use, const char* path, Rest... rest) {
   return host.empty() ? -1 : next(host.c_str(), rest...);
 }
 
-// Calls `next`, which is unlink(), rmdir() or remove() of the C library, with `path`.  If an object
-// is the caller, does so as WithPath() does, and then writes the folder of what was removed to the
-// disk.
+// Removes `path` with `next`, which is unlink(), rmdir() or remove() of the C library.  If an
+// object is the caller, removes the file or folder of the stick that has this path, and then writes
+// its parent folder to the host's disk.
 int RemoveThrough(int (*next)(const char*), const char* path) {
   if (!InObject()) return next(path);
   const std::string host = HostPath(path, StickUse::kChange);
