@@ -1,8 +1,8 @@
 // Messages to a DNS endpoint, which looks up names and addresses of hosts.  Only one query may wait
 // for its answer at a time.
 //
-// The stack appends the default domain to a host name without a dot at its end.  All objects share
-// one list of DNS servers.
+// The network stack appends the default domain to a host name without a dot at its end.  All
+// objects share one list of DNS servers.
 #ifndef OPENR_DNSENDPOINTMSG_H_INCLUDED
 #define OPENR_DNSENDPOINTMSG_H_INCLUDED
 
@@ -11,7 +11,7 @@
 #include <antEnvMsg.h>
 
 // The largest number of DNS servers, and the size in bytes of a host name with its closing NUL.
-// A message with these limits has less than 256 bytes.
+// These limits keep every message below 256 bytes, the limit of the robot for a message.
 #define MAXNS 3
 #define MAXDNAME 100
 

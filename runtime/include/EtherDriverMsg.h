@@ -1,5 +1,5 @@
-// Arguments of two functions of ERA201D1.h, which return the MAC address and the error counters of
-// the network card.  Messages to the driver of the card.
+// The arguments of the two functions of ERA201D1.h that return the MAC address and the error
+// counters of the network card, and the messages to the driver of the card.
 #ifndef OPENR_ETHERDRIVERMSG_H_INCLUDED
 #define OPENR_ETHERDRIVERMSG_H_INCLUDED
 

@@ -60,7 +60,8 @@ struct EtherMACAddress {
     }
     return true;
   }
-  // Returns whether this is the address of a group or of all stations: the bit sent first is set.
+  // Returns whether this is the address of a group of stations or of all stations.  In such an
+  // address the bit that is sent first is 1.
   bool IsMulticast() const { return (octet[0] & 1) != 0; }
 
   // Copies the six octets of this address to `octets`.

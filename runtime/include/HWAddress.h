@@ -1,4 +1,4 @@
-// The address of a network device, of any kind.
+// The hardware address of a network device, together with the type of the address.
 #ifndef OPENR_HWADDRESS_H_INCLUDED
 #define OPENR_HWADDRESS_H_INCLUDED
 

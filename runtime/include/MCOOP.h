@@ -42,7 +42,8 @@ sError Receive(RID rbox, void* msg = 0, size_t size = 0, size_t* got = 0,
 // Sends a message and waits for its answer.
 sError Call(OID oid, Selector selector, void* msg, size_t size, void* reply = 0,
             size_t replySize = 0);
-// Answers the Call or SendWithRBox that the running handler received.
+// Answers the request that the running handler has received, and that another object has sent with
+// Call() or SendWithRBox().
 sError Reply(void* msg = 0, size_t size = 0);
 // Passes the request that the running handler has received on to another object, which answers it
 // in place of this object.
@@ -92,7 +93,8 @@ sError Wait(longword nanosec);
 
 }  // extern "C"
 
-// Old forms of functions of MCOOP.h: here Send() with five arguments is SendWithRBox().
+// Older forms of functions of MCOOP.h, for old programs: Send() with five arguments is
+// SendWithRBox().
 inline sError Send(OID oid, Selector selector, void* msg, size_t size, RID* rbox) {
   return SendWithRBox(oid, selector, msg, size, rbox);
 }

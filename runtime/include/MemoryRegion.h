@@ -1,4 +1,4 @@
-// The header under which some sources look for MemoryRegionID; the types are in Types.h.
+// Some sources include this header for the type MemoryRegionID, which is in Types.h.
 #ifndef OPENR_MEMORYREGION_H_INCLUDED
 #define OPENR_MEMORYREGION_H_INCLUDED
 

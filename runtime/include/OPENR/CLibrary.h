@@ -13,10 +13,12 @@
 #include <string.h>
 #include <strings.h>
 
-// Reads one line of the console.  C++14 removed the function, but C libraries still have it.
+// Reads one line of the console.  Declared here for old programs, because the headers of the C
+// library do not declare gets() for C++14 and later.
 extern "C" char* gets(char* line);
 
-// The names of newlib, the robot's C library, for comparing text without regard to case.
+// Functions that compare text without regard to upper and lower case, under the names that they
+// have in newlib, the robot's C library.
 inline int stricmp(const char* left, const char* right) { return strcasecmp(left, right); }
 inline int strnicmp(const char* left, const char* right, size_t size) {
   return strncasecmp(left, right, size);

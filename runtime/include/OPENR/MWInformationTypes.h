@@ -8,7 +8,7 @@ typedef longword MWIID;
 const MWIID mwiidINVALID = 0xffffffff;
 
 // Types for parts that can be attached to the robot, and for their sensors.  No document that we
-// know tells their values.
+// know gives their values.
 typedef byte AttachedParts;
 typedef byte AttachedPosition;
 typedef byte SensorType;

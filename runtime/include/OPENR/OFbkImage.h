@@ -22,7 +22,7 @@ const OFbkImageBand ofbkimageBAND_Y_HH = 6;
 // The bands of one image are interleaved row by row, in the order Y, Cr, Cb and, for
 // odataFBK_YCrCb_HPF, LH, HL, HH.  The order of LH, HL and HH is inferred; programs do not depend
 // on it, because Pointer() and Skip() lead them through the rows of a band.  The colour detection
-// image has one band and no skip.
+// image has only one band, so its Skip() is 0.
 //
 // The last row of the Y band, and of the colour detection image, begins with a tag of 16 bytes in
 // place of pixels: the field counter (the camera's count of its pictures) in bytes 0 and 1, low
@@ -44,11 +44,11 @@ class OFbkImage {
   // Width(), 0 <= y < Height().
   byte Pixel(int x, int y) const;
 
-  // Return values of the tag, 16 bytes that the camera stores in the image.  The tag is the same
-  // for all bands of an image.  GetTagInfo(): the first four bytes, low byte first.
-  // FieldCounter(): the camera's count of its pictures, the first two of these bytes.
-  // ColorFrequency(): the number of pixels that one channel of colour detection has found, divided
-  // by 16.
+  // These functions read the tag, 16 bytes that the camera stores in the image.  The tag is the
+  // same for all bands of an image.  GetTagInfo() returns the first four bytes, low byte first.
+  // FieldCounter() returns the first two of these bytes, the camera's count of its pictures.
+  // ColorFrequency() returns the number of pixels that one channel of colour detection has found,
+  // divided by 16.
   longword GetTagInfo() const;
   word FieldCounter() const;
   byte ColorFrequency(OCdtChannel channel) const;

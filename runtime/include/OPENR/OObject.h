@@ -14,9 +14,10 @@ class OObject {
   OObject();  // sets myOID_ to the OID of the object that is being loaded
   virtual ~OObject();
 
-  // Called by the stub, the generated code of the object, for the selectors 0 to 3.  Each function
-  // calls the DoXxx function of the same step and reports its status to the object manager.  The
-  // functions are inline, so that they are part of the image and DoXxx runs on the stack of the
+  // The stub, the generated code of the object, calls these four functions for the selectors 0 to
+  // 3.  Init() calls DoInit() and reports the status of DoInit() to the object manager; the other
+  // three functions do the same with DoStart(), DoStop() and DoDestroy().  The four functions are
+  // inline, so that they are part of the image, and DoInit() to DoDestroy() run on the stack of the
   // object.
   void Init(const OSystemEvent& event) { ReplyStatus(DoInit(event)); }
   void Start(const OSystemEvent& event) { ReplyStatus(DoStart(event)); }

@@ -1,4 +1,4 @@
-// The old name of OObserver.
+// OObserverVector, the old name of the class OObserver.
 #ifndef OPENR_OOBSERVERVECTOR_H_INCLUDED
 #define OPENR_OOBSERVERVECTOR_H_INCLUDED
 

@@ -11,9 +11,9 @@
 
 // ---- entries of an object
 
-// The selectors that every object has.  The stub numbers all other entries from oentryBASE on:
-// control of each subject, ready of each subject, connect of each observer, notify of each
-// observer, extras.
+// The selectors that every object has.  The stub numbers all other entries from oentryBASE on, in
+// this order: control of each subject, ready of each subject, connect of each observer, notify of
+// each observer, and the entries of the lines "Extra" of stub.cfg.
 const Selector oentryINIT = 0;
 const Selector oentrySTART = 1;
 const Selector oentrySTOP = 2;
@@ -110,7 +110,7 @@ const size_t ovrPATH_MAX = 127;
 const size_t orobotdesignNAME_MAX = 31;     // name of a robot design: "ERS-210"
 const size_t odesignkeywordNAME_MAX = 127;  // keyword in DESIGNDB.CFG
 
-// ---- numbers of frames of 8 ms; commands, sensors, images and sound share one counter of frames
+// ---- frame numbers: one counter of frames of 8 ms for commands, sensors, images and sound
 
 const longword oframeMAX_NUMBER = 0x0ffffff0;  // afterwards the counter starts again
 const longword oframeINVALID_NUMBER = 0xffffffff;

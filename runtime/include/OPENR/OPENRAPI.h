@@ -112,8 +112,8 @@ OStatus DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2);
 OStatus SetMotorPower(OPower power);
 // Errors of SetMotorPower(): oFAIL
 
-// Stores the conditions under which the robot boots again and begins the shutdown.  Returns before
-// any object is stopped.
+// Stores the conditions under which the robot boots again, and then begins the shutdown.  Returns
+// before any object is stopped.
 OStatus Shutdown(const OBootCondition& bootCondition);
 OStatus GetBootCondition(OBootCondition* bootCondition);  // only `bitmap` is valid
 OStatus GetPowerStatus(OPowerStatus* powerStatus);

@@ -110,7 +110,8 @@ struct OPowerStatusMessage {
                     static_cast<byte>(volume)) {}
 };
 
-// A message to the robot's system logger; 256 bytes on the robot.
+// A message to the robot's system logger; 256 bytes on the robot, more on the host, where an OID
+// has 8 bytes.
 struct OSyslogMessage {
   OMessageType msgType;  // omsgSYSLOG
   OID oid;               // the object that logs
