@@ -15,8 +15,8 @@
 namespace openr_host {
 namespace {
 
-// The largest size in bytes of a datum that the input `send` posts.  The limit is our choice: it is
-// far above the size of data that objects send each other, and it limits the memory that a command
+// The largest size in bytes of a datum that the input `send` posts.  The limit is our choice: data
+// that a person or a script sends are much smaller, and the limit bounds the memory that a command
 // from outside can allocate.
 constexpr size_t kDatumMax = size_t{64} << 10;
 

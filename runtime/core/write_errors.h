@@ -25,8 +25,8 @@ void ReportErrorMark(std::FILE* file);
 // Writes to their files the bytes that are still in the buffers of the streams that `object` has
 // left open.  Reports, as ReportWriteError() does, each file whose bytes the disk does not take,
 // now or at an earlier write.  Called before an object is replaced, which closes its streams
-// without a look at errors, and at the end of `openr run`.  Not called with --jobs, which runs each
-// robot in a process of its own.
+// without a look at errors, and at the end of `openr run`.  Not called with --jobs, because the
+// stick of its robots is write-protected.
 void FlushStreams(Object* object);
 
 }  // namespace openr_host
