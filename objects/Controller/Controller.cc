@@ -184,8 +184,8 @@ Controller::IsBatchMoverReady()
     return subject[sbjBatchMover]->IsReady() != 0;
 }
 
-// Finds a free region and returns the vector in it, whose elements the caller has to fill.  Returns
-// 0 when all regions are in use.
+// Finds a region that no observer uses now, and returns the command vector in it.  The caller fills
+// the elements of this vector.  Returns 0 when all regions are in use.
 OCommandVectorData*
 Controller::BeginVector(RCRegion** regions, int numElements, RCRegion** region)
 {
@@ -241,10 +241,10 @@ Controller::SendLeds(Uint32 on, int frames)
     FinishVector(sbjLed, region);
 }
 
-// Sends a vector with one value for each ear: STATE1 for an ear whose bit is set in `on` (see
-// "plungers" in virtualrobot/model/ers210.json), else STATE0.  The value holds for 128 ms, in which
-// an ear reaches its position (Hohl 2004, 5.3.4, in docs/report.md); a longer time would only warm
-// the coil of the ear.
+// Sends a vector with one value for each ear: STATE1 (on) if the bit of the ear in `on` is set, and
+// STATE0 (off) otherwise (see "plungers" in virtualrobot/model/ers210.json).  The value holds for
+// 128 ms, because an ear reaches its position in this time (Hohl 2004, 5.3.4, in docs/report.md).
+// A longer time would heat the coil of the ear without need.
 void
 Controller::SendEars(Uint32 on)
 {
@@ -297,7 +297,8 @@ Controller::BatteryCapacity()
     return OPENR::GetPowerStatus(&power) == oSUCCESS ? power.remainingCapacity : 0;
 }
 
-// Reports the rounding of a time step only once, and not in every iteration of the loop.
+// Reports that a time step was rounded to a multiple of 8 ms.  Does not report the same time step
+// again, because the program may ask for it in every iteration of its loop.
 void
 Controller::TimeStepRounded(int askedMs, int usedMs)
 {
@@ -338,8 +339,8 @@ Controller::RunLoop(void (*body)(void*), void* argument)
     LoopStackRun(body, argument);
 }
 
-// Reports only once that robot_step() does not work on the robot, because a program calls
-// robot_step() many times a second.
+// Leaves main() by LoopStackLeave(), and returns its result.  Also reports that robot_step() does
+// not work on the robot, but only once, because a program calls robot_step() many times a second.
 bool
 Controller::LeaveLoop()
 {

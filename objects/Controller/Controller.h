@@ -49,8 +49,8 @@ public:
     void NotifyImage(const ONotifyEvent& event);
 
 private:
-    // Number of command vectors for the LEDs, and of command vectors for the ears: one vector is
-    // played while the other waits until the effector is ready.
+    // Number of regions for the command vectors of the LEDs, and the same number for the ears: one
+    // vector is played while the other waits until the effector is ready.
     static const int NUM_REGIONS = 2;
 
     // The functions of ControllerPort, which ControllerCore calls.

@@ -1,6 +1,6 @@
 //
-// Gives camera images to the controller: converts luminance and differences of colour to red, green
-// and blue.
+// Gives camera images to the controller: converts their pixels from YCrCb (luminance and two colour
+// differences) to red, green and blue.
 //
 
 #include "Controller.h"
@@ -49,9 +49,9 @@ Convert(OFbkImageVectorData* vector, int width, int height, Uint8* out)
             const int cb = cbImage.Pixel(x, row) - 128;
             *out++ = Clip(y + cr);
             // Computes green as y - 0.51 cr - 0.19 cb: 131 / 256 is 0.51, and 49 / 256 is 0.19.
-            // Adding 128 x 256 makes the dividend positive, because C++98 leaves open how a
-            // negative quotient is rounded; y + 128 makes up for this.  The last 128 rounds to the
-            // nearest.
+            // 128 x 256 makes the dividend positive, because C++98 leaves open how a negative
+            // quotient is rounded.  This makes the quotient greater by 128, so 128 is added to y,
+            // too.  The 128 at the end of the dividend rounds the quotient to the nearest.
             *out++ = Clip(y + 128 - (131 * cr + 49 * cb + 128 * 256 + 128) / 256);
             *out++ = Clip(y + cb);
         }

@@ -169,8 +169,8 @@ ControllerCore::EndIfItDidNotReturn()
 }
 
 // Begins the next iteration, because the last LED vector has ended.  Does nothing if the effector
-// is busy again, because a vector that waited has just been sent.  The end of that vector will call
-// this function again.
+// is no longer ready, because an LED vector that waited has just been sent to it.  The end of that
+// vector will call this function again.
 void
 ControllerCore::LedReady()
 {
@@ -181,8 +181,9 @@ ControllerCore::LedReady()
     } else if (isStepping_) {
         isStepping_ = false;
         port_->ContinueLoop();
-        // Notes that no code of the program runs, because main() may have ended normally here, and
-        // EndIfItDidNotReturn() would take it for ended by exit().
+        // Records that no code of the program runs, because main() may have ended normally here.
+        // Without this record, EndIfItDidNotReturn() would take the normal end for a call of
+        // exit().
         place_ = NOWHERE;
     } else if (!ledChanged_) {
         return;
@@ -309,7 +310,8 @@ ControllerCore::SetPosition(int joint, double rad)
     const JointConstants& limits = robot_->joints[joint];
     Change(&batch_.joint[joint].position,
            Scaled(rad, URAD_PER_RAD, limits.minUrad, limits.maxUrad));
-    // Also takes batchMOTOR_OFF away, because a position switches the joint on again.
+    // Sets all flags anew and so clears batchMOTOR_OFF, because a position switches the joint on
+    // again.
     Change(&batch_.joint[joint].flags, batchPOSITION_GIVEN);
 }
 

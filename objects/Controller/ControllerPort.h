@@ -54,28 +54,28 @@ public:
     // Reports that the program asked for a device that the robot does not have.
     virtual void UnknownDevice(const char* locator) = 0;
 
-    // Reports `text`, a mistake of the controller program.
+    // Reports `text`, which describes a mistake of the controller program.
     virtual void Remark(const char* text) = 0;
 
     // Prints a text of the controller program on the robot's console.
     virtual void Print(const char* text) = 0;
 
-    // Calls `body`, a program that may be an endless loop.  Such a program is left in robot_step()
-    // and continued there later.  Because this needs a second stack, calls `body` on the second
-    // stack if there is one.  Returns when `body` has ended or has called LeaveLoop().
+    // Calls `body`, a program that may be an endless loop.  Such a program is suspended in
+    // robot_step() and continued later.  Because this needs a second stack, `body` runs on the
+    // second stack if there is one.  Returns when `body` has ended or has called LeaveLoop().
     virtual void RunLoop(void (*body)(void*), void* argument) = 0;
 
-    // Called by the program that RunLoop() has called, to be suspended in the middle of its loop.
-    // Returns true when ContinueLoop() continues the program.  Returns false at once when there is
-    // no second stack.
+    // Suspends the program that RunLoop() has called, in the middle of its loop.  Called by this
+    // program.  Returns true when ContinueLoop() continues the program.  Returns false at once when
+    // there is no second stack.
     virtual bool LeaveLoop() = 0;
 
     // Continues the program that has called LeaveLoop().  Returns when the program has ended or has
     // called LeaveLoop() again.
     virtual void ContinueLoop() = 0;
 
-    // Ends the program, after LeaveLoop() has failed, by ending the method of the object that runs
-    // now.  Does not return.
+    // Ends the program when LeaveLoop() has returned false, by ending the method of the object that
+    // runs now.  Does not return.
     virtual void EndLoop() = 0;
 };
 

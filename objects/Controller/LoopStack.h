@@ -21,13 +21,13 @@ void LoopStackRun(void (*body)(void*), void* argument);
 // once when there is no second stack.
 bool LoopStackLeave();
 
-// Continues the function that runs on the second stack after its last call of LoopStackLeave().
-// Returns when that function has ended or has called LoopStackLeave() again.  REQUIRES: the
+// Continues the function that runs on the second stack: its last call of LoopStackLeave() returns
+// true.  Returns when the function has ended or has called LoopStackLeave() again.  REQUIRES: the
 // function has called LoopStackLeave() and has not been continued since.
 void LoopStackContinue();
 
-// Adds `text`, a mistake of the controller program, to the findings of the run on a host.  Does
-// nothing on the robot.
+// Adds `text`, which describes a mistake of the controller program, to the findings of the run on a
+// host.  Does nothing on the robot.
 void TellRunner(const char* text);
 
 // Adds `text` to the findings as TellRunner() does.  `text` says that `name` is none of the `count`
