@@ -51,8 +51,8 @@ JointMover::DoStart(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// Stops the object.  Leaves the joints where they are: if the pause button stops the robot, it has
-// cut motor power already, so no joint would move (BBS 421).
+// Stops the object.  Leaves the joints where they are: if the pause button stops the robot, the
+// button has cut motor power already, so no joint would move (BBS 421).
 OStatus
 JointMover::DoStop(const OSystemEvent&)
 {
@@ -212,8 +212,8 @@ JointMover::NotifyMover(const ONotifyEvent& event)
         }
     }
     observer[event.ObsIndex()]->AssertReady(event.SenderID());
-    // Sends vectors here as well, because no ready event of the effector comes while no vector is
-    // under way.
+    // Sends vectors after a command, too, and not only after ready events of the effector, because
+    // no ready event comes while no vector is under way.
     SendVectors();
     SendReports();
 }

@@ -74,7 +74,7 @@ JointSet::TurnOff(int joint)
     port_->DisableGain(joint);
     gain_[joint] = gainOFF;
     // Ends the movement of the joint, because a limp joint that still counts as moving would make
-    // JointMover send vectors and wait for its arrival.
+    // JointMover send vectors and wait until the joint arrives.
     trajectory_[joint].Reset(trajectory_[joint].Position());
 }
 
@@ -111,8 +111,9 @@ JointSet::Wake(int joint, Sint32 urad)
     if (!hasPower_) return;
     if (gain_[joint] == gainOFF) {
         gain_[joint] = gainWAITING;
-        // Waits for a vector that is made later: the vectors under way were made before the joint
-        // was measured.
+        // The gain is enabled at the end of a vector that is not made yet (-1).  The vectors under
+        // way were made before the joint was measured, so they do not command its measured
+        // position.
         wakeVector_[joint] = -1;
         trajectory_[joint].Reset(port_->Measure(joint));
     }

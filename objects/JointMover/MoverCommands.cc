@@ -53,9 +53,9 @@ MoverCore::Track(const MoverCommand& command)
     }
 }
 
-// Returns the position at which a limp joint is to be held.  This is the measured position of the
-// joint.  But if the joint has hardly moved, returns the old position, so that the joint does not
-// creep a little each time it is switched off and on.
+// Returns the position at which a limp joint is held when it is switched on: the measured position
+// of the joint.  If the joint has hardly moved, returns the position at which it was held before,
+// so that the joint does not creep a little each time it is switched off and on.
 Sint32
 MoverCore::HoldPosition(int joint) const
 {
@@ -179,8 +179,8 @@ MoverCore::Play(const MoverCommand& command, const Uint8* bytes, size_t size, st
         joints_.SetGoal(motion_.RobotJoint(j), motion_.Angle(0, j));
     }
     Enter(moverPREPARE_MTN);
-    // Begins at once if no joint has to move: vectors are made only while a joint moves, so the end
-    // of a vector, which begins the motion, may never come.
+    // Begins the motion at once if no joint has to move.  Otherwise the motion begins at the end of
+    // a vector; but no vector is made while no joint moves.
     if (HasArrived()) BeginMotion();
     return true;
 }

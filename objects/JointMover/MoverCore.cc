@@ -46,8 +46,8 @@ MoverCore::Begin(const RobotConstants* robot)
     robot_ = robot;
     joints_.Begin(robot);
     for (int j = 0; j < robot->numJoints; j++) {
-        // Begins with the values with which Controller begins its buffer, because Batch() carries
-        // out the differences only.
+        // Begins with the values with which Controller begins its buffer, because Batch() compares
+        // the first buffer with these values and carries out only what differs.
         batch_[j].speed = robot->joints[j].maxSpeedCdeg;
         batch_[j].acceleration = robot->defaultAccelerationCdeg;
     }
@@ -89,8 +89,8 @@ MoverCore::NextVector(VectorPlan* plan)
     return true;
 }
 
-// Advances all joints by one frame.  Joints that a motion does not move obey their own commands, so
-// for example the tail can wag while the robot walks.
+// Advances all joints by one frame.  Joints that the motion does not move carry out commands for
+// single joints, so for example the tail can wag while the robot walks.
 void
 MoverCore::MakeFrame(Sint32 urad[MAX_JOINTS])
 {
@@ -103,8 +103,8 @@ MoverCore::MakeFrame(Sint32 urad[MAX_JOINTS])
         const JointConstants& limits = robot_->joints[joint];
         urad[joint] = Clamp(player_.Position(j), limits.minUrad - MTN_LIMIT_TOLERANCE_URAD,
                             limits.maxUrad + MTN_LIMIT_TOLERANCE_URAD);
-        // Keeps the trajectory for the joint's own commands at this position, so that the next
-        // command begins here.
+        // Puts the joint at this position in joints_, too, so that the next command for this single
+        // joint begins here.
         joints_.Place(joint, urad[joint]);
     }
 }
