@@ -39,7 +39,7 @@ public:
     // `handler`.
     void Begin(int number, RequestHandler* handler);
 
-    // Ends the client's upload and subscriptions.
+    // Ends the upload, the subscriptions and the picture of the client.
     void End() { handler_->EndClient(number_); }
 
     // Receives bytes that the client has sent, so that NextAnswers() can answer the requests in them.
@@ -65,7 +65,7 @@ public:
     bool IsLast() const { return isLast_ && heldSize_ == 0; }
     void SetLast() { isLast_ = true; }
 
-    // Returns whether a request has asked for the end of the run.
+    // Returns whether a request has asked for shutdown or reboot of the robot.
     bool EndsRun() const { return endsRun_; }
 
     // Returns whether the client waits for a place, because all RC_PLACES places are taken.  The

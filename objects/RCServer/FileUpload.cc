@@ -22,7 +22,8 @@ WriteErrorReason()
 std::string
 FileUpload::TemporaryName(const char* extension) const
 {
-    // The name has the number of the client, because several clients may upload at the same time.
+    // Puts the number of the client into the file name, because several clients may upload at the
+    // same time.
     return TextFormat("UPLOAD%d.%s", place_, extension);
 }
 
@@ -43,7 +44,7 @@ FileUpload::RemoveLeftovers(const StickStore& store) const
                                   store.Path(rcfileIMAGE, TemporaryName("OLD")) };
     std::string kept;
     for (int i = 0; i < 3; i++) {
-        // Ignores ENOENT, because usually an earlier run has left no such file.
+        // Ignores ENOENT, because usually an earlier run has left no temporary file.
         if (remove(paths[i].c_str()) != 0 && errno != ENOENT) kept = paths[i];
     }
     return kept;
@@ -146,8 +147,8 @@ FileUpload::CheckWhole(std::string* why)
                 why);
 }
 
-// Checks the content of the file on the stick, not the bytes that have arrived, so that a write
-// error is found, too.
+// Checks the uploaded file as it is on the stick, and not the bytes that have arrived, so that a
+// write error is found, too.
 int
 FileUpload::CheckContent(const RobotConstants* robot, MtnFile* motion, std::string* why)
 {

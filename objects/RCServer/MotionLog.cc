@@ -40,8 +40,8 @@ MotionLog::Add(const SetValueMessage& report, const SensorValues& sensors)
     for (int j = 0; j < robot_->numJoints; j++) {
         if (IsLogged(robot_->joints[j])) out.U16((Uint32)CdegFromUrad(report.commanded[j]));
     }
-    // The number of measured values; behind them comes the number of simulated values, which a
-    // robot does not have (Hohl 2004, table 3.9).
+    // Writes the number of measured values.  The number of simulated values, at the end of the
+    // record, is 0 on a robot (Hohl 2004, table 3.9).
     out.U8((Uint32)(numJoints_ + RC_LOG_PAWS));
     for (int j = 0; j < robot_->numJoints; j++) {
         if (IsLogged(robot_->joints[j])) out.U16((Uint32)CdegFromUrad(report.measured[j]));

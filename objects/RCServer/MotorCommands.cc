@@ -67,7 +67,8 @@ RequestHandler::SetGains(int joint, RcReader* in, RcGains* gains)
     message.joint = joint;
     for (int i = 0; i < 3; i++) {
         gains->gain[i] = in->U16();
-        // Shifts stay as they are, because the ERS-7 has one register of shifts for all joints.
+        // Answers with the constant shifts of the robot.  A request cannot change shifts, because
+        // the ERS-7 has one register of shifts for all joints.
         gains->shift[i] = robot_->joints[joint].gain[i + 3];
         message.gain[i] = gains->gain[i];
         if (gains->gain[i] <= RC_MAX_GAIN) continue;

@@ -54,8 +54,8 @@ public:
     void WritePart(int part, RcWriter* out) const;
 
 private:
-    // Time after a client's last request for its picture, from which on another client may take the
-    // memory of the picture: two seconds, in frames of 8 ms.
+    // Time for which a client keeps its picture after its last request for it: two seconds, in
+    // frames of 8 ms.  After this time another client may take the memory of the picture.
     static const Uint32 FORGOTTEN_FRAMES = 250;
 
     int owner_;

@@ -121,8 +121,8 @@ RCServer::NotifySetValue(const ONotifyEvent& event)
     observer[event.ObsIndex()]->AssertReady(event.SenderID());
 }
 
-// Stores the layer of the image for which a client waits.  Does not assert ready again, so that the
-// camera sends no more images.
+// Stores the layer that a client has asked for, from the newest camera image.  Does not assert
+// ready again, so that the camera sends no more images.
 void
 RCServer::NotifyImage(const ONotifyEvent& event)
 {
@@ -230,9 +230,8 @@ RCServer::EndRunInTime(Uint32 frame)
     ShutDownRobot();
 }
 
-// Shuts the robot down as PowerMonitor does.  The boot condition says when the robot boots again.
-// After a shutdown the robot boots when the pause button is pressed.  After a reboot it boots at
-// the end of a timer that is set to 0 s (robot.md 15.3).
+// Shuts the robot down as PowerMonitor does.  The boot condition says what boots the robot again:
+// after a shutdown the pause button, and after a reboot a timer of 0 s (robot.md 15.3).
 void
 RCServer::ShutDownRobot()
 {

@@ -57,7 +57,7 @@ private:
     static const int NUM_CLIENTS = RC_PLACES + 1;
     COMPILE_TIME_CHECK(EveryClientHasAnUpload, NUM_CLIENTS == RequestHandler::MAX_CLIENTS);
 
-    // The end of the run that a client has asked for.
+    // The end of the run that a client has asked for: none, shutdown or reboot of the robot.
     enum RunEnd { runGOES_ON, runSHUTDOWN, runREBOOT };
 
     enum ClientState {

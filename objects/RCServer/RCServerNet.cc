@@ -59,8 +59,8 @@ RCServer::NewBuffer(int index)
     return oSUCCESS;
 }
 
-// Listens for a client, whose data will be in client_[index].  On failure client_[index] stays
-// closed, and RetryListening() tries again.
+// Listens for a client.  The data of this client will be in client_[index].  On failure
+// client_[index] stays closed, and RetryListening() tries again.
 void
 RCServer::Listen(int index)
 {
@@ -88,7 +88,8 @@ RCServer::RetryListening(Uint32 frame)
     if (isStopped_ || frame - retryFrame_ < RETRY_FRAMES) return;
     retryFrame_ = frame;
     for (int i = 0; i < NUM_CLIENTS; i++) {
-        // A place without a buffer is the place for a waiting client, which ListenForMore() opens.
+        // Skips a place without a buffer, because this is the place for a waiting client.
+        // ListenForMore() opens this place.
         if (client_[i].state == clientCLOSED && client_[i].receiveData != 0) Listen(i);
     }
 }
@@ -211,8 +212,9 @@ RCServer::ReceiveCont(ANTENVMSG msg)
     }
 }
 
-// Sends the answers to all requests that have arrived completely, or when no request is complete,
-// the due packets of streams.  Does nothing while a send runs, whose end calls this function again.
+// Sends answers to the requests that have arrived completely.  If no request is complete, sends the
+// packets of streams that are due.  Does nothing while a send runs, because the end of that send
+// calls this function again.
 void
 RCServer::Serve(int index)
 {
@@ -227,8 +229,8 @@ RCServer::Serve(int index)
         OSYSLOG1((osyslogWARNING, "RCServer: client %d is turned away, all %d places are taken",
                   index, RC_PLACES));
     }
-    // Receives only when all requests are answered: ClientSession has no room for more bytes
-    // before, and a client that takes no answers is not read.
+    // Receives only after all requests are answered, because ClientSession has no room for more
+    // bytes before that.  So RCServer reads nothing from a client that takes no answers.
     if (size == 0 && !client.isReceiving) Receive(index);
     if (size == 0) size = client.session.NextEvents(client.sendData);
     if (size > 0) Send(index, size);
@@ -265,7 +267,7 @@ RCServer::SendCont(ANTENVMSG msg)
         Serve(index);
         return;
     }
-    // The client has asked for the end of the run, so the run ends even if the answer could not be
+    // The client has asked for shutdown or reboot, which follows even if the answer could not be
     // sent.
     if (client_[index].session.EndsRun()) {
         isEnding_ = true;

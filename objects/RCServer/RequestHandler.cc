@@ -256,7 +256,8 @@ RequestHandler::TellInfo(RcReader* in, RcWriter* out)
     info.numEars = (Uint8)robot_->numPlungers;
     info.numBinary = (Uint8)NumDevices(rcdeviceBINARY);
     info.numOther = (Uint8)NumDevices(rcdeviceOTHER);
-    // Remaining capacity and temperature of the battery, as WriteSensors() writes them.
+    // Counts the two miscellaneous values that WriteSensors() writes: remaining capacity and
+    // temperature of the battery.
     info.numMisc = 2;
     info.state = (Uint8)state_;
     info.design = robot_->design;

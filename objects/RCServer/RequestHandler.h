@@ -50,17 +50,17 @@ public:
     // REQUIRES: `out` is empty and has room for RC_MAX_PACKET bytes; 0 <= client < MAX_CLIENTS.
     void Answer(int client, const RcFramer& request, RcWriter* out);
 
-    // Returns whether the request that was answered last has asked for the end of the run.
+    // Returns whether the request that was answered last has asked for shutdown or reboot.
     bool EndsRun() const { return endsRun_; }
 
     // Returns the frame number of the newest sensor values.
     Uint32 Frame() const { return sensors_.frame; }
 
-    // Returns whether a packet with values to which a client has subscribed is due.
+    // Returns whether a packet for a subscription of the client is due.
     bool HasEvents(int client) const { return streams_[client].Due(sensors_.frame) >= 0; }
 
-    // Writes to `out` all packets that are due with values to which a client has subscribed.
-    // REQUIRES: `out` is empty and has room for RC_MAX_PACKET bytes.
+    // Writes to `out` all packets that are due for subscriptions of the client.  REQUIRES: `out` is
+    // empty and has room for RC_MAX_PACKET bytes.
     void WriteEvents(int client, RcWriter* out);
 
     // Ends the upload, the subscriptions and the picture of a client whose connection has ended.
@@ -141,7 +141,8 @@ private:
     Uint16 tag_;         // tag of the present request
     bool endsRun_;       // whether the present request has asked for the end of the run
     std::string error_;  // error text of the present request
-    // A motion file that is being checked; not a local variable, because its parts are large.
+    // The motion file that is checked.  A member, so that its memory is used again for the next
+    // file.
     MtnFile motion_;
     MotionLog log_;
     PictureSlot picture_;
@@ -149,9 +150,9 @@ private:
     // The part of a file that is being sent; a member, because it is too large for the stack.
     Uint8 part_[RC_MAX_DOWNLOAD_DATA];
     ClientStreams streams_[MAX_CLIENTS];
-    // Must be the last member: a constructor of a member behind it would need code that destroys
-    // uploads when that constructor throws.  Such code calls std::terminate(), which the robot
-    // lacks.
+    // Must be the last member.  For a member behind it, the compiler would add code that destroys
+    // the uploads when the constructor of that member throws.  Such code calls std::terminate(),
+    // which the robot lacks.
     FileUpload upload_[MAX_CLIENTS];
 };
 

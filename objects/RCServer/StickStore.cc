@@ -125,8 +125,9 @@ StickStore::ReadPart(const std::string& path, Uint32 offset, Uint8* bytes, int c
     return done;
 }
 
-// Returns the name that the file `path` has while Replace() puts another file in its place: its own
-// name with a tilde as the first character of the extension, so that PutBack() knows its old name.
+// Returns the spare name of the file `path`, which this file has while Replace() puts another file
+// in its place.  The spare name is `path` with a tilde as the first character of the extension, so
+// that PutBack() can find the old name.
 static std::string
 SpareName(const std::string& path)
 {
@@ -139,9 +140,9 @@ bool
 StickStore::Replace(const std::string& from, const std::string& to)
 {
     if (rename(from.c_str(), to.c_str()) == 0) return true;
-    // Goes on only if the file system may refuse to replace a file.  After another error, such as
-    // that of a full or damaged stick, a second rename() might put a file without its bytes in the
-    // place of a whole one.
+    // Goes on only after EEXIST or EACCES, which mean that the file system may refuse to replace a
+    // file.  After another error, such as that of a full or damaged stick, a second rename() might
+    // put an incomplete file in the place of a complete one.
     if (errno != EEXIST && errno != EACCES) return false;
     // Gives the file `to` another name and tries again, because the file system may refuse to
     // rename a file to a name that exists.  No source says whether the robot's file system refuses
@@ -181,15 +182,15 @@ CanOpen(const std::string& path)
     return false;
 }
 
-// Gives the spare file of `path` (the old file, which Replace() has renamed), if there is a spare
-// file, the name `path` again.  Removes the spare file instead if there is a file `path`, because
-// this is the new file, or the old one with its name back.  Returns whether no spare file is left.
+// Gives the spare file of `path`, that is, the old file that Replace() has renamed, its name `path`
+// back.  If there is a file `path`, removes the spare file instead, because the file `path` is the
+// new file, or the old file with its name back.  Returns whether no spare file is left.
 static bool
 PutBackOne(const std::string& path)
 {
     const std::string spare = SpareName(path);
-    // A spare file (the old file of an interrupted Replace()) usually does not exist: ENOENT.  Any
-    // other error may hide a spare file, so nothing is renamed then.
+    // Returns true after ENOENT, because there is no spare file: usually no Replace() was
+    // interrupted.  After any other error there may be a spare file, so nothing is renamed then.
     if (!CanOpen(spare)) return errno == ENOENT;
     if (CanOpen(path)) return remove(spare.c_str()) == 0;
     return errno == ENOENT && rename(spare.c_str(), path.c_str()) == 0;

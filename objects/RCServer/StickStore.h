@@ -60,9 +60,9 @@ public:
     // its name back.
     static bool Replace(const std::string& from, const std::string& to);
 
-    // Gives the files that Replace() has renamed for a moment their names back, and removes those
-    // that have been replaced.  Returns the path of a file or folder for which this failed, or "".
-    // Forgets the names that ReadMotions() has read.
+    // Completes every Replace() that was interrupted: gives the old file its name back, or removes
+    // it if the new file is in its place.  Returns the path of a file or folder for which this
+    // failed, or "".  Forgets the names that ReadMotions() has read.
     std::string PutBack();
 
     // Copies the file `from` to `to`.  When this fails, there is no file `to`, and `errno` has the
