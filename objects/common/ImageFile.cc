@@ -2,7 +2,8 @@
 
 #include "ByteOrder.h"
 
-// Values of the ELF header: class at offset 4, byte order at 5, machine at 18.
+// Numbers in the header of an ELF file: the magic number at offset 0, the class (32 or 64 bits) at
+// offset 4, the byte order at offset 5, and the machine at offset 18.
 static const Uint32 ELF_MAGIC = 0x464c457f;
 static const int ELF_LITTLE_ENDIAN = 1;
 static const int ELF_32_BIT = 1;

@@ -364,6 +364,6 @@ MtnFile::TimeMs(int k) const
 Sint32
 MtnFile::DurationMs() const
 {
-    // TimeMs(-1), of a motion without key frames, is 0.
+    // A motion without key frames has a duration of 0, because TimeMs(-1) is 0.
     return TimeMs(numKeyFrames_ - 1);
 }

@@ -66,9 +66,9 @@ public:
     const std::vector<std::string>& Warnings() const { return warnings_; }
 
     // Finds the joint or plunger (ear) of `robot` for each joint of the file, by its locator
-    // (OPEN-R name); the design label is not used.  Returns false with an Error() when the robot
-    // has no such joint.  Adds a warning for each joint that leaves its software limits.  REQUIRES:
-    // Read() has returned true.
+    // (OPEN-R name); the design label of the file is not used.  Returns false with an Error() when
+    // the robot has no such joint.  Adds a warning for each joint that leaves its software limits.
+    // REQUIRES: Read() has returned true.
     bool MapTo(const RobotConstants* robot);
 
     // Returns the index in RobotConstants::joints of the file's joint `j`, or -1 when joint `j` is

@@ -47,7 +47,7 @@ void
 MtnPlayer::NextFrame()
 {
     frame_++;
-    // Keeps the place that Position() shows, because at a key frame this function moves gap_ and
+    // Keeps gap and frame for Position(), because at a key frame this function moves gap_ and
     // frame_ on to the next gap, or to the next loop.
     shownGap_ = gap_;
     shownFrame_ = frame_;

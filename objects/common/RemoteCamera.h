@@ -16,8 +16,8 @@ const int NUM_RC_LAYERS = 4;
 // full resolution of the ERS-7, which consists of six bands of 208 x 160 pixels.
 const Uint32 RC_MAX_PICTURE = 6 * 208 * 160;
 
-// The beginning of an answer to CAMERA_PART, the request for a part of a picture, before the bytes
-// of the layer.
+// The head of an answer to CAMERA_PART, the request for a part of a picture.  The bytes of the part
+// follow this head.
 struct RcPicturePart {
     Uint16 part;    // number of the part, from 0
     Uint16 parts;   // number of parts of the picture

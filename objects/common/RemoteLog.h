@@ -23,8 +23,8 @@
 // The text at the beginning of a file with the log of motions, before the records.
 #define RC_LOG_HEADER "AIBO_1.1"
 
-// Number of a record in a request LOG that asks for no records of the log, but only for the number
-// of records so far.
+// Record number in a request LOG that asks only for the number of records so far, and for none of
+// the records.
 const Uint32 RC_LOG_END = 0xffffffff;
 
 const int RC_LOG_PAWS = 4;
@@ -39,8 +39,8 @@ LogRecordSize(int numJoints)
 
 const int RC_MAX_LOG_RECORD = 2 + 2 * MAX_JOINTS + 1 + 2 * (MAX_JOINTS + RC_LOG_PAWS) + 1;
 
-// The beginning of an answer to LOG, the request for the log of motions, before the records of the
-// log.
+// The head of an answer to LOG, the request for the log of motions.  The records of the log follow
+// this head.
 struct RcLogHead {
     Uint32 count;  // number of records since the robot has booted
     Uint32 first;  // number of the first record in this answer

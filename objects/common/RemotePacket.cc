@@ -24,8 +24,8 @@ RcWriter::RcWriter(Uint8* buffer, int capacity)
 bool
 RcWriter::HasRoom(int count)
 {
-    // Refuses everything from now on, because a smaller field that still fits would be read in
-    // place of the missing field.
+    // Refuses all later fields, too, because a smaller field that still fits would be read in place
+    // of the missing field.
     if (capacity_ - size_ < count) hasOverflowed_ = true;
     return !hasOverflowed_;
 }
@@ -100,7 +100,8 @@ RcWriter::PutHeader(int command, int tag, int version)
 bool
 RcReader::Has(int count)
 {
-    // Fails for good: bytes behind a missing field would be read as another field.
+    // Lets all later reads fail, too, because bytes behind a missing field would be read as another
+    // field.
     if (size_ - at_ < count) hasFailed_ = true;
     return !hasFailed_;
 }

@@ -34,7 +34,7 @@ struct RcHeader {
     Uint8 command;
     Uint16 tag;
 
-    // Reads the header from the RC_HEADER_SIZE bytes of a packet.  Does not check the values.
+    // Reads the header from the first RC_HEADER_SIZE bytes of `packet`.  Does not check the values.
     void Read(const Uint8* packet);
 };
 

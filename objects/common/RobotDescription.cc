@@ -22,8 +22,9 @@ FindPosture(const RobotConstants* robot, const char* name)
     return 0;
 }
 
-// Returns the index of the row with this locator; -1 when there is no such row.  A template,
-// because every table has rows of another type, and all these types have a locator.
+// Returns the index of the element of `rows` with this locator; -1 when there is no such element.
+// A template, because joints, LEDs, plungers and sensors are described by different types, and all
+// these types have a locator.
 template <class Row>
 static int
 FindLocator(const Row* rows, int numRows, const char* locator)

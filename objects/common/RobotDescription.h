@@ -53,7 +53,8 @@ struct PlungerConstants {
     Sint32 kind;  // a value of PlungerKind
 };
 
-// Groups of sensors in Hohl 2004, table 3.8, as docs/openr/ers210.md 7 reads the table.
+// Groups of sensors in Hohl 2004, table 3.8.  The table in docs/openr/ers210.md 7 shows the group
+// of each sensor of the ERS-210.
 enum SensorGroup { sensorBINARY = 1, sensorOTHER = 2 };
 
 enum SensorKind {

@@ -4,11 +4,10 @@
 
 static const Sint64 ONE_URAD = 65536;
 
-// The first factor converts a speed from 0.01 degree/s to 2^-16 urad per frame.  The second factor
-// converts an acceleration from 0.01 degree/s^2 to 2^-16 urad per frame^2.  Both factors are
-// multiplied by 10^6.  With frames of 0.008 s, 0.01 degree/s is 0.008 x URAD_PER_CDEG urad per
-// frame, and 0.01 degree/s^2 is 0.008 times as much per frame^2.  Both factors are rounded to the
-// nearest.
+// SPEED_SCALE_E6 / 10^6 converts a speed from 0.01 degree/s to 2^-16 urad per frame.
+// ACCELERATION_SCALE_E6 / 10^6 converts an acceleration from 0.01 degree/s^2 to 2^-16 urad per
+// frame^2.  A frame lasts 0.008 s, so 0.01 degree/s is 0.008 x 174.5 urad per frame, and 0.01
+// degree/s^2 is 0.008 times as much per frame^2.  Both scales are rounded to the nearest.
 static const Sint64 SPEED_SCALE_E6 = (URAD_PER_CDEG_E9 * ONE_URAD * 8 + 500000) / 1000000;
 static const Sint64 ACCELERATION_SCALE_E6 = (SPEED_SCALE_E6 * 8 + 500) / 1000;
 COMPILE_TIME_CHECK(SpeedScaleIsExact, SPEED_SCALE_E6 == 91505518287LL);
@@ -155,7 +154,7 @@ Trajectory::Step()
     if (step < speed - acceleration_) step = speed - acceleration_;
     position_ += forward ? step : -step;
     speed_ = forward ? step : -step;
-    // The joint reaches its goal and is slow enough to stop there, so from now on it rests.
+    // Ends the movement if the joint has reached its goal and is slow enough to stop there.
     if (step == distance && step <= acceleration_) Rest();
     return Position();
 }
