@@ -392,7 +392,9 @@ std::string DecodeHandled(const System& system, const Message& message) {
       const char* const base = system.regions().BaseOf(data.memID);
       const size_t bytes = system.regions().SizeOf(data.memID);
       if (base == nullptr || data.offset > bytes || data.size > bytes - data.offset) return "";
-      content.append(base + data.offset, std::min(data.size, kDecodedBytesMax));
+      // Limits the bytes of all regions together.  If each region were cut separately, the bytes of
+      // the region after a cut region would be decoded as other values than they are.
+      content.append(base + data.offset, std::min(data.size, kDecodedBytesMax - content.size()));
     }
   } else {
     content = ContentOf(message);

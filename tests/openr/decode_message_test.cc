@@ -325,5 +325,42 @@ TEST(DecodeHandledTest, DataThatAreDeletedAreNotShown) {
   EXPECT_EQ(DecodeHandled(simulation.system(), message), "");
 }
 
+// The second of two regions does not follow the beginning of the first region, which is too long.
+TEST(DecodeHandledTest, ALongNotificationIsCutAfterTheBytesOfAllItsRegions) {
+  Simulation simulation(QuietOptions());
+  System& system = simulation.system();
+  system.Boot();
+  system.RunUntil(1'000'000);
+  const Object* const mover = system.FindObject(0, "JointMover");
+  ASSERT_NE(mover, nullptr);
+  uint32_t selector = UNDEF;
+  for (const auto& [entry, name] : mover->entry_names) {
+    if (name == "JointMover.Mover.MoverCommand.O (Notify)") selector = entry;
+  }
+  ASSERT_NE(selector, UNDEF);
+
+  MoverCommand stop = {}, motor_off = {};
+  stop.kind = moverkindSTOP;
+  motor_off.kind = moverkindMOTOR_OFF;
+  std::string data[2];
+  while (data[0].size() <= kDecodedBytesMax) data[0] += BytesOf(stop);
+  data[1] = BytesOf(motor_off);
+
+  Message message;
+  message.kind = PayloadKind::kNotify;
+  message.target = mover->id;
+  message.selector = selector;
+  ONotifyMessage& notify = *new (message.payload) ONotifyMessage();
+  notify.numOfData = 2;
+  for (int i = 0; i < 2; ++i) {
+    const uint32_t region = system.regions().New(data[i].size(), mover->id);
+    std::memcpy(system.regions().BaseOf(region), data[i].data(), data[i].size());
+    notify.data[i] = {nullptr, region, 0, data[i].size()};
+  }
+  const std::string text = DecodeHandled(system, message);
+  EXPECT_EQ(text, DecodeReceived(system, mover->id, selector, data[0].substr(0, kDecodedBytesMax)));
+  EXPECT_THAT(text, StartsWith("stop the motion\n"));
+}
+
 }  // namespace
 }  // namespace openr_host
