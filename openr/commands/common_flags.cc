@@ -7,6 +7,7 @@
 #include "cli/counted.h"
 #include "cli/install_paths.h"
 #include "cli/output_file.h"
+#include "openr/simulation/pacing.h"
 #include "runtime/base/duration.h"
 
 namespace openr_host {
@@ -153,9 +154,10 @@ double RateOf(const std::string& text) {
   if (text == "max") return 0;
   char* end = nullptr;
   const double rate = std::strtod(text.c_str(), &end);
-  if (!text.empty() && *end == 0 && rate >= 0.001 && rate <= 1000) return rate;
-  throw CLI::ValidationError(
-      "--rate", fmt::format("'{}' is neither 'max' nor a number from 0.001 to 1000", text));
+  if (!text.empty() && *end == 0 && rate >= Pacer::kRateMin && rate <= Pacer::kRateMax) return rate;
+  throw CLI::ValidationError("--rate",
+                             fmt::format("'{}' is neither 'max' nor a number from {} to {}", text,
+                                         Pacer::kRateMin, Pacer::kRateMax));
 }
 
 CLI::Validator IsCount() {

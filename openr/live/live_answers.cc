@@ -20,6 +20,7 @@
 #include "openr/render/png_file.h"
 #include "openr/rewind/rewind.h"
 #include "openr/simulation/known_run.h"
+#include "openr/simulation/pacing.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/base/spelling.h"
 #include "runtime/core/api.h"
@@ -207,10 +208,6 @@ Json AnswerScene(const RequestContext& context) {
   return scene;
 }
 
-// Limits of the rate that a client can set, in virtual seconds per second of the computer's clock;
-// the option --rate has the same limits.
-constexpr double kRateMin = 0.001, kRateMax = 1000;
-
 // Returns `time_s` in microseconds; times beyond 30 years are shortened to 30 years, so that sums
 // of two times do not overflow.
 int64_t InUs(double time_s) {
@@ -238,9 +235,9 @@ Json AnswerClock(const RequestContext& context) {
     return Error("a free run cannot be paused, and keeps its rate: its processes do not wait");
   if (request.contains("rate")) {
     const auto rate = request["rate"].get<double>();
-    if (!(rate == 0 || (rate >= kRateMin && rate <= kRateMax)))
+    if (!(rate == 0 || (rate >= Pacer::kRateMin && rate <= Pacer::kRateMax)))
       return Error(fmt::format("the rate {} is neither 0, as fast as possible, nor {} to {}", rate,
-                               kRateMin, kRateMax));
+                               Pacer::kRateMin, Pacer::kRateMax));
     clock->set_rate(rate);
   }
   if (request.contains("pause")) {

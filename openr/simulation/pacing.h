@@ -8,6 +8,10 @@ namespace openr_host {
 
 class Pacer {
  public:
+  // The smallest and the largest rate that a user can give, by the option --rate or in a running
+  // run.  A user can also give the rate 0, "as fast as possible".
+  static constexpr double kRateMin = 0.001, kRateMax = 1000;
+
   // Makes a pacer.  `rate` is virtual seconds per real second; 0: as fast as possible.
   explicit Pacer(double rate) : rate_(rate) {}
 
