@@ -29,18 +29,23 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Appends all data from `descriptor` to `text`, until the other end of `descriptor` is closed.
-// Returns false if no data come for `wall_s` seconds.
-bool ReadAll(int descriptor, int wall_s, std::string* text) {
+enum class ReadEnd { kClosed, kTimeLimit, kError };
+
+// Appends all data from `descriptor` to `text`, until the other end of `descriptor` is closed
+// (kClosed) or no data come for `wall_s` seconds (kTimeLimit).  After an error of the system
+// (kError), errno has its number.
+ReadEnd ReadAll(int descriptor, int wall_s, std::string* text) {
   for (;;) {
     pollfd wanted = {descriptor, POLLIN, 0};
     const int ready = poll(&wanted, 1, wall_s * 1000);
     if (ready < 0 && errno == EINTR) continue;
-    if (ready <= 0) return false;
+    if (ready < 0) return ReadEnd::kError;
+    if (ready == 0) return ReadEnd::kTimeLimit;
     char buffer[65536];
     const ssize_t size = read(descriptor, buffer, sizeof buffer);
     if (size < 0 && errno == EINTR) continue;
-    if (size <= 0) return true;
+    if (size < 0) return ReadEnd::kError;
+    if (size == 0) return ReadEnd::kClosed;
     text->append(buffer, static_cast<size_t>(size));
   }
 }
@@ -109,11 +114,16 @@ Json ForkServer::Run(const Json& plan) {
   log_->count = 0;
   const ProcessCopy copy = StartCopy(Orphan::kGoesOn, [&](int answer) { RunInCopy(plan, answer); });
   std::string said;
-  const bool ended = ReadAll(copy.answers, limits_.wall_s, &said);
+  const ReadEnd end = ReadAll(copy.answers, limits_.wall_s, &said);
+  const int error = errno;
   close(copy.answers);
-  if (!ended) kill(copy.pid, SIGKILL);
+  if (end != ReadEnd::kClosed) kill(copy.pid, SIGKILL);
   const int status = WaitForEnd(copy.pid);
-  if (!ended) {
+  // Throws, because the answer would be a fault of the program that is explored.
+  if (end == ReadEnd::kError)
+    throw std::runtime_error(
+        fmt::format("cannot read the result of a run: {}", std::strerror(error)));
+  if (end == ReadEnd::kTimeLimit) {
     Json answer =
         Broken(plan, kHandlersReturn,
                fmt::format("the run did not end within {} s of real time", limits_.wall_s));

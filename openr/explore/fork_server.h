@@ -37,7 +37,8 @@ class ForkServer {
   // handler_us of the ForkLimits, or a copy that must be killed after wall_s seconds, breaks the
   // property handlers-return; the answer about a killed copy also has the field kNotEnded.  If the
   // plan does not fit the run, for example names an object that the run does not have, the answer
-  // is {"problem": text}.
+  // is {"problem": text}.  Throws std::runtime_error if the system gives no copy of the process, or
+  // if the answer of the copy cannot be read.
   nlohmann::ordered_json Run(const nlohmann::ordered_json& plan);
 
  private:

@@ -2,6 +2,8 @@
 // does not show.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <set>
 
@@ -122,6 +124,28 @@ TEST(ExplorerTest, AQuantityThatIsNotThereIsAnErrorAndNoFailure) {
                  "--property:1: no object of robot 0 'JointMovr'; did you mean 'JointMover'?\n"
                  "always objects.JointMovr.state != failed\n"
                  "       ^");
+  }
+}
+
+// Forbids all descriptors to the process that has made the copy in which this object runs, so that
+// poll() fails in that process.
+class DescriptorTaker : public Actor {
+ public:
+  OStatus DoStart(const OSystemEvent&) override {
+    const rlimit none = {0, 0};
+    return prlimit(getppid(), RLIMIT_NOFILE, &none, nullptr) == 0 ? oSUCCESS : oFAIL;
+  }
+};
+
+TEST(ExplorerTest, AnAnswerThatCannotBeReadIsAnErrorAndNoFailure) {
+  const auto build = [](System* system) { system->AddObject<DescriptorTaker>(0, "taker"); };
+  const ExplorePlan plan = PlanOf(SceneOf(build));
+  ExplorerProcesses pool(plan.prepare_run, plan.run, plan.limits, 1);
+  try {
+    const Json answer = pool.RunOne({{"seed", 1}});
+    FAIL() << answer.dump(1);
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "cannot read the result of a run: Invalid argument");
   }
 }
 
