@@ -42,7 +42,7 @@ ExactSchedule::ExactSchedule(const System& system, const Json& plan)
       next_sleep_(SleepFromJson(plan.at("sleep"))) {}
 
 size_t ExactSchedule::PickOf(const Deviation& spot, const std::vector<ObjectId>& candidates) {
-  FinishEvent();
+  FinishDelivery();
   const bool is_start = spot.kind == Deviation::Kind::kStart;
   if (is_start) sleep_.clear();
   Node node;
@@ -64,7 +64,7 @@ size_t ExactSchedule::PickOf(const Deviation& spot, const std::vector<ObjectId>&
   }
   const size_t chosen = node.chosen;
   nodes_.push_back(std::move(node));
-  BeginEvent(candidates[chosen], index);
+  BeginDelivery(candidates[chosen], index);
   if (is_start) used_ = kAllObjects;
   return chosen;
 }
@@ -76,31 +76,31 @@ size_t ExactSchedule::FirstAwake(const std::vector<ObjectId>& candidates) {
   return kNone;
 }
 
-void ExactSchedule::BeginEvent(ObjectId target, size_t node) {
-  has_event_ = true;
+void ExactSchedule::BeginDelivery(ObjectId target, size_t node) {
+  has_delivery_ = true;
   is_begun_ = false;
-  event_target_ = target;
-  event_node_ = node;
+  delivery_target_ = target;
+  delivery_node_ = node;
   used_ = {BitOf(target), 0};
 }
 
 void ExactSchedule::OnDelivery(const Message& message) {
   // True if PickOf() has chosen the receiver of this message.  If false, there was no choice,
   // because only this receiver had a message to get, so its delivery becomes the current one here.
-  const bool was_chosen = has_event_ && !is_begun_ && event_target_ == message.target;
+  const bool was_chosen = has_delivery_ && !is_begun_ && delivery_target_ == message.target;
   if (!was_chosen) {
-    FinishEvent();
+    FinishDelivery();
     if (sleep_.contains(message.target)) is_cut_ = true;
-    BeginEvent(message.target, kNone);
+    BeginDelivery(message.target, kNone);
   }
   is_begun_ = true;
   if (message.kind == PayloadKind::kNotify) AddMemoryOf(message.sender);
   AddHeld(*system().object(message.target));
 }
 
-void ExactSchedule::FinishEvent() {
-  if (!std::exchange(has_event_, false)) return;
-  if (event_node_ != kNone) nodes_[event_node_].used = used_;
+void ExactSchedule::FinishDelivery() {
+  if (!std::exchange(has_delivery_, false)) return;
+  if (delivery_node_ != kNone) nodes_[delivery_node_].used = used_;
   // Does not remove deliveries from sleep_ while the run repeats the choices that the search has
   // made, because PickOf() replaces the whole sleep_ at the last of these choices.
   if (nodes_.size() < choices_.size()) return;
@@ -123,7 +123,7 @@ void ExactSchedule::AddHeld(const Object& object) {
 }
 
 Json ExactSchedule::Result() {
-  FinishEvent();
+  FinishDelivery();
   Json nodes = Json::array();
   for (const Node& node : nodes_) {
     nodes.push_back({{"candidates", node.candidates},

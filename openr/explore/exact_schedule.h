@@ -91,8 +91,8 @@ class ExactSchedule : public ExploreSchedule {
     SleepSet sleep;
   };
   size_t FirstAwake(const std::vector<ObjectId>& candidates);
-  void BeginEvent(ObjectId target, size_t node);
-  void FinishEvent();
+  void BeginDelivery(ObjectId target, size_t node);
+  void FinishDelivery();
   void AddMemoryOf(ObjectId id);
   void AddHeld(const Object& object);
 
@@ -103,15 +103,15 @@ class ExactSchedule : public ExploreSchedule {
   std::vector<Node> nodes_;
   bool is_cut_ = false;
 
-  // ---- Members about the current delivery, which their names call an event
+  // ---- Members about the current delivery
   //
   // A delivery becomes current when its receiver is chosen.  If only one object had a message to
   // get, no choice was made, and the delivery becomes current when the message is delivered.
-  // has_event_ is false while no delivery is current.
-  bool has_event_ = false;
+  // has_delivery_ is false while no delivery is current.
+  bool has_delivery_ = false;
   bool is_begun_ = false;  // true when the message of the current delivery has been delivered
-  ObjectId event_target_ = kNoObject;
-  size_t event_node_ = kNone;
+  ObjectId delivery_target_ = kNoObject;
+  size_t delivery_node_ = kNone;
   UsedObjects used_;
 };
 
