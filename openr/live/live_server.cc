@@ -164,13 +164,13 @@ nlohmann::ordered_json LiveServer::BeginWatch(Client* client, const nlohmann::js
   }
   client->watches = std::move(watches);
   client->cursor = {};
-  SendWatchedEvents();
+  UpdateGraphWatch();
   return {{"watching", !client->watches.empty()}};
 }
 
 // Tells `events_` whether any client watches the event "graph".  The history of messages, which
 // this event shows, is kept only while a client watches this event.
-void LiveServer::SendWatchedEvents() {
+void LiveServer::UpdateGraphWatch() {
   if (events_ == nullptr) return;
   const auto is_graph = [](const Watch& watch) {
     return std::string_view(LiveEvents::Kinds()[watch.kind].name) == "graph";
@@ -241,7 +241,7 @@ void LiveServer::ServeAll() {
     if (couplings_ != nullptr) couplings_->End(client.number);
     return true;
   });
-  if (clients_.size() != count) SendWatchedEvents();
+  if (clients_.size() != count) UpdateGraphWatch();
 }
 
 void LiveServer::Serve() {

@@ -88,7 +88,7 @@ class LiveServer {
   nlohmann::ordered_json AnswerTo(Client* client, const nlohmann::json& request);
   nlohmann::ordered_json BeginWatch(Client* client, const nlohmann::json& request);
   void SendEvents(Client* client, int64_t now_ns);
-  void SendWatchedEvents();
+  void UpdateGraphWatch();
   void SendLastAnswers();
   void ServeAll();
 
