@@ -39,12 +39,12 @@ Page::Page(WebLoop* loop, WebConnection* connection, RunsLister* runs, bool allo
       connection_(connection),
       runs_(runs),
       allows_controllers_(allows_controllers),
-      outbox_(std::make_shared<Outbox>([loop] { loop->Wake(); })) {}
+      answers_(std::make_shared<AnswerQueue>([loop] { loop->Wake(); })) {}
 
 Page::~Page() { Leave(); }
 
 void Page::Leave() {
-  outbox_->Close();
+  answers_->Close();
   bridges_.clear();
   pairs_.clear();
   link_.reset();
@@ -109,7 +109,7 @@ void Page::Queue(std::string text) {
 }
 
 void Page::Collect() {
-  for (std::string& text : outbox_->TakeAll()) Queue(std::move(text));
+  for (std::string& text : answers_->TakeAll()) Queue(std::move(text));
 }
 
 std::string Page::Next() { return queue_.Next(); }
@@ -144,7 +144,7 @@ void Page::HandleRequest(const std::string& text) {
     if (text.size() > kMessageMax && !IsUpload(request)) {
       End(kCloseTooLong, fmt::format("a message of more than {} bytes", kMessageMax));
     } else if (const std::string what = request.value("do", ""); what == "runs") {
-      runs_->Ask(outbox_, id);
+      runs_->Ask(answers_, id);
     } else if (what == "rc") {
       CallRobot(std::move(request), text.size());
     } else if (what == "pair") {
@@ -195,7 +195,7 @@ RcBridge* Page::BridgeTo(const nlohmann::json& request) {
   }
   // Makes the bridge before bridges_ gets an entry for it.  RcBridge() may throw, and bridges_ must
   // not keep an empty entry.
-  auto bridge = std::make_unique<RcBridge>(std::move(find), outbox_);
+  auto bridge = std::make_unique<RcBridge>(std::move(find), answers_);
   return bridges_.emplace(key, std::move(bridge)).first->second.get();
 }
 
@@ -211,7 +211,7 @@ void Page::CallPair(const nlohmann::json& request) {
     if (is_there) throw std::runtime_error("a second robot is connected already; disconnect first");
     if (pairs_.size() >= kEndpointsMax && found == pairs_.end())
       throw std::runtime_error(fmt::format("a page can use {} pairs at most", kEndpointsMax));
-    pairs_[robot] = std::make_unique<PairBridge>(*run_, robot, request, outbox_);
+    pairs_[robot] = std::make_unique<PairBridge>(*run_, robot, request, answers_);
     return;
   }
   if (call != "set" && call != "disconnect")

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "openr/live/live_folder.h"
-#include "openr/panel/outbox.h"
+#include "openr/panel/answer_queue.h"
 #include "openr/panel/page_queue.h"
 #include "openr/panel/pair_bridge.h"
 #include "openr/panel/rc_bridge.h"
@@ -81,7 +81,7 @@ class Page : public WebPage {
   WebConnection* const connection_;
   RunsLister* const runs_;
   const bool allows_controllers_;
-  const std::shared_ptr<Outbox> outbox_;
+  const std::shared_ptr<AnswerQueue> answers_;
   std::optional<LiveRun> run_;
   std::unique_ptr<RunLink> link_;  // the connection to the run; null: the page has no run
   // The robots whose remote control the page uses.  The key is "HOST:PORT", or "run N" for robot N

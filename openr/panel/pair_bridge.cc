@@ -22,18 +22,18 @@ namespace openr_host {
 // The data that a PairBridge and its thread share.
 struct PairBridge::Work {
   Work(const LiveRun& in_run, size_t in_robot, const remote::Address& in_second,
-       nlohmann::json in_id, std::shared_ptr<Outbox> in_outbox)
+       nlohmann::json in_id, std::shared_ptr<AnswerQueue> in_answers)
       : run(in_run),
         robot(in_robot),
         second(in_second),
         id(std::move(in_id)),
-        outbox(std::move(in_outbox)) {}
+        answers(std::move(in_answers)) {}
 
   const LiveRun run;
   const size_t robot;
   const remote::Address second;
   const nlohmann::json id;  // id of the request that connects the robots
-  const std::shared_ptr<Outbox> outbox;
+  const std::shared_ptr<AnswerQueue> answers;
   PairOptions options;
   PairControl control;
   std::atomic<bool> is_over = false;
@@ -168,7 +168,7 @@ OrderedJson Prepare(const PairBridge::Work& work, RemotePair* pair) {
           {"joints", std::move(joints)}};
 }
 
-void Send(const PairBridge::Work& work, OrderedJson json) { work.outbox->Add(JsonText(json)); }
+void Send(const PairBridge::Work& work, OrderedJson json) { work.answers->Add(JsonText(json)); }
 
 void SendAnswer(const PairBridge::Work& work, OrderedJson answer) {
   if (!work.id.is_null()) answer["id"] = work.id;
@@ -202,10 +202,10 @@ std::string ServePair(PairBridge::Work* work) {
 }  // namespace
 
 PairBridge::PairBridge(const LiveRun& run, size_t robot, const nlohmann::json& request,
-                       std::shared_ptr<Outbox> outbox)
+                       std::shared_ptr<AnswerQueue> answers)
     : work_(std::make_shared<Work>(run, robot,
                                    ParseEndpoint(request.at("endpoint").get<std::string>()),
-                                   request.value("id", nlohmann::json()), std::move(outbox))) {
+                                   request.value("id", nlohmann::json()), std::move(answers))) {
   const int period_ms = request.value("period_ms", kPeriodMinMs);
   if (period_ms < kPeriodMinMs || period_ms > kPeriodMaxMs)
     throw std::runtime_error(fmt::format("'period_ms' is {} to {}", kPeriodMinMs, kPeriodMaxMs));

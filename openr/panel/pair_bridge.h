@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "openr/live/live_folder.h"
-#include "openr/panel/outbox.h"
+#include "openr/panel/answer_queue.h"
 
 namespace openr_host {
 
@@ -23,7 +23,7 @@ class PairBridge {
   // std::runtime_error if the address is missing, if there are too many threads, or if this
   // computer cannot make another thread.
   PairBridge(const LiveRun& run, size_t robot, const nlohmann::json& request,
-             std::shared_ptr<Outbox> outbox);
+             std::shared_ptr<AnswerQueue> answers);
   // Makes the thread disconnect both robots, and does not wait until it has done so.
   ~PairBridge();
   PairBridge(const PairBridge&) = delete;

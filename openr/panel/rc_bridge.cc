@@ -29,10 +29,10 @@ std::string JointValueOf(const nlohmann::json& request) {
   return joint == request.end() ? "" : call + " " + JsonText(*joint);
 }
 
-void Answer(Outbox* outbox, RcCalls::Json answer, const std::vector<nlohmann::json>& ids) {
+void Answer(AnswerQueue* answers, RcCalls::Json answer, const std::vector<nlohmann::json>& ids) {
   for (const nlohmann::json& id : ids) {
     if (!id.is_null()) answer["id"] = id;
-    outbox->Add(JsonText(answer));
+    answers->Add(JsonText(answer));
   }
 }
 
@@ -72,31 +72,31 @@ struct RcBridge::Queue {
 
 namespace {
 
-void DoCalls(RcBridge::Queue* queue, RcCalls* calls, Outbox* outbox) {
+void DoCalls(RcBridge::Queue* queue, RcCalls* calls, AnswerQueue* answers) {
   RcBridge::Queue::Call call;
   while (queue->WaitForCall(&call)) {
     const auto progress = [&](size_t sent, size_t size) {
-      outbox->Add(JsonText(
+      answers->Add(JsonText(
           RcCalls::Json{{"event", "upload"}, {"id", call.ids[0]}, {"sent", sent}, {"size", size}}));
     };
-    Answer(outbox, calls->Do(call.request, progress), call.ids);
+    Answer(answers, calls->Do(call.request, progress), call.ids);
   }
 }
 
 }  // namespace
 
-RcBridge::RcBridge(RcCalls::FindAddress find_address, std::shared_ptr<Outbox> outbox)
-    : outbox_(std::move(outbox)), queue_(std::make_shared<Queue>()) {
+RcBridge::RcBridge(RcCalls::FindAddress find_address, std::shared_ptr<AnswerQueue> answers)
+    : answers_(std::move(answers)), queue_(std::make_shared<Queue>()) {
   if (g_bridge_threads >= kThreadsMax)
     throw std::runtime_error("too many connections to robots are being closed; try again soon");
   ++g_bridge_threads;
   try {
     // Detaches the thread, because the event loop must not wait for it: a call to a robot that does
     // not answer takes seconds.
-    std::thread([find_address = std::move(find_address), outbox = outbox_, queue = queue_] {
+    std::thread([find_address = std::move(find_address), answers = answers_, queue = queue_] {
       {
         RcCalls calls(find_address);
-        DoCalls(queue.get(), &calls, outbox.get());
+        DoCalls(queue.get(), &calls, answers.get());
       }
       --g_bridge_threads;
     }).detach();
@@ -128,7 +128,7 @@ void RcBridge::Add(nlohmann::json request, size_t size) {
     calls.erase(older);
   }
   if (calls.size() >= kCallsMax || queue_->bytes + size > kBytesMax || ids.size() > kCallsMax) {
-    Answer(outbox_.get(), {{"error", "too many commands wait for the robot; is it busy?"}}, ids);
+    Answer(answers_.get(), {{"error", "too many commands wait for the robot; is it busy?"}}, ids);
     return;
   }
   queue_->bytes += size;

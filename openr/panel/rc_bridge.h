@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "openr/panel/outbox.h"
+#include "openr/panel/answer_queue.h"
 #include "openr/panel/rc_calls.h"
 
 namespace openr_host {
@@ -25,7 +25,7 @@ class RcBridge {
 
   // Makes the bridge and its thread.  Throws std::runtime_error if there are too many threads, or
   // if this computer cannot make another thread.
-  RcBridge(RcCalls::FindAddress find_address, std::shared_ptr<Outbox> outbox);
+  RcBridge(RcCalls::FindAddress find_address, std::shared_ptr<AnswerQueue> answers);
   // Makes the bridge's thread end after its present remote-control call, and does not wait until it
   // has ended.
   ~RcBridge();
@@ -43,7 +43,7 @@ class RcBridge {
   struct Queue;  // data that the bridge shares with its thread
 
  private:
-  const std::shared_ptr<Outbox> outbox_;
+  const std::shared_ptr<AnswerQueue> answers_;
   const std::shared_ptr<Queue> queue_;
 };
 

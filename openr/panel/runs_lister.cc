@@ -55,12 +55,12 @@ Json DescribeRuns(const std::string& own) {
 
 struct RunsLister::Questions {
   struct Question {
-    std::shared_ptr<Outbox> outbox;
+    std::shared_ptr<AnswerQueue> answers;
     nlohmann::json id;
 
     void Answer(Json answer) const {
       if (!id.is_null()) answer["id"] = id;
-      outbox->Add(JsonText(answer));
+      answers->Add(JsonText(answer));
     }
   };
 
@@ -89,8 +89,8 @@ struct RunsLister::Questions {
 
 RunsLister::RunsLister(std::string own) : questions_(std::make_shared<Questions>(std::move(own))) {}
 
-void RunsLister::Ask(std::shared_ptr<Outbox> outbox, nlohmann::json id) {
-  Questions::Question question = {std::move(outbox), std::move(id)};
+void RunsLister::Ask(std::shared_ptr<AnswerQueue> answers, nlohmann::json id) {
+  Questions::Question question = {std::move(answers), std::move(id)};
   const std::lock_guard lock(questions_->mutex);
   if (questions_->waiting.size() >= kQuestionsMax) {
     question.Answer({{"error", "too many requests wait for the list of runs"}});

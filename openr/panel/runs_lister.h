@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "openr/panel/outbox.h"
+#include "openr/panel/answer_queue.h"
 
 namespace openr_host {
 
@@ -19,9 +19,9 @@ class RunsLister {
   RunsLister(const RunsLister&) = delete;
   RunsLister& operator=(const RunsLister&) = delete;
 
-  // Collects the states of all runs, and puts them into `outbox` as the answer to the request with
+  // Collects the states of all runs, and puts them into `answers` as the answer to the request with
   // the id `id`.  Throws std::runtime_error if this computer cannot make a thread.
-  void Ask(std::shared_ptr<Outbox> outbox, nlohmann::json id);
+  void Ask(std::shared_ptr<AnswerQueue> answers, nlohmann::json id);
 
   // Returns whether the thread of any RunsLister of this process still runs.
   static bool HasThreads();

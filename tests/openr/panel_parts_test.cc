@@ -128,7 +128,7 @@ class RcBridgeTest : public ::testing::Test {
     std::vector<Json> answers;
     std::unique_lock lock(mutex_);
     while (answers.size() < count) {
-      for (const std::string& text : outbox_->TakeAll()) answers.push_back(Json::parse(text));
+      for (const std::string& text : answers_->TakeAll()) answers.push_back(Json::parse(text));
       if (answers.size() < count) changed_.wait_for(lock, std::chrono::milliseconds(10));
     }
     return answers;
@@ -139,14 +139,14 @@ class RcBridgeTest : public ::testing::Test {
   std::promise<void> release_;
   std::promise<void> asked_;  // the first call has begun
   std::atomic<int> calls_ = 0;
-  const std::shared_ptr<Outbox> outbox_ =
-      std::make_shared<Outbox>([this] { changed_.notify_all(); });
+  const std::shared_ptr<AnswerQueue> answers_ =
+      std::make_shared<AnswerQueue>([this] { changed_.notify_all(); });
   RcBridge bridge_{[this, released = release_.get_future().share()]() -> openr::remote::Address {
                      if (calls_++ == 0) asked_.set_value();
                      released.wait();
                      throw std::runtime_error("no robot");
                    },
-                   outbox_};
+                   answers_};
 };
 
 TEST_F(RcBridgeTest, TheNewestValueOfAJointReplacesThoseThatWait) {
@@ -224,7 +224,7 @@ class NoThreadsTest : public ::testing::Test {
   // Waits for the next answer that a thread gives.
   Json Answer() const {
     for (int i = 0; i < kPatienceMs; ++i) {
-      const std::vector<std::string> texts = outbox_->TakeAll();
+      const std::vector<std::string> texts = answers_->TakeAll();
       if (!texts.empty()) return Json::parse(texts[0]);
       usleep(1000);
     }
@@ -233,7 +233,7 @@ class NoThreadsTest : public ::testing::Test {
   }
 
   const ScratchFolder folder_;
-  const std::shared_ptr<Outbox> outbox_ = std::make_shared<Outbox>([] {});
+  const std::shared_ptr<AnswerQueue> answers_ = std::make_shared<AnswerQueue>([] {});
 };
 
 TEST_F(NoThreadsTest, ABridgeToARobotIsMadeAfterFailures) {
@@ -242,10 +242,10 @@ TEST_F(NoThreadsTest, ABridgeToARobotIsMadeAfterFailures) {
   {
     const NoThreads none;
     for (int i = 0; i <= RcBridge::kThreadsMax; ++i)
-      EXPECT_THROW(RcBridge(find, outbox_), std::system_error);
+      EXPECT_THROW(RcBridge(find, answers_), std::system_error);
   }
   EXPECT_FALSE(RcBridge::HasThreads());
-  RcBridge bridge(find, outbox_);
+  RcBridge bridge(find, answers_);
   bridge.Add({{"call", "connect"}, {"id", 1}}, 10);
   EXPECT_EQ(Answer(), Json({{"error", "no robot"}, {"id", 1}}));
 }
@@ -257,10 +257,10 @@ TEST_F(NoThreadsTest, ABridgeToTwoRobotsIsMadeAfterFailures) {
   {
     const NoThreads none;
     for (int i = 0; i <= PairBridge::kThreadsMax; ++i)
-      EXPECT_THROW(PairBridge(run, 0, request, outbox_), std::system_error);
+      EXPECT_THROW(PairBridge(run, 0, request, answers_), std::system_error);
   }
   EXPECT_FALSE(PairBridge::HasThreads());
-  const PairBridge bridge(run, 0, request, outbox_);
+  const PairBridge bridge(run, 0, request, answers_);
   const Json answer = Answer();
   EXPECT_EQ(answer.value("id", 0), 1) << answer;
   EXPECT_TRUE(answer.contains("error")) << answer;
@@ -272,10 +272,10 @@ TEST_F(NoThreadsTest, RunsAreListedAfterFailures) {
   WaitForThreads<RunsLister>();
   {
     const NoThreads none;
-    for (int id = 1; id <= 100; ++id) EXPECT_THROW(lister.Ask(outbox_, id), std::system_error);
+    for (int id = 1; id <= 100; ++id) EXPECT_THROW(lister.Ask(answers_, id), std::system_error);
   }
   EXPECT_FALSE(RunsLister::HasThreads());
-  lister.Ask(outbox_, 101);
+  lister.Ask(answers_, 101);
   EXPECT_EQ(Answer(), Json({{"runs", Json::array()}, {"own", "own.1"}, {"id", 101}}));
   WaitForThreads<RunsLister>();
 }

@@ -16,8 +16,8 @@
 #include <thread>
 
 #include "cli/standard_streams.h"
-#include "forgetful_outbox.h"  // made by CMakeLists.txt: the outbox whose Close() takes no lock
-#include "openr/panel/outbox.h"
+#include "forgetful_answer_queue.h"  // made by CMakeLists.txt: Close() takes no lock
+#include "openr/panel/answer_queue.h"
 #include "runtime/core/fiber.h"
 
 namespace openr_host {
@@ -138,12 +138,12 @@ void CallOnFibersOfCopy() {
   if (waitpid(copy, &status, 0) != copy || status != 0) std::abort();
 }
 
-// Gives an answer for a page in a thread, and closes the outbox of the page in another thread.
-template <typename AnOutbox>
-void CloseOutbox() {
-  AnOutbox outbox([] {});
-  std::thread thread([&outbox] { outbox.Add("answer"); });
-  outbox.Close();
+// Gives an answer for a page in a thread, and closes the queue of the page in another thread.
+template <typename AnAnswerQueue>
+void CloseAnswerQueue() {
+  AnAnswerQueue answers([] {});
+  std::thread thread([&answers] { answers.Add("answer"); });
+  answers.Close();
   thread.join();
 }
 
@@ -197,8 +197,8 @@ constexpr Planted kPlanted[] = {
     {"fibers-of-copy-good", &CallOnFibersOfCopy},
     {"dds", [] { CallInDds(&AddWithoutLock); }},
     {"dds-good", [] { CallInDds(&AddWithLock); }},
-    {"outbox", &CloseOutbox<forgetful::Outbox>},
-    {"outbox-good", &CloseOutbox<Outbox>},
+    {"answers", &CloseAnswerQueue<forgetful::AnswerQueue>},
+    {"answers-good", &CloseAnswerQueue<AnswerQueue>},
     {"errors-good", &WriteErrors},
 };
 

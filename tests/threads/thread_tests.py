@@ -30,7 +30,7 @@ PLANTED_LIMIT_S = 300
 PLANTED = {"threads": "AddWithoutLock", "threads-good": None,
            "fibers": "GoHomeFromDepth", "fibers-good": None, "fibers-of-copy-good": None,
            "dds": "TakeLine", "dds-good": None,
-           "outbox": "forgetful_outbox.h", "outbox-good": None,
+           "answers": "forgetful_answer_queue.h", "answers-good": None,
            "errors-good": None}
 
 LINE = "=" * 18 + "\n"  # stands before and after each report

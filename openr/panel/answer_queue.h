@@ -1,5 +1,5 @@
-// Outbox, the queue of the panel's server through which threads give answers for a page to the
-// event loop.
+// AnswerQueue, the queue of the panel's server through which threads give answers and events for a
+// page to the event loop.
 #pragma once
 
 #include <functional>
@@ -12,11 +12,11 @@ namespace openr_host {
 
 // A queue of texts for a page.  The page and the threads that work for it share the queue.  All
 // functions may be called in any thread.
-class Outbox {
+class AnswerQueue {
  public:
   // Makes an empty queue of texts for a page.  The function `wake` makes the event loop look into
   // the queue.
-  explicit Outbox(std::function<void()> wake) : wake_(std::move(wake)) {}
+  explicit AnswerQueue(std::function<void()> wake) : wake_(std::move(wake)) {}
 
   void Add(std::string text) {
     const std::lock_guard lock(mutex_);
