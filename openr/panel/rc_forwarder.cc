@@ -35,7 +35,7 @@ namespace {
 
 // The longest time for which the server reads and drops what a client still sends before it closes
 // the client's connection, so that the client can read the last answer.
-constexpr int64_t kRefusedFarewellMs = 500;
+constexpr int64_t kEndTimeoutMs = 500;
 constexpr std::chrono::milliseconds kConnectTimeout{1000};
 
 constexpr size_t kReceiveMax = 2 * RC_MAX_PACKET;  // number of bytes that fit into an RcFramer
@@ -137,7 +137,7 @@ void Forwarding::Answer(const OwnAnswer& answer) {
 // with unread bytes, the client could not read the answer.
 void Forwarding::EndStream() const {
   shutdown(client_, SHUT_WR);
-  const int64_t deadline_ms = WallClockMs() + kRefusedFarewellMs;
+  const int64_t deadline_ms = WallClockMs() + kEndTimeoutMs;
   uint8_t bytes[4096];
   while (WallClockMs() < deadline_ms && WaitFor(client_, POLLIN, deadline_ms)) {
     if (recv(client_, bytes, sizeof bytes, MSG_DONTWAIT) <= 0) return;
