@@ -24,7 +24,8 @@ std::vector<double> PlayTimes(const LogFile& log, const MtnFile& motion, int per
   int frames = 0;
   for (const LogRecord& record : log.records) {
     // Plays no frames for the first record, because it has the key frame with which the motion
-    // begins.
+    // begins.  A motion with only one key frame has no frames to play, so its log has no further
+    // record.
     const int wanted = times_ms.empty() ? 0 : player.FramesOfNextVector();
     if (wanted == 0 && !times_ms.empty()) break;
     for (int f = 0; f < wanted; ++f) player.NextFrame();
@@ -63,10 +64,6 @@ std::vector<double> TimesOf(const LogFile& log) {
 }
 
 std::vector<double> TimesOf(const LogFile& log, const MtnFile& motion) {
-  // Does not play a motion with only one key frame.  Such a motion has no movement between key
-  // frames, so its log has at most one record, at the time 0.
-  if (motion.NumKeyFrames() < 2 && log.records.size() < 2)
-    return std::vector<double>(log.records.size(), 0.0);
   size_t most = 0;  // largest number of records that agree with a play-back of `motion`
   for (int per_vector = 2; per_vector <= MAX_VECTOR_FRAMES / 2; per_vector += 2) {
     std::vector<double> times_ms = PlayTimes(log, motion, per_vector);

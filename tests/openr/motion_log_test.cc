@@ -8,6 +8,7 @@
 #include "openr/motion/log_compare.h"
 #include "openr/motion/log_file.h"
 #include "openr/motion/log_times.h"
+#include "tests/objects/mtn_bytes.h"
 #include "tests/openr/program_run.h"
 
 namespace openr_host {
@@ -156,6 +157,16 @@ TEST(MotionLogTimesTest, WithoutTheMotionInterpolatedFramesAreRefused) {
   EXPECT_EQ(TimesProblem(LogWithKeyFrames({0, 2, 2, 4})).find("record 2: key frame 2 again"), 0u);
   EXPECT_EQ(TimesProblem(LogWithKeyFrames({0, 2, 4, 0, 2})),
             "record 3: another motion begins; a log to be read has one motion");
+}
+
+TEST(MotionLogTimesTest, TheLogOfAMotionWithOneKeyFrameHasThisKeyFrame) {
+  const std::vector<uint8_t> bytes = MtnBytes::OneJoint("PRM:/r1/c1-Joint2:j1", {0}).Bytes();
+  MtnFile motion;
+  ASSERT_TRUE(motion.Read(bytes.data(), bytes.size())) << motion.Error();
+  EXPECT_EQ(TimesOf(LogWithKeyFrames({}), motion), std::vector<double>{});
+  EXPECT_EQ(TimesOf(LogWithKeyFrames({0}), motion), std::vector<double>{0});
+  EXPECT_THROW(TimesOf(LogWithKeyFrames({5}), motion), std::runtime_error);
+  EXPECT_THROW(TimesOf(LogWithKeyFrames({0, 0}), motion), std::runtime_error);
 }
 
 // ---- Comparison ----------------------------------------------------------------------
