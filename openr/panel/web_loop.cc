@@ -22,6 +22,16 @@ constexpr size_t kReceivePartMax = size_t{64} << 10;
 constexpr size_t kHeadersMax = size_t{8} << 10;
 constexpr unsigned kDescriptorsMax = 512;
 
+// Shortens `why`, a reason for closing a WebSocket, to 123 bytes, the most that RFC 6455, section
+// 5.5, allows.  Cuts between two characters of UTF-8, because a browser takes a part of a character
+// for an error of the connection, and its page then gets another code than the server has sent.
+std::string CloseReason(const std::string& why) {
+  size_t size = std::min<size_t>(why.size(), 123);
+  const auto continues_character = [&why](size_t i) { return (why[i] & 0xc0) == 0x80; };
+  while (size > 0 && size < why.size() && continues_character(size)) --size;
+  return why.substr(0, size);
+}
+
 class LwsConnection : public WebConnection {
  public:
   explicit LwsConnection(lws* wsi) : wsi_(wsi) {}
@@ -57,8 +67,7 @@ class LwsConnection : public WebConnection {
       return 0;
     }
     if (!close_code_) return 0;
-    // Shortens the reason for closing, because RFC 6455, section 5.5, allows at most 123 bytes.
-    std::string why = close_why_.substr(0, 120);
+    std::string why = CloseReason(close_why_);
     lws_close_reason(wsi_, static_cast<lws_close_status>(*close_code_),
                      reinterpret_cast<unsigned char*>(why.data()), why.size());
     return -1;

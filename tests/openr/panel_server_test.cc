@@ -295,6 +295,18 @@ TEST_F(PanelServerTest, APageOfNoRunIsToldWhichThereAre) {
   EXPECT_EQ(page.Receive(), "close 4002");
 }
 
+TEST_F(PanelServerTest, ALongReasonForClosingHasWholeCharactersOnly) {
+  for (const char* const begin : {"", "a"}) {
+    std::string name = begin, known = begin;
+    for (int i = 0; i < 60; ++i) name += "%C3%A9";
+    while (17 + known.size() + 2 <= 123) known += "\xC3\xA9";
+    WebSocketClient page(port_, Known(name));
+    page.Receive();
+    EXPECT_EQ(page.Receive(), "close 4002");
+    EXPECT_EQ(page.close_reason(), "there is no run '" + known);
+  }
+}
+
 TEST_F(PanelServerTest, APortThatIsTakenGivesTheNextFreeOne) {
   const int taken = port_;
   const auto first = std::move(server_);

@@ -143,10 +143,14 @@ class WebSocketClient {
     const std::string payload = client_.Read(size);
     if (opcode != kClose) return payload;
     if (payload.size() < 2) return "close";
+    close_reason_ = payload.substr(2);
     const int code =
         static_cast<unsigned char>(payload[0]) << 8 | static_cast<unsigned char>(payload[1]);
     return "close " + std::to_string(code);
   }
+
+  // The reason in the frame that has closed; "" before Receive() has returned it.
+  const std::string& close_reason() const { return close_reason_; }
 
   Json Ask(const Json& request) {
     Send(request.dump());
@@ -155,7 +159,7 @@ class WebSocketClient {
 
  private:
   TcpClient client_;
-  std::string answer_;
+  std::string answer_, close_reason_;
 };
 
 }  // namespace openr_host
