@@ -20,9 +20,11 @@ thread_local constinit Current t_current;
 
 Dispatcher::Dispatcher(System* system)
     : system_(system),
-      free_deliveries_(
-          static_cast<uint64_t>(std::max<int64_t>(system->options().free_deliveries, 0))),
-      many_at_(free_deliveries_) {}
+      free_deliveries_(static_cast<uint64_t>(system->options().free_deliveries)),
+      many_at_(free_deliveries_) {
+  ASSERT(system->options().free_deliveries >= 1, "free_deliveries={}",
+         system->options().free_deliveries);
+}
 
 Dispatcher::~Dispatcher() = default;
 

@@ -31,7 +31,7 @@ struct SystemOptions {
   uint32_t log_level = 3;
   // The number of messages that may be delivered at one instant of virtual time; each further
   // message takes 1 us.  Otherwise objects that answer each other without waiting would stop the
-  // clock.
+  // clock.  At least 1.
   int64_t free_deliveries = 10'000;
   // Wall clock in nanoseconds, which measures Object::handler_ns_max.  If it is null, nothing is
   // measured.  Nothing else may depend on this clock, because it differs from run to run.
