@@ -77,10 +77,10 @@ int32_t MessagePoster::Post(OwnedMessage&& message, Object* target, int64_t dela
     // Returns whether the message makes a system object (a part of the robot) go on with its own
     // work.  The object has posted such a message to itself, or the System has posted it.  A
     // schedule must not refuse such a message, because the system object would then stop.
-    const auto is_clock = [&] {
+    const auto is_own_work = [&] {
       return target->is_system && (message->sender == target->id || message->sender == kNoObject);
     };
-    if (schedule_ != nullptr && !is_clock() && schedule_->Refuses(*message))
+    if (schedule_ != nullptr && !is_own_work() && schedule_->Refuses(*message))
       return RefuseAsFull(*message, target);
     if (target->waiting >= target->queue_max) {
       const int32_t error = ReportFullQueue(*message, target);
