@@ -26,15 +26,16 @@ struct OpenrSecondStack {
   // Like the stack of handlers, this stack lies at addresses that are planned for the object
   // (core/address_plan.h).  It is cleared after use, so that its content is the same in every run.
   openr_host::HandlerStack stack{Address()};
-  openr_host::Fiber fiber;     // calls the function `body` on `stack`
-  openr_host::MainFiber home;  // the handler that switched to `stack`
+  openr_host::Fiber fiber;        // calls the function `body` on `stack`
+  openr_host::MainFiber handler;  // the handler that switched to `stack`
   void (*body)(void*) = nullptr;
   void* argument = nullptr;
   // Finds floating-point operations in the function `body` that would stop the robot, such as 0/0.
   std::optional<ArithmeticWatch> watch;
   // The floating-point flags (NaN, overflow ...) that the function `body` has raised on this stack.
-  // The switch back to the handler's stack would lose these flags, so GoHome() stores them before
-  // the switch.  After the switch GoThere() adds them to the flags of the handler.
+  // The switch back to the handler's stack would lose these flags, so SwitchToHandler() stores them
+  // before the switch.  After the switch SwitchToSecondStack() adds them to the flags of the
+  // handler.
   unsigned fp_flags = 0;
   bool has_left = false;  // true while the function `body` waits to be continued
 
@@ -48,9 +49,9 @@ struct OpenrSecondStack {
   void Run() {
     if (watch) watch->Begin(openr_host::kFpCaught);
     stack.Call(body, argument);
-    GoHome();
-    // The program never reaches this line: GoHome() has left this stack for the stack of the
-    // handler, and nothing switches back to a stack whose function has ended.
+    SwitchToHandler();
+    // The program never reaches this line: SwitchToHandler() has left this stack for the stack of
+    // the handler, and nothing switches back to a stack whose function has ended.
     __builtin_unreachable();
   }
 
@@ -58,20 +59,20 @@ struct OpenrSecondStack {
   // floating-point flags, and so loses the flags that the function `body` has raised.  Stores the
   // flags of `body` in `fp_flags` first, because the object is checked for them when the handler
   // ends.
-  void GoHome() {
+  void SwitchToHandler() {
     fp_flags = openr_host::FpFlags();
     if (fp_flags != 0) openr_host::ClearFpFlags();
-    home.SwitchFrom(&fiber);
+    handler.SwitchFrom(&fiber);
   }
 
   // Switches from the stack of the handler to `stack`, on which the function `body` runs.  Returns
   // when `body` has ended, or has left `stack` to be continued later.  Afterwards counts the bytes
   // of `stack` that `body` has used as stack use of the object, because on the robot the object has
   // only one stack, and `body` would run on that stack.
-  void GoThere() {
+  void SwitchToSecondStack() {
     ArithmeticWatch* const outer = t_current.watch;
     if (watch) t_current.watch = &*watch;
-    fiber.SwitchFrom(&home);
+    fiber.SwitchFrom(&handler);
     t_current.watch = outer;
     if (fp_flags != 0) openr_host::SetFpState(openr_host::FpState() | fp_flags);
     if (t_current.system->options().measure_stacks)
@@ -100,18 +101,18 @@ void openr_second_stack_run(OpenrSecondStack* stack, void (*body)(void*), void* 
   stack->has_left = false;
   stack->MakeWatch();
   stack->fiber.Prepare(&OpenrSecondStack::Main, stack);
-  stack->GoThere();
+  stack->SwitchToSecondStack();
 }
 
 void openr_second_stack_leave(OpenrSecondStack* stack) {
   stack->has_left = true;
-  stack->GoHome();
+  stack->SwitchToHandler();
 }
 
 void openr_second_stack_continue(OpenrSecondStack* stack) {
   ASSERT(stack->has_left, "a second stack can only be continued where it was left");
   stack->has_left = false;
-  stack->GoThere();
+  stack->SwitchToSecondStack();
 }
 
 void openr_finding_of_name(const char* text, const char* name, const char* const* known,
