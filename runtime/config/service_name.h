@@ -39,7 +39,7 @@ std::optional<ServiceName> ParseServiceName(std::string_view text, ServiceNameFa
 // Returns the service name `name` as text, the inverse of ParseServiceName().
 std::string Compose(const ServiceName& name);
 
-// Returns whether the two names are equal except for their data types.
+// Returns whether the two names have different data types and are otherwise equal.
 bool DifferInDataOnly(const ServiceName& one, const ServiceName& other);
 
 }  // namespace openr_host

@@ -44,7 +44,7 @@ struct RegionAccess {
                         const std::function<void(const RCRegion* region)>& used);
   // Completes a new RCRegion that was made from a region id without its address or without its
   // size: sets the missing values from the RegionTable.
-  static void LookUp(RCRegion* region);
+  static void Complete(RCRegion* region);
   // The next two functions do what the functions of RCRegion with these names do.  They are inline,
   // because they run for every notification.
   static void AddReference(RCRegion* region) { ++region->count_; }

@@ -130,7 +130,7 @@ RCRegion::RCRegion(MemoryRegionID id, offset_t offset, void* base, size_t size)
       type_(REFERENCE_V20),
       source_(nullptr) {
   if (base_ == nullptr || size_ == 0) [[unlikely]]
-    openr_host::RegionAccess::LookUp(this);
+    openr_host::RegionAccess::Complete(this);
 }
 
 RCRegion::~RCRegion() {
@@ -200,7 +200,7 @@ void RegionAccess::UseReadOnlyCopy(RCRegion* region) {
   if (copy != nullptr) region->base_ = copy;
 }
 
-void RegionAccess::LookUp(RCRegion* region) {
+void RegionAccess::Complete(RCRegion* region) {
   const RegionTable* const table = Table();
   if (table == nullptr) return;
   char* const base = table->BaseOf(region->id_);
