@@ -71,9 +71,8 @@ void Cpu::End(int64_t now_us) {
   jobs_.pop_back();
   if (!jobs_.empty()) jobs_.back().since_us = now_us;
   object->delivery.set_busy(false);
-  // Clears the current object, because Post() puts a message into the outbox of the current object
-  // if that object is busy.
-  const CurrentScope nobody(system_, nullptr);
+  // Posts the messages to their receivers.  Post() does not put them into an outbox again, because
+  // no object is current when processor time ends.
   for (ProcessorState::Outgoing& outgoing : std::exchange(object->processor.outbox, {})) {
     system_->Post(std::move(outgoing.message), outgoing.delay_us);
   }

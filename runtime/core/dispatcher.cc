@@ -383,8 +383,11 @@ OwnedMessage Dispatcher::WaitFor(uint64_t box) {
   if (!object->boxes.arrived.contains(box)) {
     // Saves the current object, because other objects become current while this handler waits.  The
     // running fiber keeps the stack of this handler.  Another fiber continues Loop(), which
-    // delivers messages, until DeliverReply() switches back to this fiber.
+    // delivers messages, until DeliverReply() switches back to this fiber.  No object is current
+    // when Loop() goes on.  Otherwise a time event that is posted then would count as posted by
+    // this handler, and would wait in its outbox while the handler has the processor.
     const Current saved = t_current;
+    t_current = {system_, nullptr};
     object->delivery.set_blocked(running_);
     object->wait.box = box;
     object->wait.since_us = system_->now_us();

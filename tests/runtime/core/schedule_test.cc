@@ -246,6 +246,29 @@ TEST_F(CpuTest, RobotsHaveProcessorsOfTheirOwn) {
   EXPECT_EQ(log, (Log{"a:1@0", "d:2@10"}));
 }
 
+// The event is that of another object, so it does not wait until the handler's messages leave.
+TEST_F(CpuTest, ATimeEventComesWhileTheHandlerThatHasTheProcessorWaits) {
+  Recorder* const waits = objects["a"];
+  Recorder* const answers = objects["b"];
+  Recorder* const timed = objects["c"];
+  timed->host().is_system = true;
+  const ObjectId id = timed->host().id;
+  const int seven = 7;
+  const auto* const bytes = reinterpret_cast<const unsigned char*>(&seven);
+  system->time_events().AddTimed({id, id, timed->entry, {bytes, bytes + sizeof seven}}, 50, 0);
+  waits->on_message = [&](int value) {
+    int answer = 0;
+    system->requests().Call(answers->host().id, answers->entry, &value, sizeof value, &answer,
+                            sizeof answer);
+  };
+  answers->on_message = [&](int value) {
+    system->requests().Reply(system->requests().TakeTicket(), &value, sizeof value);
+  };
+  PostTo(waits, 1);
+  system->RunFor(1000);
+  EXPECT_EQ(log, (Log{"a:1@0", "c:7@50", "b:1@100"}));
+}
+
 TEST_F(CpuTest, SlicingChangesNothing) {
   const Log whole = RunTies();
   const uint64_t hash = system->trace_hash();
