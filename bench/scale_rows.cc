@@ -76,7 +76,7 @@ class Recorded {
  public:
   explicit Recorded(const std::string& stick) : recorder_(folder_.path() + "/run.trace", true) {
     SimulationOptions options = OfDogs(stick, "ode", 1);
-    recorder_.Listen(&options);
+    recorder_.RecordNetworks(&options);
     simulation_ = std::make_unique<Simulation>(options);
     recorder_.Begin(simulation_.get(), options, stick);
     StandUp(&simulation_->system());

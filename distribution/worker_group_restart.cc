@@ -211,8 +211,8 @@ void WorkerGroup::OnReplaced(ObjectId id) {
     }
     // This member is the restarted worker of object `id`.  Its stand-ins keep the readies that the
     // old object `id` has asserted.  ForgetObserver() is not needed for them: all objects of this
-    // worker are replaced, and ObjectManager::Begin() does not send a ready again if both its
-    // sender and its receiver are replaced.  It would not be possible for all of them, either:
+    // worker are replaced, and ObjectManager::ReplaceAndBoot() does not send a ready again if both
+    // its sender and its receiver are replaced.  It would not be possible for all of them, either:
     // objects are replaced in the order of their ids, so the old stand-ins in member.objects with
     // ids below `id` are destroyed already.
     //

@@ -54,7 +54,7 @@ DistributedRun::DistributedRun(const PlacementFlags& placement, const Ros2Flags&
   RefuseIdleFlags(placement, workers_ != nullptr, bus_ != nullptr);
 }
 
-void DistributedRun::Enter(SimulationOptions* options, const Ros2Link::Say& say) {
+void DistributedRun::ChangeOptions(SimulationOptions* options, const Ros2Link::Say& say) {
   if (workers_ != nullptr) {
     options->stand_ins = [this](System* system, int robot) {
       return workers_->StandInsFor(system, robot);

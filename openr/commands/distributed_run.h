@@ -37,7 +37,7 @@ class DistributedRun {
   // stand-ins for the objects in the workers.  With --ros2, also adds a JointClient to each robot's
   // network; the JointClient sends the commands of ROS 2 to the robot.  `say` prints messages about
   // ROS 2 for the user.
-  void Enter(SimulationOptions* options, const Ros2Link::Say& say);
+  void ChangeOptions(SimulationOptions* options, const Ros2Link::Say& say);
 
   // Throws std::runtime_error if the flags --place, --placement or --isolate name an object that
   // the stick does not have, or that cannot run in a worker.  Called when the simulation has loaded

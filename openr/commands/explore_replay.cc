@@ -56,7 +56,7 @@ bool RecordFailure(const ExploreFlags& flags, const ExploredStick& stick, uint64
   simulation.console = [](std::string_view) {};
   simulation.host_network = false;
   Recorder recorder(flags.record_file, true);
-  recorder.Listen(&simulation);
+  recorder.RecordNetworks(&simulation);
   const Json schedule = {{"seed", seed},
                          {"for_us", stick.for_us},
                          {"guard", simulation.guard_regions},

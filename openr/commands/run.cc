@@ -240,12 +240,12 @@ SimulationOptions CommandedRun::Options() {
     console_log_.Add(is_assembled_ ? system().now_us() : 0, text);
   };
   options.network_filter = [this](int robot, std::unique_ptr<Network> inner) {
-    return rewind_.Follow(robot, std::move(inner));
+    return rewind_.WrapNetwork(robot, std::move(inner));
   };
-  if (records()) recorder_.Listen(&options);
+  if (records()) recorder_.RecordNetworks(&options);
   // Adds the network client of ROS 2 to `options` after the recorder has added itself, because the
   // recorder must see the commands of ROS 2 as input.
-  distribution_.Enter(&options, plan_.say);
+  distribution_.ChangeOptions(&options, plan_.say);
   return options;
 }
 

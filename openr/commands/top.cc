@@ -43,7 +43,7 @@ class Top {
     for (int64_t next_us = flags_.interval_us; interrupts_.count() == 0;
          next_us += flags_.interval_us) {
       while (NowUs() < next_us && interrupts_.count() == 0) Listen();
-      runs_.Forget(Now_s());
+      runs_.RemoveEnded(Now_s());
       if (interrupts_.count() == 0) Show();
     }
     if (on_screen_ && !flags_.json) fmt::print("\n");

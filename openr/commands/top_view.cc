@@ -191,7 +191,7 @@ void RunStatusList::Update(const std::vector<RunStatus>& news, double now_s) {
   }
 }
 
-void RunStatusList::Forget(double now_s) {
+void RunStatusList::RemoveEnded(double now_s) {
   std::erase_if(runs_, [now_s](const auto& entry) {
     return entry.second.status.has_ended && now_s - entry.second.heard_s > kEnded_s;
   });

@@ -24,7 +24,7 @@ class RunStatusList {
 
   // Removes the runs that ended more than 10 s ago.  Until then the table of openr top shows how
   // these runs ended.
-  void Forget(double now_s);
+  void RemoveEnded(double now_s);
 
   bool empty() const { return runs_.empty(); }
   std::vector<Run> All() const;

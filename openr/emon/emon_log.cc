@@ -247,14 +247,14 @@ class Reader {
 
 }  // namespace
 
-std::optional<uint32_t> EmonLog::Failed() const {
+std::optional<uint32_t> EmonLog::FailedAddress() const {
   if (!epc) return std::nullopt;
   // If the highest bit of the cause is set, the instruction was in the delay slot of a branch.  epc
   // is then the address of the branch, and the instruction is one word later.
   return *epc + (cause.value_or(0) >> 31 != 0 ? kWordBytes : 0);
 }
 
-const EmonLog::Object* EmonLog::Crashed() const {
+const EmonLog::Object* EmonLog::CrashedObject() const {
   if (!context) return nullptr;
   const auto found = std::find_if(objects.begin(), objects.end(),
                                   [this](const Object& o) { return o.context == *context; });

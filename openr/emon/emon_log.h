@@ -47,11 +47,11 @@ struct EmonLog {
   // Returns the address of the instruction that failed; nullopt if `epc` is not known.  If this
   // instruction is in the delay slot of a branch, right after the branch, then `epc` is the address
   // of the branch, and bit 31 of `cause` is set.
-  std::optional<uint32_t> Failed() const;
+  std::optional<uint32_t> FailedAddress() const;
 
   // Returns the object that crashed: the element of `objects` with the same context as the field
   // `context`.  Returns null if there is no such element.
-  const Object* Crashed() const;
+  const Object* CrashedObject() const;
 };
 
 // Reads the text of an EMON.LOG.  Returns nullopt if the text has neither an address of an

@@ -83,7 +83,7 @@ CrashExplanation ExplainCrash(const EmonLog& log, RobotCode* code) {
     return explanation;
   }
   code->SetGp(*log.registers[kRobotGp]);
-  const std::optional<uint32_t> failed = log.Failed();
+  const std::optional<uint32_t> failed = log.FailedAddress();
   if (failed && code->Contains(*failed)) {
     explanation.place = PlaceOf(*code, *failed);
     FindCalls(*code, &explanation);
@@ -97,7 +97,7 @@ std::string ExplanationText(const CrashExplanation& explanation) {
   std::string text;
   if (log.code) text += fmt::format("EXCEPTION {}: {}\n", *log.code, explanation.meaning);
   if (log.bad_address) text += fmt::format("ADDRESS 0x{:08x}\n", *log.bad_address);
-  if (const EmonLog::Object* const object = log.Crashed()) {
+  if (const EmonLog::Object* const object = log.CrashedObject()) {
     text += fmt::format("OBJECT {} (OID 0x{:08x}", object->name, object->oid);
     if (!object->meta_space.empty()) text += ", " + object->meta_space;
     text += ")\n";
@@ -124,7 +124,7 @@ nlohmann::ordered_json ExplanationJson(const CrashExplanation& explanation) {
   if (log.code) json["meaning"] = explanation.meaning;
   if (log.bad_address) json["bad_address"] = *log.bad_address;
   if (log.epc) json["epc"] = *log.epc;
-  if (const EmonLog::Object* const object = log.Crashed()) {
+  if (const EmonLog::Object* const object = log.CrashedObject()) {
     json["object"] = object->name;
     json["oid"] = object->oid;
   }

@@ -123,7 +123,7 @@ void Breakpoints::Arm() {
   for (Break& one : all_) one.held = one.rule && Holds(one);
 }
 
-size_t Breakpoints::Hit() {
+size_t Breakpoints::FindHit() {
   size_t hit = 0;
   for (size_t i = 0; i < all_.size(); ++i) {
     const bool holds = Holds(all_[i]);

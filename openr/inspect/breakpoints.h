@@ -28,12 +28,12 @@ class Breakpoints {
   const std::string& text(size_t number) const { return all_[number - 1].text; }
 
   // Prepares the breakpoints; must be called before the replay runs on.  A "when" breakpoint whose
-  // condition holds now would stop the replay again at the next message, so Hit() ignores this
+  // condition holds now would stop the replay again at the next message, so FindHit() ignores this
   // breakpoint until its condition has been false once.
   void Arm();
   // Tests all breakpoints.  Called when the replay has delivered a message.  Returns the number,
   // counted from 1, of the first breakpoint that stops the replay here; 0 if the replay goes on.
-  size_t Hit();
+  size_t FindHit();
 
   // Returns all breakpoints as text, one per line.  Called when the user goes back, because another
   // process then carries out the user's commands and needs the breakpoints.

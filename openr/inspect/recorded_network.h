@@ -38,7 +38,7 @@ class ReplayedNetwork : public Network {
   explicit ReplayedNetwork(Say say) : say_(std::move(say)) {}
 
   void Attach(uint32_t) override {}
-  void At(NetHandle, uint32_t) override {}
+  void SelectAddress(NetHandle, uint32_t) override {}
   void Listen(NetHandle, uint16_t) override {}
   void Accept(NetHandle, NetHandle) override {}
   void Connect(NetHandle, uint16_t, NetAddress) override {}

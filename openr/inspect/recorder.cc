@@ -9,7 +9,7 @@
 
 namespace openr_host {
 
-void Recorder::Listen(SimulationOptions* options) {
+void Recorder::RecordNetworks(SimulationOptions* options) {
   options->network_filter = [this, inside = options->network_filter](
                                 int robot, std::unique_ptr<Network> inner) {
     if (inside) inner = inside(robot, std::move(inner));

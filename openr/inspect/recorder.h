@@ -19,7 +19,7 @@ class Recorder {
   // `options` already puts other networks in front of the robot's network, the recording network
   // comes before these.  The recording network passes all calls on, and gives this recorder all
   // events from outside.  Must be called before the simulation is made with `options`.
-  void Listen(SimulationOptions* options);
+  void RecordNetworks(SimulationOptions* options);
 
   // Begins the file of the recording.  `stick` is the folder in which a replay finds the files of
   // the Memory Stick (RunStick::name()).  `schedule` is the order of messages as in

@@ -259,7 +259,7 @@ class Stepper {
   size_t ForwardToBreak() {
     RunProgressLine progress(STDERR_FILENO, replayer_->system().now_us(), replayer_->length_us());
     while (Forward(1)) {
-      if (const size_t hit = breaks_.Hit(); hit > 0) return hit;
+      if (const size_t hit = breaks_.FindHit(); hit > 0) return hit;
       progress.Show(replayer_->system().now_us());
     }
     return 0;

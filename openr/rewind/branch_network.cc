@@ -24,7 +24,7 @@ void BranchNetwork::GoOn() {
 }
 
 void BranchNetwork::OpenAgain(NetHandle handle, const Socket& socket) {
-  if (socket.has_address) PassingNetwork::At(handle, socket.address);
+  if (socket.has_address) PassingNetwork::SelectAddress(handle, socket.address);
   switch (socket.kind) {
     case Socket::Kind::kNew:
       break;
@@ -55,10 +55,10 @@ void BranchNetwork::OpenAgain(NetHandle handle, const Socket& socket) {
   }
 }
 
-void BranchNetwork::At(NetHandle handle, uint32_t ip) {
+void BranchNetwork::SelectAddress(NetHandle handle, uint32_t ip) {
   sockets_[handle].has_address = true;
   sockets_[handle].address = ip;
-  if (!repeats_) PassingNetwork::At(handle, ip);
+  if (!repeats_) PassingNetwork::SelectAddress(handle, ip);
 }
 
 void BranchNetwork::Listen(NetHandle listener, uint16_t port) {

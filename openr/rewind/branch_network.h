@@ -39,7 +39,7 @@ class BranchNetwork : public PassingNetwork {
   // again.
   void GoOn();
 
-  void At(NetHandle handle, uint32_t ip) override;
+  void SelectAddress(NetHandle handle, uint32_t ip) override;
   void Listen(NetHandle listener, uint16_t port) override;
   void Accept(NetHandle listener, NetHandle handle) override;
   void Connect(NetHandle handle, uint16_t local_port, NetAddress remote) override;
@@ -59,7 +59,7 @@ class BranchNetwork : public PassingNetwork {
   struct Socket {
     enum class Kind { kNew, kListener, kStream, kUdp, kName, kAddress };
     Kind kind = Kind::kNew;
-    bool has_address = false;  // true: the robot has called At() with `address`
+    bool has_address = false;  // true: the robot has called SelectAddress() with `address`
     uint32_t address = 0;      // for a kAddress: the address whose name the robot has asked for
     uint16_t port = 0;
     bool any_port = false;

@@ -69,7 +69,7 @@ Rewind::~Rewind() {
 
 System& Rewind::system() const { return parts_.simulation->system(); }
 
-std::unique_ptr<Network> Rewind::Follow(int robot, std::unique_ptr<Network> inner) {
+std::unique_ptr<Network> Rewind::WrapNetwork(int robot, std::unique_ptr<Network> inner) {
   ASSERT(networks_.size() == static_cast<size_t>(robot));
   auto network = std::make_unique<BranchNetwork>(std::move(inner), robot, &log_);
   networks_.push_back(network.get());

@@ -74,7 +74,7 @@ class Rewind {
 
   // Returns the network that robot number `robot` must use instead of `inner`.  Called while the
   // simulation is made.
-  std::unique_ptr<Network> Follow(int robot, std::unique_ptr<Network> inner);
+  std::unique_ptr<Network> WrapNetwork(int robot, std::unique_ptr<Network> inner);
 
   // Begins to log the inputs of the run that `parts` describes, and to save files of its stick
   // before their first change.  REQUIRES: System::Boot() has not been called.

@@ -78,7 +78,7 @@ SimulationOptions ServedRun::SimulationWith(const ServedRunOptions& given) {
       return clients_.MakeNetwork(robot);
     };
   }
-  if (!given.record_file.empty()) recorder_.Listen(&options);
+  if (!given.record_file.empty()) recorder_.RecordNetworks(&options);
   return options;
 }
 

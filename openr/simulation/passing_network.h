@@ -16,7 +16,7 @@ class PassingNetwork : public Network {
   explicit PassingNetwork(std::unique_ptr<Network> inner) : inner_(std::move(inner)) {}
 
   void Attach(uint32_t ip) override { inner_->Attach(ip); }
-  void At(NetHandle handle, uint32_t ip) override { inner_->At(handle, ip); }
+  void SelectAddress(NetHandle handle, uint32_t ip) override { inner_->SelectAddress(handle, ip); }
   void Listen(NetHandle listener, uint16_t port) override { inner_->Listen(listener, port); }
   void Accept(NetHandle listener, NetHandle handle) override { inner_->Accept(listener, handle); }
   void Connect(NetHandle handle, uint16_t local_port, NetAddress remote) override {

@@ -21,14 +21,14 @@ void ArithmeticWatch::Begin(unsigned kinds) {
   SetFpTraps(kinds_);
 }
 
-void ArithmeticWatch::Enter() {
+void ArithmeticWatch::Pause() {
   if (++calls_ > 1 || kinds_ == 0) return;
   saved_fp_ = FpState();
   SetFpTraps(0);
 }
 
-void ArithmeticWatch::Leave() {
-  ASSERT(calls_ > 0, "Leave() without Enter()");
+void ArithmeticWatch::Resume() {
+  ASSERT(calls_ > 0, "Resume() without Pause()");
   if (--calls_ == 0 && kinds_ != 0) SetFpState(saved_fp_);
 }
 

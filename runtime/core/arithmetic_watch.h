@@ -32,12 +32,12 @@ class ArithmeticWatch {
   void DisableTrap(unsigned kind) { kinds_ &= ~kind; }
 
   // Pauses the watch for floating-point faults.  Called at the beginning of a function of the SDK
-  // or of the C library that the image's code has called.  Calls of Enter() and Leave() may be
+  // or of the C library that the image's code has called.  Calls of Pause() and Resume() may be
   // nested.
-  void Enter();
-  // Resumes the watch for floating-point faults.  Called when a function for which Enter() was
+  void Pause();
+  // Resumes the watch for floating-point faults.  Called when a function for which Pause() was
   // called has returned.
-  void Leave();
+  void Resume();
 
   // Ends the watch for floating-point faults at the end of the handler: floating-point operations
   // raise no SIGFPE any more.

@@ -38,12 +38,12 @@ class ApiScope {
   [[gnu::always_inline]] ApiScope() : image_code_(t_current.image_code) {
     if (!image_code_) return;
     t_current.image_code = false;
-    if (t_current.watch != nullptr) t_current.watch->Enter();
+    if (t_current.watch != nullptr) t_current.watch->Pause();
   }
   [[gnu::always_inline]] ~ApiScope() {
     if (!image_code_) return;
     t_current.image_code = true;
-    if (t_current.watch != nullptr) t_current.watch->Leave();
+    if (t_current.watch != nullptr) t_current.watch->Resume();
   }
   ApiScope(const ApiScope&) = delete;
   ApiScope& operator=(const ApiScope&) = delete;
@@ -74,10 +74,10 @@ template <typename Work>
 class LibraryScope {
  public:
   [[gnu::always_inline]] LibraryScope() : watch_(t_current.image_code ? t_current.watch : nullptr) {
-    if (watch_ != nullptr) watch_->Enter();
+    if (watch_ != nullptr) watch_->Pause();
   }
   [[gnu::always_inline]] ~LibraryScope() {
-    if (watch_ != nullptr) watch_->Leave();
+    if (watch_ != nullptr) watch_->Resume();
   }
   LibraryScope(const LibraryScope&) = delete;
   LibraryScope& operator=(const LibraryScope&) = delete;

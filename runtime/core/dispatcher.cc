@@ -225,7 +225,7 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
   if (message == nullptr) return;
   const bool begins = message->selector == oentryINIT;
   BeginDelivery(object, message.release());
-  if (begins) system_->manager().Begins(object->id);
+  if (begins) system_->manager().NoteInitBegins(object->id);
   RunMeasured(object);
 }
 

@@ -121,7 +121,7 @@ bool ObjectManager::IsDue(Selector selector, int value) {
   return false;
 }
 
-void ObjectManager::Begins(ObjectId id) {
+void ObjectManager::NoteInitBegins(ObjectId id) {
   const auto found = starting_.find(id);
   if (found == starting_.end()) return;
   found->second = true;
@@ -205,7 +205,7 @@ void ObjectManager::RunReload(ObjectId id) {
   Send(old, oentryDESTROY, oreasonSHUTDOWN);
   std::vector<std::unique_ptr<Object>> all;
   all.push_back(std::move(fresh));
-  Begin(std::move(all));
+  ReplaceAndBoot(std::move(all));
 }
 
 void ObjectManager::RunTask() {
@@ -215,7 +215,7 @@ void ObjectManager::RunTask() {
   task();
 }
 
-void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
+void ObjectManager::ReplaceAndBoot(std::vector<std::unique_ptr<Object>> fresh) {
   are_connected_ = false;
   system().dispatcher().CheckDeliveries();
   for (const auto& object : fresh) starting_[object->id] = false;

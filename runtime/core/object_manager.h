@@ -37,7 +37,7 @@ class ObjectManager : public CodeObject {
   // Replaces objects of the system by the objects in `fresh`, which have the same ids, and boots
   // the new objects.  All objects are replaced before the first new object runs.  REQUIRES: called
   // in a handler of the object manager.
-  void Begin(std::vector<std::unique_ptr<Object>> fresh);
+  void ReplaceAndBoot(std::vector<std::unique_ptr<Object>> fresh);
 
   // Returns whether the last DoStart of the first boot has returned.
   bool has_booted() const { return has_booted_; }
@@ -67,7 +67,7 @@ class ObjectManager : public CodeObject {
   // Records that the DoInit of object `id` begins.  Until now IsTooEarly() has kept back all
   // messages to the object.  From now on it keeps back only readies, until the connections are
   // made.
-  void Begins(ObjectId id);
+  void NoteInitBegins(ObjectId id);
 
   // The virtual time after which a DoInit, DoStart, DoStop or DoDestroy that has not returned
   // becomes a finding.  This is our choice, because the robot's value is not known.

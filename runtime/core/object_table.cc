@@ -175,7 +175,7 @@ void ObjectTable::Reload(ObjectId id) {
 void ObjectTable::Return(std::vector<std::unique_ptr<Object>> fresh) {
   ASSERT(system_->booted(), "only to a booted system can an object return");
   auto kept = std::make_shared<std::vector<std::unique_ptr<Object>>>(std::move(fresh));
-  system_->PostTask([this, kept] { system_->manager().Begin(std::move(*kept)); });
+  system_->PostTask([this, kept] { system_->manager().ReplaceAndBoot(std::move(*kept)); });
 }
 
 // Takes and returns all messages to `object` that were not delivered yet: messages that the object

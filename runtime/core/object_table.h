@@ -90,12 +90,12 @@ class ObjectTable {
 
   // Puts the objects of `fresh` in place of the objects with the same ids.  Messages to the old
   // objects are lost.  Returns the observers that were ready for the old objects.  Called by
-  // ObjectManager::Begin() as one step of a replacement.
+  // ObjectManager::ReplaceAndBoot() as one step of a replacement.
   Readies Replace(std::vector<std::unique_ptr<Object>> fresh);
   // Posts `readies`, which observers had sent to the object that was replaced, to the new object
   // `id` in the name of these observers.  The observers do not know of the replacement, so they
-  // would not assert ready again themselves.  Called by ObjectManager::Begin() as one step of a
-  // replacement.
+  // would not assert ready again themselves.  Called by ObjectManager::ReplaceAndBoot() as one step
+  // of a replacement.
   void AssertAgain(ObjectId id, const std::vector<StandingReady>& readies);
 
  private:

@@ -19,7 +19,7 @@ class FailingNetwork : public Network {
       : inner_(std::move(inner)), left_(nth), error_(error) {}
 
   void Attach(uint32_t ip) override { inner_->Attach(ip); }
-  void At(NetHandle handle, uint32_t ip) override { inner_->At(handle, ip); }
+  void SelectAddress(NetHandle handle, uint32_t ip) override { inner_->SelectAddress(handle, ip); }
   void Listen(NetHandle listener, uint16_t port) override;
   void Accept(NetHandle listener, NetHandle handle) override;
   void Connect(NetHandle handle, uint16_t local_port, NetAddress remote) override;

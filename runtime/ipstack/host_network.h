@@ -56,7 +56,7 @@ class HostNetwork : public Network {
   explicit HostNetwork(HostNetworkOptions options = {});
 
   void Attach(uint32_t ip) override;
-  void At(NetHandle handle, uint32_t ip) override { at_[handle] = ip; }
+  void SelectAddress(NetHandle handle, uint32_t ip) override { at_[handle] = ip; }
   void Listen(NetHandle listener, uint16_t port) override;
   void Accept(NetHandle listener, NetHandle handle) override;
   void Connect(NetHandle handle, uint16_t local_port, NetAddress remote) override;
@@ -108,10 +108,10 @@ class HostNetwork : public Network {
   // Returns whether `ip` is an address of the robot: the robot's own address, loopback, or the
   // address of a bound socket.
   bool IsRobot(uint32_t ip) const;
-  // Returns the address of the host at which the server socket `handle` must be bound.  If At() was
-  // called for this socket, returns the address of the host that replaces the address given to
-  // At(), and removes the socket from at_, because At() is for one Listen() or Bind() only.
-  // Otherwise returns bind_ip_, the address for server ports.
+  // Returns the address of the host at which the server socket `handle` must be bound.  If
+  // SelectAddress() was called for this socket, returns the address of the host that replaces the
+  // address given to SelectAddress(), and removes the socket from at_, because SelectAddress() is
+  // for one Listen() or Bind() only.  Otherwise returns bind_ip_, the address for server ports.
   uint32_t BindIp(NetHandle handle);
   // Adds a note for the user if binding a socket to the address `ip` failed with `error` because
   // the host has no such address.
@@ -121,8 +121,8 @@ class HostNetwork : public Network {
   AddressMap addresses_;
   uint32_t ip_ = 0;
   uint32_t bind_ip_;  // host's address for server ports at the robot's own address
-  // The addresses of the robot that the program has selected with At() for sockets that are not
-  // bound yet.
+  // The addresses of the robot that the program has selected with SelectAddress() for sockets that
+  // are not bound yet.
   std::map<NetHandle, uint32_t> at_;
   // The addresses of the robot, besides its own address, at which sockets are bound.  The value is
   // the address of the host that replaces the robot's address.

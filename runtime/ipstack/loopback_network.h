@@ -51,7 +51,7 @@ class LoopbackNetwork : public Network {
   // Gives this host of the hub the address `ip`.  If several hosts have the same address, peers
   // reach the host that was attached last.
   void Attach(uint32_t ip) override;
-  void At(NetHandle, uint32_t) override {}  // does nothing: a host at a hub has only one address
+  void SelectAddress(NetHandle, uint32_t) override {}  // nothing: a host at a hub has one address
   void Listen(NetHandle listener, uint16_t port) override;
   void Accept(NetHandle listener, NetHandle handle) override;
   void Connect(NetHandle handle, uint16_t local_port, NetAddress remote) override;

@@ -83,7 +83,7 @@ class Network {
   // Selects the address at which the next Listen() or Bind() of `handle` opens its port.  `ip` is
   // an address of the robot besides its own address (IpStackOptions::addresses).  Without this call
   // the port is opened at the robot's own address.
-  virtual void At(NetHandle handle, uint32_t ip) = 0;
+  virtual void SelectAddress(NetHandle handle, uint32_t ip) = 0;
 
   // ---- Commands for TCP sockets
 

@@ -25,7 +25,7 @@ bool TcpPorts::Accept(uint16_t number, uint32_t ip, NetHandle socket, EventSink*
     }
     port = std::make_unique<Port>();
     port->listener = stack_->Open(port.get());
-    if (ip != 0) stack_->network().At(port->listener, ip);
+    if (ip != 0) stack_->network().SelectAddress(port->listener, ip);
     stack_->network().Listen(port->listener, number);
   }
   port->waiting.push_back(endpoint);

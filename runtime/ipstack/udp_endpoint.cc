@@ -82,7 +82,7 @@ void UdpEndpoint::Bind(Operation operation) {
   local_ip_ = message.address.Address();
   socket_ = stack_->Open(this);
   if (const uint32_t ip = stack_->FurtherAddress(local_ip_); ip != 0)
-    stack_->network().At(socket_, ip);
+    stack_->network().SelectAddress(socket_, ip);
   stack_->network().Bind(socket_, port, any_port);
   message.address = stack_->LocalAddress(local_ip_);
   message.port = port;

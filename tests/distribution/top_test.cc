@@ -269,9 +269,9 @@ TEST(TopViewTest, ARunThatIsGoneIsShownAsEndedAndThenRemoved) {
   runs.Update({told}, 12);
   EXPECT_THAT(TopText(runs.All(), 20), HasSubstr("; ended by time: --for 1s is over\n"));
   EXPECT_EQ(TopJson(runs.All(), 20)["runs"][0]["end"], "ended by time: --for 1s is over");
-  runs.Forget(14);
+  runs.RemoveEnded(14);
   EXPECT_FALSE(runs.empty());
-  runs.Forget(40);
+  runs.RemoveEnded(40);
   EXPECT_TRUE(runs.empty());
 }
 

@@ -55,10 +55,10 @@ TEST(EmonLogTest, PartsAreFoundByTheirNames) {
   EXPECT_FALSE(log->registers[4]);
   ASSERT_EQ(log->objects.size(), 2u);
   EXPECT_EQ(log->objects[0].name, "robo-2.b");
-  ASSERT_NE(log->Crashed(), nullptr);
-  EXPECT_EQ(log->Crashed()->name, "dancer");
-  EXPECT_EQ(log->Crashed()->oid, 0x80000051u);
-  EXPECT_EQ(log->Crashed()->meta_space, "mCOOP");
+  ASSERT_NE(log->CrashedObject(), nullptr);
+  EXPECT_EQ(log->CrashedObject()->name, "dancer");
+  EXPECT_EQ(log->CrashedObject()->oid, 0x80000051u);
+  EXPECT_EQ(log->CrashedObject()->meta_space, "mCOOP");
 }
 
 TEST(EmonLogTest, AStarRepeatsTheLineBefore) {
@@ -92,8 +92,8 @@ TEST(EmonLogTest, OtherFormsOfRegistersAreRead) {
 }
 
 TEST(EmonLogTest, InADelaySlotTheNextInstructionFailed) {
-  EXPECT_EQ(ParseEmonLog("cause: 0x80000008 epc: 0x00400010")->Failed(), 0x400014u);
-  EXPECT_EQ(ParseEmonLog("cause: 0x00000008 epc: 0x00400010")->Failed(), 0x400010u);
+  EXPECT_EQ(ParseEmonLog("cause: 0x80000008 epc: 0x00400010")->FailedAddress(), 0x400014u);
+  EXPECT_EQ(ParseEmonLog("cause: 0x00000008 epc: 0x00400010")->FailedAddress(), 0x400010u);
 }
 
 TEST(EmonLogTest, OtherTextIsNoLog) {

@@ -28,7 +28,7 @@ uint64_t RecordFaults(const std::string& file, const std::vector<TimedInput>& in
   options.host_network = false;
   options.console = [](std::string_view) {};
   Recorder recorder(file, true);
-  recorder.Listen(&options);
+  recorder.RecordNetworks(&options);
   Simulation simulation(options);
   recorder.Begin(&simulation, options, simulation.stick());
   System& system = simulation.system();

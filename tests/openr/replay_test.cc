@@ -39,7 +39,7 @@ class ReplayTest : public testing::Test {
     options.host_network = false;
     options.console = [](std::string_view) {};
     Recorder recorder(file_, payloads);
-    recorder.Listen(&options);
+    recorder.RecordNetworks(&options);
     Simulation simulation(options);
     recorder.Begin(&simulation, options, simulation.stick());
     System& system = simulation.system();

@@ -313,8 +313,8 @@ TEST(CrashTest, TheRecordHasTheRobotsFormToo) {
   char offset[16];  // of the instruction in the image, as in the stack above
   std::snprintf(offset, sizeof offset, "+0x%x ", log->epc.value_or(0));
   EXPECT_THAT(record, HasSubstr("#0 TROUBLE.BIN" + std::string(offset)));
-  ASSERT_NE(log->Crashed(), nullptr) << record;
-  EXPECT_EQ(log->Crashed()->name, "Trouble");
+  ASSERT_NE(log->CrashedObject(), nullptr) << record;
+  EXPECT_EQ(log->CrashedObject()->name, "Trouble");
   EXPECT_THAT(record, HasSubstr("\n OVirtualRobotComm 0x80000043 "));
 }
 

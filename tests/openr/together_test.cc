@@ -60,7 +60,7 @@ TEST(TogetherTest, TwoRunsOfEightDogsAreEqualAndAReplayIs) {
     const SimulationOptions plain = OnTheField(8);
     SimulationOptions options = plain;
     Recorder recorder(file, true);
-    recorder.Listen(&options);
+    recorder.RecordNetworks(&options);
     Simulation simulation(options);
     recorder.Begin(&simulation, plain, simulation.stick());
     System& system = simulation.system();
@@ -115,7 +115,7 @@ TEST(TogetherTest, AReplayNeedsTheSticksOfThen) {
   {
     const SimulationOptions plain = options;
     Recorder recorder(file, true);
-    recorder.Listen(&options);
+    recorder.RecordNetworks(&options);
     Simulation simulation(options);
     recorder.Begin(&simulation, plain, simulation.stick());
     simulation.system().Boot();
@@ -151,7 +151,7 @@ TEST(TogetherTest, AFaultIsOfOneRobotAndAReplayHasIt) {
     const SimulationOptions plain = OnTheField(2);
     SimulationOptions options = plain;
     Recorder recorder(file, true);
-    recorder.Listen(&options);
+    recorder.RecordNetworks(&options);
     Simulation simulation(options);
     recorder.Begin(&simulation, plain, simulation.stick());
     System& system = simulation.system();

@@ -13,7 +13,7 @@ bool fuzz::emon_log(std::string_view bytes) {
   FuzzCheck(log->stack.size() <= size_t{1} << 18, "a stack of that size");
   const std::string text = ExplanationText(ExplainCrash(*log, nullptr));
   FuzzCheck(text.starts_with("EXCEPTION ") == log->code.has_value(), "a code, and its meaning");
-  return log->Crashed() != nullptr && log->code > 9u && log->registers[kRobotGp].has_value();
+  return log->CrashedObject() != nullptr && log->code > 9u && log->registers[kRobotGp].has_value();
 }
 
 }  // namespace openr_host

@@ -35,7 +35,7 @@ constexpr const char* kTransfers[] = {"TCP Send", "TCP Receive", "UDP Receive",
 class AnyNetwork : public Network {
  public:
   void Attach(uint32_t) override { asked_.clear(); }
-  void At(NetHandle, uint32_t) override {}
+  void SelectAddress(NetHandle, uint32_t) override {}
   void Listen(NetHandle listener, uint16_t) override { asked_[listener]; }
   void Accept(NetHandle, NetHandle handle) override { asked_[handle].accepts = true; }
   void Connect(NetHandle handle, uint16_t, NetAddress) override { asked_[handle].connects = true; }
