@@ -114,8 +114,8 @@ void GrowingFile::Append(std::string_view bytes, std::string_view end) {
     go_back();
     WriteAll(descriptor_, end_);
   }
-  // Cuts off the end of a longer old `end_`, or the bytes of an incomplete write.  A device or a
-  // pipe cannot be cut, so a failure is ignored.
+  // Cuts off what is left behind the new end of the file: of the old text `end_`, if it was longer,
+  // or of an incomplete write.  A device or a pipe cannot be cut, so a failure is ignored.
   [[maybe_unused]] const int result =
       ftruncate(descriptor_, static_cast<off_t>(size_ + end_.size()));
 }

@@ -27,8 +27,9 @@ void PrepareStandardStreams();
 // is not 1 while a Console exists (console.h).
 int StandardOutput();
 
-// Called when descriptor 1 begins or ceases to lead to the console.  `descriptor` leads to the
-// standard output that the program was started with.
+// Sets the descriptor to which answers are written from now on; `descriptor` leads to the standard
+// output that the program was started with.  The Console calls this when it takes descriptor 1 for
+// itself, and when it gives it back.
 void SetStandardOutput(int descriptor);
 
 // Prints a part of the command's answer on standard output.  Throws std::runtime_error "standard

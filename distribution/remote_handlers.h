@@ -32,7 +32,8 @@ class RemoteHandlers {
   bool is_free() const { return is_free_; }
 
   // Runs the handler of `message`, which is being delivered to `object`.  Returns false if the
-  // worker was lost before the handler ended.  Throws ProcessLost if the worker is lost now.
+  // loss of the worker was noticed elsewhere while the handler waited.  Throws ProcessLost if this
+  // function itself notices the loss.
   bool Run(RemoteObject* object, const Message& message);
 
   // Returns the durations from sending a message to the worker until the master knows that the

@@ -295,7 +295,7 @@ class Bench {
 
   // Return the state of a device.  `name` is the name of the device ("RF_j1", "chin", "head_led")
   // or its locator ("PRM:/r4/c1-Joint2:j1").  The functions throw std::invalid_argument if the
-  // robot has no such device, and std::logic_error without a body.
+  // robot has no such device, and std::logic_error if the robot has no simulated body.
   double JointDeg(std::string_view name) const;
   int64_t SensorValue(std::string_view name) const;  // value in the sensor's OPEN-R unit
   int LedIntensity(std::string_view name) const;     // brightness of the light; 0: dark
@@ -399,8 +399,8 @@ class Bench {
   bool Control(const Place& place, const std::function<void()>& run);
   bool ReportFindings(const Place& place);
   void AllowFinding(size_t index) { told_.insert(index); }
-  // Reports the failure `what` with Story() at the line `place`.  Always returns false, so that a
-  // caller can return this result.
+  // Reports the failure `what` at the line `place`, with the last messages and the states of the
+  // objects (Story()).  Always returns false, so that a caller can return this result.
   bool Miss(const Place& place, const std::string& what);
   // Returns whether Boot() was called; if not, reports a failure.
   bool IsRunning(const Place& place);

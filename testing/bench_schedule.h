@@ -58,8 +58,8 @@ class BenchSchedule : public openr_host::Schedule {
     return refused_.emplace_back(std::move(spec), nth, place);
   }
 
-  // Reports a failure for each message that Refuse() named and that never came.  Reports each of
-  // them only once.
+  // Reports a failure for each message that the test wanted to refuse (Refuse()) and that was never
+  // sent, because the test has then not tested what it says.  Reports each of them only once.
   void Verify(const ReportAt& report);
 
   size_t Choose(Question question, const std::vector<openr_host::ObjectId>& candidates) override;

@@ -67,7 +67,7 @@ void LiveAsCopy(const std::function<void()>& body, int pipe) {
   }
 }
 
-// Adds the test results that a copy of the process has sent to the running test.
+// Adds to the running test the results of its checks in a copy of the process, which has sent them.
 void AddResults(const std::string& bytes) {
   for (size_t at = 0; at + sizeof(ResultHeader) <= bytes.size();) {
     ResultHeader header;

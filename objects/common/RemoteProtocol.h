@@ -38,8 +38,8 @@ enum RcCommand {
     rcUNSUBSCRIBE = 0x33,
     rcCAMERA = 0x34,  // RemoteCamera.h has the formats of pictures
     rcCAMERA_PART = 0x35,
-    // A packet of a stream.  A client sends this command, which has no answer, to acknowledge
-    // packets of streams.
+    // The number of both kinds of packets of a stream: the robot sends the stream's packets with it,
+    // and a client acknowledges them with it.  Neither has an answer.
     rcEVENT = 0x3f,
     rcMTN_LIST = 0x42,  // the commands for files are in RemoteFiles.h
     rcUPLOAD_BEGIN = 0x50,

@@ -195,10 +195,10 @@ class TraceWriter {
   std::string Finish(System* system);
 
  private:
-  // How often the two objects of a link had been replaced (Object::predecessors) when their names
-  // were last written to the file.  The objects are the sender and the target; a link is a path
-  // from one sender to one entry of one receiver.  -1: there is no such object.  If a number has
-  // changed since then, an object was replaced, and its names may have to be written again.
+  // A link is a path from one sender to one entry of one receiver.  For each link: how often these
+  // two objects had been replaced (Object::predecessors) when their names were last written to the
+  // trace file; -1: there is no such object.  If a number has changed since then, an object was
+  // replaced, and its names may have to be written again.
   struct ReplacementCounts {
     int sender = -2;
     int target = -2;

@@ -51,8 +51,8 @@ class PerfettoWriter : public TimelineWriter {
   void Finish() override;
 
  private:
-  // The place in the drawing of the timeline at which a slice begins.  The arrows of the messages
-  // that the handler of this slice has posted begin here.
+  // The place in the drawing of the timeline at which a slice, the bar of one run of a handler,
+  // begins.  The arrows of the messages that this handler has posted begin here.
   struct Place {
     int pid, tid;
     double at;

@@ -51,7 +51,7 @@ class Inputs {
     std::function<std::string(int robot, std::string_view rest, Action* action)> read;
   };
 
-  // The value of `robot` in AddKind() for a kind that every robot has.
+  // The value of `robot` in AddKind() for a kind of input that every robot has.
   static constexpr int kEveryRobot = -1;
 
   explicit Inputs(System* system) : system_(system) {}

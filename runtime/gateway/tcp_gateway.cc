@@ -143,8 +143,9 @@ class GatewayLoader {
     std::move(other.services.begin(), other.services.end(), std::back_inserter(config_.services));
     std::move(other.diagnostics.begin(), other.diagnostics.end(),
               std::back_inserter(config_.diagnostics));
-    // Removes the ProxyServices of the robot's previous boot, because Add() makes a new one, and
-    // the stick may have changed so that no robot is called any more.
+    // Removes the ProxyServices of the robot's previous boot, by which its objects call the OPEN-R
+    // functions of another robot.  Add() makes a new one, unless the gateway files of the stick
+    // name no other robot any more.
     ProxyServices::Remove(&system_->robot(robot_).services);
   }
 

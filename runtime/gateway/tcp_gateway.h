@@ -56,8 +56,9 @@ class TcpGateway : public CodeObject {
   // Posts a message that calls GatewayConnection::Open() of the service `channel` after `delay_us`,
   // so that the host's side of the connection tries again to connect.
   void OpenLater(int channel, int64_t delay_us);
-  // Posts a message that calls GatewayConnection::WarnIfNoAnswer() of the service `channel` after
-  // `delay_us`, so that the user is warned if the peer does not answer.
+  // Posts a message that comes after `delay_us` and then calls GatewayConnection::WarnIfNoAnswer()
+  // for the connection of service number `channel`, so that the user is warned if the peer does not
+  // answer.
   void CheckForAnswerLater(int channel, int64_t delay_us);
   // Posts a message that calls ProxyClient::Expire() after `delay_us`, so that a call to which the
   // robot gives no answer fails.

@@ -45,8 +45,8 @@ class FailingNetwork : public Network {
   const std::unique_ptr<Network> inner_;
   int left_;
   const NetError error_;
-  // The socket of the one command that this Network for tests has made to fail, until Poll()
-  // reports the failure; else 0.
+  // The socket for which this Network for tests has let one call fail on purpose, such as Send(),
+  // until Poll() reports the failure; else 0.
   NetHandle failed_ = 0;
 };
 

@@ -16,7 +16,7 @@ namespace openr_host {
 // its head and mouth.
 class RenderedWorld : public ImageSource {
  public:
-  // `model` is the robot that carries the camera, and must outlive the source.
+  // `model` is the robot that carries the camera, and must outlive this object.
   explicit RenderedWorld(const RobotModel& model);
 
   // Draws the picture that the camera takes with `shot`.  REQUIRES: shot.body is not null.

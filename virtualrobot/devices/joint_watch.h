@@ -71,7 +71,8 @@ class JointWatch {
     int loaded_frames = 0;
     // Whether the servo has acted since boot, that is, has had motor power and a P gain.  Until
     // then, `now` and `before` have the range of the joint's positions in the present half second
-    // and in the half second before.
+    // and in the half second before, by which HasSunk() tells a limp joint that has sunk from a
+    // wrong start.
     bool has_acted = false;
     Range_rad now, before;
   };

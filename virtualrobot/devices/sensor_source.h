@@ -107,7 +107,8 @@ class SensorSource {
     bool operator==(const JointReading&) const = default;
   };
 
-  // The value of the parameter `turn` of SampleTurn() with which all sensors are measured.
+  // The value of the parameter `turn` of SampleTurn() with which all sensors are measured, also
+  // both distance sensors of an ERS-7, which otherwise take turns.
   static constexpr int kAllTurns = -1;
 
   // Samples all sensors.  Of two sensors that are measured in turn (Sensor::turn), only number

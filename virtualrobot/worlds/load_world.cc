@@ -31,7 +31,8 @@ constexpr double kPlaceMax_m = 1000;
 constexpr double kAngleMax_deg = 360;
 // Limits for a thing that can move: its least and largest mass, and its smallest length.
 constexpr double kMassMin_kg = 0.001, kMassMax_kg = 1000, kMovableMin_m = 0.005;
-// Largest thickness of a thing that is paint on the floor, and largest height of its middle.
+// Largest thickness of a thing that the world file calls paint on the floor, and largest height of
+// its centre above the floor.
 constexpr double kPaintMax_m = 0.01;
 // Thickness of the board that is a ramp.  A falling part moves less than this thickness in a frame,
 // so it cannot pass through the board.
