@@ -50,6 +50,27 @@ TEST_F(ShmPtrTest, ARegionWithoutASizeReachesToTheEndOfItsMemory) {
   });
 }
 
+TEST_F(ShmPtrTest, ARegionWithASizeAndWithoutAnAddressKeepsItsSize) {
+  RunAs(sender, [&] {
+    RCRegion* const whole = new RCRegion(8);
+    RCRegion* const part = new RCRegion(whole->MemID(), 2, nullptr, 3);
+    EXPECT_EQ(part->Base(), whole->Base() + 2);
+    EXPECT_EQ(part->Size(), 3u);
+    part->RemoveReference();
+    whole->RemoveReference();
+  });
+}
+
+TEST_F(ShmPtrTest, ARegionThatBeginsBehindItsMemoryHasNoSize) {
+  RunAs(sender, [&] {
+    RCRegion* const whole = new RCRegion(8);
+    RCRegion* const part = new RCRegion(whole->MemID(), 9, whole->Base(), 0);
+    EXPECT_EQ(part->Size(), 0u);
+    part->RemoveReference();
+    whole->RemoveReference();
+  });
+}
+
 TEST_F(ShmPtrTest, ARegionOfAnUnknownIdHasNoAddress) {
   RunAs(sender, [&] {
     RCRegion* const region = new RCRegion(MemoryRegionID{0x00ff0ff0}, 2, nullptr, 4);
