@@ -180,9 +180,8 @@ std::vector<Edit> AssemblyRepairOf(const CompilerError& error, const std::string
     return edits;
   }
   const bool wants_register = error.message.find("invalid register name") != std::string::npos;
-  // Searches from the last asm statement to the first: the assembler may name a line after the end
-  // of a statement (LastLineOf()), and a later statement that begins on or before this line fits
-  // better.
+  // Starts the search at the last asm statement, because the line of the error may belong to two
+  // statements (LastLineOf()).  The later of the two is then the likely cause of the error.
   for (auto use = uses.rbegin(); use != uses.rend(); ++use) {
     if (use->names_register != wants_register) continue;
     if (LineOf(text, use->begin) > error.line || LastLineOf(*use, text) < error.line) continue;
@@ -195,8 +194,8 @@ std::vector<Edit> AssemblyMacroRepairOf(const std::string& line, const std::stri
   const std::string code = WithoutComments(header);
   std::vector<Edit> edits;
   for (AsmUse use : FindAsmUses(code)) {
-    // Goes back to the first line of the macro: passes all lines before that end in a backslash,
-    // because all lines of a macro but the last do.
+    // Moves `begin` back to the first line of the macro.  All lines of a macro except the last end
+    // in a backslash, so the loop goes on while the previous line ends in a backslash.
     size_t begin = code.rfind('\n', use.begin);
     while (begin != kNone && begin > 0 && code[begin - 1] == '\\')
       begin = code.rfind('\n', begin - 1);
@@ -207,8 +206,8 @@ std::vector<Edit> AssemblyMacroRepairOf(const std::string& line, const std::stri
     const std::string name = match[1];
     for (size_t at = line.find(name); at != kNone; at = line.find(name, at + 1)) {
       if (!HasWordAt(line, at, name)) continue;
-      // Counts the assembly as code in a function, because macros are defined outside of functions
-      // but used in them.
+      // Treats this assembly as code inside a function, so that it becomes a trap or a barrier.  A
+      // macro is defined outside of functions, but functions use its assembly.
       use.is_in_function = true;
       use.names_register = false;
       edits.push_back(EditOf(use, header));

@@ -21,8 +21,8 @@ bool IsAboutAssembly(const CompilerError& error);
 // Beginning of CompilerError::message for errors that come from the assembler and not the compiler.
 inline constexpr char kAssemblerSays[] = "assembler: ";
 
-// Returns the edits that remove from `text`, a source, the assembly that `error` is about.  If
-// the error names no line, the edits remove all assembly outside of functions.
+// Returns the edits that remove assembly from the source `text`: the asm statement that `error` is
+// about or, if the error names no line, all assembly outside of functions.
 std::vector<Edit> AssemblyRepairOf(const CompilerError& error, const std::string& text);
 
 // Returns the edits that remove the assembly from macros in `header`, the text of a header.  `line`

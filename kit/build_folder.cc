@@ -34,17 +34,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Name of a file in the folder in which `openr build` keeps its results.  The file says which
-// version of our files and compilers made these results.
+// Name of a file in the folder in which `openr build` keeps its results.  The file contains the
+// text of KitIdentity() for the SDK tree and the compilers that made these results.
 constexpr char kIdentityFile[] = "kit.txt";
 
 // Name of a file in the folder in which `openr build` keeps its results.  The file contains the
 // path of the user's folder that was built.
 constexpr char kOwnerFile[] = "folder.txt";
 
-// Returns a text that is different for each version of our files and of the compilers.  If the text
-// has changed since the last build, the build begins anew, so that results of different versions
-// are not mixed.
+// Returns a text that changes if the SDK tree, the host's compilers or the flags of `variant`
+// change.  If the text has changed since the last build, the build begins anew, so that results of
+// different versions are not mixed.
 std::string KitIdentity(const std::string& sdk_root, BuildVariant variant) {
   fs::file_time_type newest = fs::file_time_type::min();
   for (const char* part : {"OPEN_R/include", "compat", "compile-flags.txt", "images"}) {
@@ -207,8 +207,8 @@ void FolderBuild::Build() {
       },
       [&] { outcome = RunMake(plan, make_); });
   RemoveOldImages(outcome.is_good);
-  // Runs make in the folder of each object that has no image yet, because the rule of a Makefile in
-  // a folder above often loops over these folders and ends at the first object that fails.
+  // Runs make also in the folder of each object that has no image yet.  A Makefile in a parent
+  // folder often runs make in the folders of all objects, and ends at the first object that fails.
   if (!outcome.is_good) {
     for (const ObjectFolder& object : NotBuilt()) {
       const bool has_makefile =
@@ -247,7 +247,7 @@ bool IsOutOfDate(const KitLog::Image& image, const std::vector<KitLog::Failure>&
   });
 }
 
-// Returns whether a source beside the .ocf file of `image` is newer than the image.
+// Returns whether `image` is older than a source or header in the folder of its .ocf file.
 bool IsOlderThanSources(const KitLog::Image& image) {
   std::error_code error;
   const fs::file_time_type time = fs::last_write_time(image.file, error);
@@ -273,16 +273,17 @@ void FolderBuild::RemoveOldImages(bool is_made) {
   WriteKitLog(make_.log, log);
 }
 
-// Returns whether the build lacks an image that an OBJECT.CFG names.  Without an OBJECT.CFG the
-// wanted images are not known, so the result then says whether make has failed.
+// Returns whether the build lacks an image that an OBJECT.CFG names.  If no stick has an
+// OBJECT.CFG, nothing says which images are needed, and the function returns whether make has
+// failed.
 bool FolderBuild::SomeImageIsMissing() const {
   const KitLog log = ReadKitLog(make_.log);
   bool has_list = false;
   for (const StickFolder& stick : project_.sticks) {
     if (stick.objects.empty()) continue;
     has_list = true;
-    // Completes the stick only to find out whether images are missing, and so removes the images
-    // again that CompleteStick() has put on the stick.
+    // Calls CompleteStick() only to find out whether images are missing.  Then removes the images
+    // that CompleteStick() has put on the stick.
     const CompletedStick completed = CompleteStick(stick, project_, log, sdk_root_, {});
     for (const fs::path& file : completed.placed) fs::remove(file);
     if (!completed.problems.empty()) return true;
@@ -305,8 +306,8 @@ void FolderBuild::Deliver() {
   if (after.sticks.empty()) after.sticks.push_back({after.root / "MS", {}, {}});
   outcome_.wants_all = std::all_of(after.sticks.begin(), after.sticks.end(),
                                    [](const StickFolder& stick) { return stick.objects.empty(); });
-  // Makes no stick if images have failed and the user's sticks have no OBJECT.CFG: an OBJECT.CFG
-  // written now would lack these images.
+  // Makes no stick if no stick has an OBJECT.CFG (`wants_all`) and an object has failed, because
+  // CompleteStick() would write an OBJECT.CFG without the image of that object.
   if (outcome_.wants_all && report_->HasFailed(outcome_)) return;
   const KitLog log = ReadKitLog(make_.log);
   std::string placed;

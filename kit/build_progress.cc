@@ -18,8 +18,8 @@ void ShowBuildProgress(MakeOptions* options, const std::function<std::optional<u
   ProgressLine progress(total == 0 ? -1 : STDERR_FILENO, total, "sources compiled");
   CompileCounter counter;
   if (progress.is_shown()) {
-    // Limits the shown number of compiled sources to their total, because a source that fails is
-    // compiled several times, and each time counts.
+    // Shows at most the total number of sources, because the counter may be larger: a source that
+    // fails is compiled several times, and the counter counts each compilation.
     options->while_waiting = [&progress, &counter, total](const std::string& log) {
       const uint64_t done = counter.CountIn(log);
       progress.Show(std::min(done, total.value_or(done)));

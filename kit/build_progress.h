@@ -10,9 +10,9 @@
 namespace openr_host {
 
 // Calls `work`, which runs make with `options`, and shows the progress on a terminal meanwhile.
-// `count` returns how many sources the work compiles; it is called only if there is a terminal.  If
-// it returns nullopt, the number is not known before make runs, and only the number of finished
-// sources is shown.  If it returns 0, nothing is shown.
+// `count` returns the number of sources that `work` compiles, 0 if nothing is to be shown, or
+// nullopt if the number is not known before make runs.  After nullopt, only the number of finished
+// sources is shown.  `count` is called only if there is a terminal.
 void ShowBuildProgress(MakeOptions* options, const std::function<std::optional<uint64_t>()>& count,
                        const std::function<void()>& work);
 

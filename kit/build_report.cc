@@ -36,8 +36,8 @@ bool BuildReport::HasFailed(const BuildOutcome& outcome) const {
          });
 }
 
-// Reports the failures of the build: as errors if an image is missing, else as notes.  A failure
-// without a missing image is no error, because OBJECT.CFG says which images the program needs.  The
+// Reports the failures of the build: as errors if an image is missing, else as notes.  If all
+// images that OBJECT.CFG names are made, the program can run, so a failure is only a note.  The
 // reason why make failed is printed last, because people look at the end of the output first.
 void BuildReport::AddFailures(BuildOutcome* outcome) const {
   const KitLog log = ReadKitLog(log_);
@@ -66,9 +66,9 @@ void BuildReport::AddFailures(BuildOutcome* outcome) const {
     outcome->problems.push_back("make failed: " + outcome->make_cause);
 }
 
-// Returns an error message for each object file or library for another processor that the Makefiles
-// name and that the build has not made anew.  The private copy does not contain such files, because
-// the host cannot use them.
+// Returns an error message for each object file or library that is for another processor, that the
+// Makefiles name, and that the build has not made anew.  The private copy does not contain such
+// files, because the host cannot use them.
 std::vector<std::string> BuildReport::LeftOutAndMissed() const {
   std::string makefiles;
   for (const fs::path& file : project_.makefiles) makefiles += ReadText(file).value_or("");

@@ -37,8 +37,8 @@ BuildVariant VariantOfBuild() {
 // Leaves out two checks of UndefinedBehaviorSanitizer.  The check "return" would end the program in
 // a function that returns no value, but `openr build` makes such a function return 0
 // (image_source.cc).  The check "vptr" needs functions that the runtime does not have
-// (runtime/core/checked_code.cc).  The flag -fno-wrapv undoes -fwrapv of compile-flags.txt, with
-// which no overflow of a signed number would be found.
+// (runtime/core/checked_code.cc).  The flag -fno-wrapv undoes the flag -fwrapv of
+// compile-flags.txt, because with -fwrapv the sanitizer finds no overflow of a signed number.
 std::vector<std::string> VariantCompileFlags(BuildVariant variant) {
   switch (variant) {
     case BuildVariant::kDebug:

@@ -15,8 +15,8 @@ std::string VariantName(BuildVariant variant);
 // name.
 BuildVariant VariantOf(const std::string& name);
 
-// Returns the variant that `openr build` has asked the compiler and the linker to make, by the
-// environment variable kVariantVariable.
+// Returns the variant that `openr build` has named in the environment variable kVariantVariable for
+// the tools that compile and link.
 BuildVariant VariantOfBuild();
 
 // Returns the compiler flags of a variant.  They follow the flags of the user's Makefile, because

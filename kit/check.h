@@ -34,8 +34,8 @@ class Remarks {
  public:
   Remarks() = default;
 
-  // Collects remarks and replaces the folder `real` in names of files by `shown`, the name that the
-  // user gave for that folder.
+  // Collects remarks about files in the folder `real`.  In the names of these files, replaces
+  // `real` by `shown`, the name that the user gave for this folder.
   Remarks(std::string real, std::string shown)
       : real_root_(std::move(real)), shown_root_(std::move(shown)) {}
 
@@ -72,10 +72,11 @@ enum class CheckTarget { kHost, kRobot };
 Remarks CheckFolder(const std::string& folder, const std::vector<std::string>& locators,
                     CheckTarget target = CheckTarget::kHost);
 
-// Returns the remarks as text.  An error is "file:line: text".  A warning or a note has the word
-// "warning:" or "note:" before its text.  Below it are the line of the file with a caret, then the
-// other places with the same cause.  With `has_colours`, file, line and this word have a colour,
-// which differs between errors, warnings and notes.
+// Returns the remarks as text.  The first line of an error is "file:line: text".  A warning or a
+// note has the word "warning:" or "note:" before its text.  The next lines show the line of the
+// file with a caret, then the other places with the same cause.  With `has_colours`, "file:line:"
+// and the word "warning:" or "note:" have a colour, which differs between errors, warnings and
+// notes.
 std::string RenderRemarks(const Remarks& remarks, bool has_colours = false);
 
 // Returns the remarks as JSON:

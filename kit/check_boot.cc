@@ -61,9 +61,9 @@ std::vector<std::string> MissingBaseFiles(const fs::path& root) {
   return missing;
 }
 
-// Returns whether the text of DESIGN.CFG names `design`.  An ERS-7M2 calls itself ERS-7
-// (field-notes.md 5.3), so DESIGN.CFG names no design by "ERS-7M2".  A place where the text has
-// "ERS-7M2" therefore does not count as the name ERS-7, which it contains.
+// Returns whether the text of DESIGN.CFG names `design`.  Does not take the beginning of "ERS-7M2"
+// for the name "ERS-7".  "ERS-7M2" itself names no design, because an ERS-7M2 calls itself ERS-7
+// (field-notes.md 5.3).
 bool NamesDesign(const std::string& text, const std::string& design) {
   for (size_t at = text.find(design); at != std::string::npos; at = text.find(design, at + 1)) {
     if (text.compare(at + design.size(), 2, "M2") != 0) return true;
@@ -73,7 +73,7 @@ bool NamesDesign(const std::string& text, const std::string& design) {
 
 // Returns the flag of gzip, such as "-9", with which the image file was compressed; "" if the file
 // does not tell the flag.  Byte 8 of a gzip file is 2 for the best compression and 4 for the
-// fastest (RFC 1952, 2.3.1).  All flags between them, such as -6, leave 0 there.
+// fastest (RFC 1952, 2.3.1).  For all flags between them, such as -6, this byte is 0.
 std::string GzipFlagOf(const fs::path& file) {
   const std::string bytes = ReadText(file).value_or("");
   if (!IsGzip(bytes) || bytes.size() < 10) return "";
@@ -253,8 +253,9 @@ void BootCheck::CheckNetwork() {
   }
 }
 
-// Notes a stick with a network on which no known object takes files over the network, because each
-// change of a file then means to take the stick out of the robot.
+// Adds a note if the base image has a network, but OBJECT.CFG names none of the known objects that
+// receive files over the network.  Then the user must take the stick out of the robot for each
+// change of a file.
 void BootCheck::CheckUploads() {
   if (summary_.base.empty() || summary_.base == "BASIC") return;
   const fs::path file = On("OPEN-R/MW/CONF/OBJECT.CFG");
@@ -270,8 +271,8 @@ void BootCheck::CheckUploads() {
                  "over the network, so the stick has to be taken out for each change");
 }
 
-// Adds a note if nobody may write configuration files.  A program of the robot cannot replace them,
-// and TinyFTPD answers 553 when somebody uploads such a file by FTP (field-notes.md 5.10).
+// Adds a note about write-protected configuration files.  No program of the robot can replace such
+// a file, and TinyFTPD answers 553 when somebody uploads such a file by FTP (field-notes.md 5.10).
 void BootCheck::CheckWriteProtection() {
   constexpr auto kAnyWrite =
       fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;

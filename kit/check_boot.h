@@ -14,8 +14,8 @@ struct StickSummary {
   std::string base;  // name of the base image, such as "WCONSOLE"; "": none
   int num_files = 0;
   uint64_t num_bytes = 0;
-  // The images that OBJECT.CFG names and that are on the stick: the part of the stick that a
-  // program needs beside the robot's system.
+  // Number of images that OBJECT.CFG names and that are on the stick.  The base image, which is the
+  // robot's system, does not count.
   int num_images = 0;
   uint64_t image_bytes = 0;
 };

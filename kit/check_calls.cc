@@ -37,8 +37,9 @@ std::string_view LineAround(std::string_view text, size_t at) {
   return text.substr(begin, std::min(text.find('\n', at), text.size()) - begin);
 }
 
-// Returns whether `code` may define the constant or variable `word`: a type, a comma or a bracket
-// of a list stands before the word, or it gets a value, or it is in a line with #define.
+// Returns whether `code` may define the constant or variable `word`: a type stands before the word,
+// or a comma or '{' as in an enum, or '=' follows the word, or its line is a directive such as
+// #define.
 bool MayDefine(const std::string& code, const std::string& word) {
   for (size_t at = code.find(word); at != kNone; at = code.find(word, at + 1)) {
     if (!HasWordAt(code, at, word)) continue;
@@ -60,8 +61,9 @@ std::vector<std::string> IndicesOf(const char* prefix, const std::vector<StubSer
   return names;
 }
 
-// Returns whether `code` declares a function, a variable or a macro `name` of its own: a type
-// stands before the name, or the "*" or "&" of a type, or "Class::", or another declared name.
+// Returns whether `code` defines a macro `name`, or declares a function or variable `name`.  A name
+// counts as declared if a type stands before it, or the '*' or '&' of a type, or "Class::", or
+// other declared names and a comma.
 bool HasOwn(const std::string& code, const std::string& name) {
   const std::regex macro("#[ \t]*define[ \t]+" + name + "\\b");
   if (std::regex_search(code, macro)) return true;
@@ -72,15 +74,15 @@ bool HasOwn(const std::string& code, const std::string& name) {
     const size_t last = PreviousOf(code, at);
     if (last == kNone || last == 0) continue;
     if (code[last] == '*' || code[last] == '&') return true;
-    // Finds a name in a list of declared names (", name;"), or behind the arguments of a template
-    // ("vector<int> name;").
+    // Counts the name as declared if it ends a list of variables ("int i, name;"), or if it follows
+    // the arguments of a template ("vector<int> name;").
     const size_t next = NextOf(code, at + name.size());
     if ((code[last] == ',' || code[last] == '>') && next != kNone &&
         std::string_view(";,[=").find(code[next]) != std::string_view::npos)
       return true;
     if (code.compare(last - 1, 2, "::") != 0) continue;
-    // Does not count a name after std:: as a declared name, because std::time() also reads the
-    // clock of the C library.
+    // Counts "Class::name" as a declaration of the program, but not "std::name", because
+    // std::time() is the function time() of the C library.
     const std::string_view space = WordBefore(code, last - 1);
     if (!space.empty() && space != "std") return true;
   }
@@ -93,8 +95,8 @@ bool IsMemberCall(std::string_view code, size_t at) {
   return last != kNone && (code[last] == '.' || code.substr(last - (last > 0), 2) == "->");
 }
 
-// Returns whether the brackets that open at `open` hold a comma of their own, outside of inner
-// brackets.
+// Returns whether there is a comma between the bracket at `open` and the bracket that closes it.
+// Commas in inner brackets do not count.
 bool HasComma(std::string_view code, size_t open) {
   const size_t close = ClosingOf(code, open);
   for (size_t at = open + 1; close != kNone && at < close; ++at) {
@@ -108,8 +110,8 @@ bool HasComma(std::string_view code, size_t open) {
 struct Clock {
   const char* name;
   const char* arguments;  // regular expression for the arguments of a call
-  // A word that a source must have so that the call of the clock does harm; "" if each call does
-  // harm.
+  // The check warns of this clock only if the source contains this word; "": the check always
+  // warns.
   const char* word;
   const char* why;
 };
@@ -155,7 +157,8 @@ class CallCheck {
       const std::string name = (*it)[1];
       const size_t at = static_cast<size_t>(it->position(0));
       const size_t open = at + static_cast<size_t>(it->length(0)) - 1;
-      // Looks at the text of the source, because code_ has blanks in place of strings.
+      // Looks for the string after the bracket in the source itself, because code_ has blanks in
+      // place of strings.
       const size_t first = NextOf(source_.text, open + 1);
       // Skips directives such as #define, because a program may define OSYSPRINT or OSYSLOG itself.
       if (first == kNone || LineAround(code_, at).find('#') != kNone) continue;
@@ -205,8 +208,8 @@ class CallCheck {
     return false;
   }
 
-  // Returns the position of the first character of the assignment operator, such as "^=", whose '='
-  // is at `at`; 0 if it is a comparison, which assigns nothing.
+  // Returns the position of the first character of the assignment operator, such as "^=", that has
+  // its '=' at `at`; 0 if this '=' belongs to a comparison, such as "<=", which assigns nothing.
   size_t BeginOfAssignment(size_t at) const {
     const char before = at > 0 ? code_[at - 1] : ' ';
     if (before == '=' || before == '!' || before == '<' || before == '>' || code_[at + 1] == '=')
@@ -284,8 +287,9 @@ void CheckExtraEntries(const StubConfig& config, const std::vector<SourceOfObjec
   // Matches the arguments "myOID_, entryX", because Send() and OServiceEntry() take the object's
   // own id and then the selector.
   static const std::regex kSelector("\\bmyOID_[ \t\r\n]*,[ \t\r\n]*(entry(\\w+))[ \t\r\n]*[,)]");
-  // Removes the uses of selectors before the search for their definitions, because a selector
-  // behind "myOID_," looks like a member of an enum, a list of constants with commas between them.
+  // Removes the uses of selectors from the text in which MayDefine() looks for definitions.  In
+  // "myOID_, entryX", the name follows a comma, so MayDefine() would take it for a constant of an
+  // enum.
   const std::string rest = std::regex_replace(code, kSelector, "");
   for (const SourceOfObject& source : sources) {
     const std::string own = WithoutConditionalCode(WithoutComments(source.text));

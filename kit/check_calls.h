@@ -1,5 +1,5 @@
-// Checks the sources of an object for mistakes that are in single words or calls: an index that
-// stub.cfg does not make, a macro of the console with too few brackets, a clock that the robot
+// Finds mistakes in the sources of an object, such as the index of a service that stub.cfg does not
+// have, OSYSPRINT("text") without a second pair of brackets, and a call of a clock that the robot
 // lacks.
 #pragma once
 
@@ -18,9 +18,9 @@ struct SourceOfObject {
   std::string text;
 };
 
-// Warns of an index sbjX or obsX in subject[sbjX] or observer[obsX] of a source that no line of
-// stub.cfg makes.  `code` is the text of everything that may define the index otherwise, without
-// comments: all sources and headers of the object.  An index that `code` defines gets no warning.
+// Warns of each index sbjX in subject[sbjX], and obsX in observer[obsX], that `sources` use and for
+// which stub.cfg has no service.  `code` is the text of all sources and headers of the object,
+// without comments.  An index that `code` defines itself gets no warning.
 void CheckServiceIndices(const StubConfig& config, const std::vector<SourceOfObject>& sources,
                          const std::string& code, Remarks* remarks);
 

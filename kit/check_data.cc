@@ -50,8 +50,8 @@ std::string SendProblem(const std::string& members) {
 }
 
 // A regular expression for a part of a statement.  The length of the part is limited, because
-// std::regex_search() calls itself for each character of a repetition, so a long part could
-// overflow the stack.
+// std::regex_search() is recursive: it calls itself for each character that a repetition matches,
+// so a long part could overflow the stack.
 const std::string kPartOfStatement = "[^;]{0,400}";
 
 // A struct or class of the program.
@@ -112,9 +112,8 @@ class DataCheck {
       const std::string name = (*it)[1];
       const std::string body = code.substr(open + 1, close - open - 1);
       const std::string problem = SendProblem(MembersOf(body));
-      // Removes the name of a type from types_ and problems_ if the program has two types of this
-      // name, because the check does not know data of which of the two types a call of SetData()
-      // sends.
+      // Removes a name from types_ and problems_ if the program has two types of this name, because
+      // the check cannot tell which of the two types a call of SetData() sends.
       if (!seen_.insert(name).second) {
         types_.erase(name);
         problems_.erase(name);
@@ -125,7 +124,8 @@ class DataCheck {
     }
   }
 
-  // Adds the type `name` and all its bases that are types of the program to `*line`.
+  // Adds to `*line` the class `name` and its direct and indirect base classes.  Leaves out classes
+  // that the program does not define.
   void AddWithBases(const std::string& name, std::vector<std::string>* line) const {
     const auto type = types_.find(name);
     if (type == types_.end() || std::find(line->begin(), line->end(), name) != line->end()) return;
@@ -133,9 +133,9 @@ class DataCheck {
     for (const std::string& base : type->second.bases) AddWithBases(base, line);
   }
 
-  // Returns the type of the data in a call SetData(&variable, sizeof measured), if such data cannot
-  // be sent (`problems_`); "" for other types.  `measured` is the argument of sizeof: the name of a
-  // type, or `variable` again.
+  // Returns the name of the type that the call SetData(&variable, sizeof measured) sends, if the
+  // table problems_ says that data of this type cannot be sent; else "".  `measured` is the
+  // argument of sizeof: the name of a type, or `variable` again.
   std::string TypeOf(const std::string& code, const std::string& variable,
                      const std::string& measured) const {
     if (problems_.contains(measured)) return measured;
@@ -162,10 +162,10 @@ class DataCheck {
     }
   }
 
-  // Warns of instances of classes with virtual functions that are made in a region, new
-  // (region->Base()) Type, if the region is sent and an OPEN-R object of another folder calls such
-  // a function.  On the robot this call crashes, because the table of virtual functions is in the
-  // image of the sender.
+  // Warns of code such as new (region->Base()) Type, which makes an instance of a class with
+  // virtual functions in a region.  Warns only if the region is sent, and if an OPEN-R object of
+  // another folder calls a virtual function of the instance.  On the robot this call crashes,
+  // because the table of virtual functions is in the image of the sender.
   void CheckRegions(const std::string& name, const File& file) {
     static const std::regex kPlaced(
         "\\bnew[ \t]*\\([ \t]*(?:\\([ \t]*void[ \t]*\\*[ \t]*\\)[ \t]*)?(\\w+)[^;]{0,80}?"
@@ -209,8 +209,9 @@ class DataCheck {
     return "";
   }
 
-  // Returns whether `code` calls `function` of received data that it takes for one of `types`:
-  // ((Shape*)event.Data(0))->Area(), or shape->Area() after shape = (Shape*)event.Data(0).
+  // Returns whether `code` converts received data to a pointer to one of `types`, and calls
+  // `function` through this pointer: ((Shape*)event.Data(0))->Area(), or shape->Area() after shape
+  // = (Shape*)event.Data(0).
   static bool CallsOfData(const std::string& code, const std::vector<std::string>& types,
                           const std::string& function) {
     return std::any_of(types.begin(), types.end(), [&](const std::string& type) {

@@ -22,8 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The services of the robot's own objects, which CONNECT.CFG may name although no image on the
-// stick has them.
+// Services of OVirtualRobotComm and OVirtualRobotAudioComm, system objects of the robot.
+// CONNECT.CFG may name these services although no image on the stick has them.
 const char* const kRobotServices[] = {ovrcommSENSOR, ovrcommEFFECTOR, ovrcommFBK,
                                       ovrcommMIC,    ovrcommSPEAKER,  ovrcommALERT};
 
@@ -38,7 +38,8 @@ std::string ObjectNameIn(std::string_view bytes) {
   return "";
 }
 
-// A line of OBJECT.CFG without a usable image: the file is missing, or is a binary for the robot.
+// A line of OBJECT.CFG without an image that the host can load: the file is missing, or is an image
+// for the robot.
 struct MissingImage {
   ObjectRecord record;
   // Reason why the image on the stick, which is for the robot, cannot run here; "": the stick has
@@ -160,10 +161,10 @@ void ImageCheck::CheckImage(const ObjectRecord& record, const fs::path& file,
   for (const ObjectFolder* object : objects_) {
     if (HasOcfName(*object, name)) namesakes.push_back(object);
   }
-  // Several objects of the program may have the name of the image's object, because objects for
-  // different robots often share a name.  Then drops the objects with a service that the image
-  // lacks.  Keeps a single object without a look at its services, because its stub.cfg may have
-  // changed since the image was built.
+  // Compares the services if several objects of the program have the same name as the object in the
+  // image, because objects for different robots often share a name.  Drops each object with a
+  // service that the image lacks.  Does not compare the services of a single object, because its
+  // stub.cfg may have changed since the image was built.
   if (namesakes.size() > 1)
     std::erase_if(namesakes,
                   [&](const ObjectFolder* object) { return !HasServicesIn(*object, record); });
@@ -213,9 +214,9 @@ std::vector<std::string> ImageCheck::NamesOf(const ObjectFolder& object) const {
 }
 
 // Returns, for each image in `missing_`, the index in `objects_` of the object from which a build
-// will make the image; -1 if no object has a similar name.  `missing_` lists the images that the
-// stick names but does not have, or has only for the robot.  Lines for different robots may name
-// the same image, so each file name is matched only once.
+// will make the image; -1 if no object has a similar name.  `missing_` lists the images that
+// OBJECT.CFG names, if the stick lacks them or has them only for the robot's processor.  Lines for
+// different robots may name the same image, so each file name is matched only once.
 std::vector<int> ImageCheck::MatchMissing() const {
   std::vector<std::string> wanted;
   std::vector<size_t> index_of;
@@ -269,8 +270,9 @@ void ImageCheck::ExpectFromProject() {
     ReportMissing(*image, is_made);
     is_some_made = is_some_made || is_made;
   }
-  // Adds the services of all objects for which no image is known, so that connections to these
-  // services get no error: a rule of a Makefile may make a missing image from any of these objects.
+  // Adds the services of all objects without a known image (`free`) if a rule of a Makefile makes a
+  // missing image.  The image may belong to any of these objects, so connections to their services
+  // must get no error.
   for (size_t i = 0; is_some_made && i < free.size(); ++i) AddServices(*free[i], "");
 }
 

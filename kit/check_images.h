@@ -15,8 +15,8 @@ namespace openr_host {
 // The object that has a service, which is an end of a connection in CONNECT.CFG.
 struct ServiceOwner {
   std::string name;
-  // The section of OBJECT.CFG, such as ERS-210, that loads the object.  Each section is for one
-  // design of robot; "" means that all designs load the object.
+  // The section of OBJECT.CFG that loads the object.  A section is for one design of robot, such as
+  // ERS-210; "" means that robots of all designs load the object.
   std::string section;
 };
 

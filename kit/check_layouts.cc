@@ -42,8 +42,8 @@ bool Matches(const std::string& text, const std::string& pattern) {
 }
 
 // A regular expression for a part of a statement.  The length of the part is limited, because
-// std::regex_search() calls itself for each character of a repetition, so a long part could
-// overflow the stack.
+// std::regex_search() is recursive: it calls itself for each character that a repetition matches,
+// so a long part could overflow the stack.
 const std::string kRestOfStatement = "[^;]{0,400}";
 
 // Returns whether the object passes a whole struct `type` to SetData(), the function that sends
@@ -71,7 +71,8 @@ bool AsksForSize(const ObjectCode& code) {
   return Matches(code.sources, "(->|\\.)\\s*Size\\s*\\(");
 }
 
-// Describes one end of a connection: the object, its code, and how its image lays out the struct.
+// An end of a connection: the object, its code, and the layout of the sent struct in the object's
+// image.
 struct End {
   std::string object;  // name of the object's folder
   const ObjectCode& code;
@@ -94,8 +95,9 @@ std::string DifferenceOf(const End& sender, const End& receiver) {
     const StructLayout::Member* const ours = FindMember(sender.layout, theirs.name);
     if (ours == nullptr) {
       const bool is_behind = theirs.begin >= sender.layout.bytes;
-      // Accepts a receiver that asks for the size of the data, because it may read only what was
-      // sent.
+      // Skips a member that only the receiver's struct has, unless the member begins behind the end
+      // of the sent data.  Skips such a member, too, if the receiver asks for the size of the data,
+      // because the receiver may then read the member only if it was sent.
       if (!is_behind || theirs.bytes == 0 || AsksForSize(receiver.code)) continue;
       return fmt::format("{} reads '{}' at byte {}, and {} sends {} bytes", receiver.object,
                          theirs.name, theirs.begin, sender.object, sender.layout.bytes);
@@ -121,7 +123,8 @@ std::string DifferenceOf(const End& sender, const End& receiver) {
 // crashed at a member of 2 MB (field-notes.md, 3.9).
 constexpr uint64_t kLargeMemberBytes = 2'000'000;
 
-// Notes each member of the object's class that is an array of kLargeMemberBytes or more.
+// Adds a note about each member of the object's class that is an array of kLargeMemberBytes or
+// more.
 void NoteLargeMembers(const BuiltObject& object, Remarks* remarks) {
   const std::string& name = object.folder->class_name;
   const auto layout = name.empty() ? std::nullopt : LayoutIn(object.image, name);
@@ -178,7 +181,8 @@ class LayoutCheck {
   }
 
  private:
-  // Adds a note about the first member of the struct that has another size here than on the robot.
+  // Adds a note about the first member of the struct that has different sizes on the host and on
+  // the robot.
   void NoteWideMember(const ConnectRecord& record, const StructLayout& layout) const {
     const auto wide =
         std::find_if(layout.members.begin(), layout.members.end(),

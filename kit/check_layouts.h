@@ -23,11 +23,12 @@ namespace openr_host {
 // An array at the end of the struct may have another length in the two objects, because data of
 // variable length are sent in this way.
 //
-// Notes a struct with a member of type long or size_t, or with a pointer, if the first four of
-// these conditions hold: it has another size here than on the robot (field-notes.md, 12.4).
+// Adds a note about a struct with a member of type long or size_t, or with a pointer, if the first
+// four of these conditions hold.  Such a member has different sizes on the host and on the robot
+// (field-notes.md, 12.4).
 //
-// Notes a member of an object's class that is an array of 2 MB or more, because the compiler of the
-// first SDKs crashed at such a member (field-notes.md, 3.9).
+// Adds a note about a member of an object's class that is an array of 2 MB or more, because the
+// compiler of the first SDKs crashed at such a member (field-notes.md, 3.9).
 void CheckLayouts(const ConnectConfig& wires, const StickImages& images, const ObjectParts& parts,
                   Remarks* remarks);
 

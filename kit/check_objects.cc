@@ -82,8 +82,8 @@ class ObjectCheck {
     CheckExtraEntries(stub.config, sources, code, remarks_);
   }
 
-  // Returns the sources in the object's folder that are compiled.  If Makefiles name some of them,
-  // the others are left out, because they may be old copies that nobody compiles.
+  // Returns the sources in the object's folder that are compiled.  If Makefiles name some of the
+  // sources, leaves out the other sources, because they may be old copies that nobody compiles.
   std::vector<SourceOfObject> CompiledSources() const {
     const auto is_named = [&](const fs::path& file) {
       return parts_.MakefilesName(file.filename()) ||
@@ -96,9 +96,9 @@ class ObjectCheck {
     return sources;
   }
 
-  // Returns the text of files that may define sbjX, obsX or entryX in addition to stub.cfg: each
-  // def.h and entry.h that somebody wrote by hand, and the services in other files of the form of
-  // stub.cfg, because a Makefile may make the stub from such a file.
+  // Returns the text of definitions of sbjX, obsX or entryX that do not come from stub.cfg: each
+  // def.h and entry.h that somebody wrote by hand, and a definition for each service in other .cfg
+  // files of the folder.  A Makefile may make the stub from such a .cfg file.
   std::string OtherDefinitions() const {
     static const std::regex kService(
         "Service[ \t]*:[ \t]*\"[ \t]*\\w+\\.(\\w+)\\.[^\"]*\\.([SO])\"");
@@ -148,9 +148,9 @@ class ObjectCheck {
                                        : heard != config.observers.end() ? &*heard
                                                                          : nullptr;
     if (service == nullptr) return;
-    // Accepts also the functions that the SDK's macros for the registration of entries, subjects
-    // and observers call, because a program may call these functions itself, or make its subjects
-    // and observers with `new`.
+    // Accepts, in place of the SDK's macros that register entries, subjects and observers, also the
+    // functions that these macros call.  A program may call these functions itself, or make its
+    // subjects and observers with `new`.
     if (!HasAnyWord(code_, {"REGISTER_ALL_ENTRY", "SetComData", "RegisterServiceEntry"})) {
       remarks_->Add(Remark::Kind::kWarning, service->place,
                     "no REGISTER_ALL_ENTRY in DoInit: nothing can be connected to this object, the "
@@ -255,7 +255,8 @@ bool IsDummy(const StubService& service) {
 }
 
 void CheckStickPaths(const std::string& file, const std::string& text, Remarks* remarks) {
-  // Leaves out strings with '%' or a backslash, because their text is not the name of the file.
+  // Leaves out strings with '%' or a backslash, because such a string is a format or has an escape,
+  // so its text is not the name of a file.
   static const std::regex kPath("\"(/[mM][sS]/[^\"%\\\\]*)\"");
   std::vector<Diagnostic> ignored;
   for (const FilePosition& line : SplitLines(file, text, &ignored)) {

@@ -16,8 +16,8 @@ void CheckObjects(const Project& project, const ObjectParts& parts, Remarks* rem
 // An object of the project whose image is on a stick.
 struct PlacedObject {
   const ObjectFolder* folder = nullptr;
-  // The section of OBJECT.CFG, such as ERS-210, that loads the object.  Each section is for one
-  // design of robot; "" means that all designs load the object.
+  // The section of OBJECT.CFG that loads the object.  A section is for one design of robot, such as
+  // ERS-210; "" means that robots of all designs load the object.
   std::string section;
 };
 

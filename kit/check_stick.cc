@@ -29,7 +29,8 @@ namespace fs = std::filesystem;
 // note.
 constexpr char kRobotOfThatTime[] = "10.0.1.100";
 
-// The name under which a robot was sold that calls itself ERS-7.  No section may have this name.
+// ERS-7M2 is the name of a product and not of a design: an ERS-7M2 calls itself ERS-7.  So no robot
+// reads a section with the name ERS-7M2.
 constexpr char kNoDesign[] = "ERS-7M2";
 
 constexpr char kWlanFile[] = "WLANCONF.TXT";

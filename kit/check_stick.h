@@ -7,8 +7,8 @@
 
 namespace openr_host {
 
-// Checks `stick`.  If an image is not built yet, its services are taken from the sources of its
-// object in `project`.  A project without objects is allowed.
+// Checks the configuration files of `stick`.  If an image is not built yet, takes the image's
+// services from the sources of its object in `project`.  `project` may have no objects.
 void CheckStick(const StickFolder& stick, const Project& project, const ObjectParts& parts,
                 CheckTarget target, Remarks* remarks);
 

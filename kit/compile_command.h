@@ -10,12 +10,13 @@ namespace openr_host {
 
 // The parts of a command line of the robot's g++ or gcc.
 struct CompileCommand {
-  // Arguments for the host's compiler, which gets them after the flags in compile-flags.txt.
+  // Arguments for the host's compiler.  On its command line, these arguments follow the flags that
+  // are in the file compile-flags.txt.
   std::vector<std::string> arguments;
   std::vector<std::string> sources;  // files to compile, in the order given
   std::string output;                // value of -o; "" if not given
   bool compiles = false;             // true: the command makes object files or assembly (-c, -S)
-  // True: the command makes a program, because it has none of -c, -S, -E, --version and their like.
+  // True: the command links a program, because it has no flag such as -c, -S, -E or --version.
   bool links = false;
   bool is_quiet = false;               // true: -w was given, so warnings are not shown
   Language language = Language::kCxx;  // language of the sources

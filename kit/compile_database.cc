@@ -16,8 +16,9 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-// Flags of compile-flags.txt that clang 14 refuses.  They are left out for editors, which use clang
-// to show errors: the flags change the code that is made of a source, not whether it is correct.
+// Flags of compile-flags.txt that clang 14 refuses.  The compile commands for editors do not
+// contain these flags.  An editor uses clang only to show errors in sources, and these flags change
+// the generated code but not the errors.
 constexpr std::array<std::string_view, 4> kFlagsOfGccAlone = {
     "-fno-gnu-unique", "-fno-aggressive-loop-optimizations", "-fno-lifetime-dse",
     "-ftrivial-auto-var-init=zero"};
@@ -34,8 +35,8 @@ Words WordsFor(const KitLog::Command& command, const std::string& original,
     return std::find(kFlagsOfGccAlone.begin(), kFlagsOfGccAlone.end(), word) !=
            kFlagsOfGccAlone.end();
   });
-  // Puts the header folders (-I) of the user before their private copies, so that an editor opens
-  // the user's headers.
+  // Puts each header folder (-I) of the user before the private copy of that folder, so that an
+  // editor opens the user's headers.
   Words originals;
   for (const std::string& flag : CarriedFlags(words, command.folder)) {
     const std::string in_originals = InTermsOfOriginals(flag, copies);

@@ -82,8 +82,9 @@ CompileRun::CompileRun(const Arguments& arguments, bool is_cxx)
                             {"-isystem", root + "/OPEN_R/include", "-isystem", root + "/compat"});
 }
 
-// Returns the command of the host's compiler.  `own` are the arguments of the user's command, or a
-// part of them.
+// Returns the command line of the host's compiler: the compiler with the kit's own flags, the flags
+// `extra`, the arguments `own`, and the flags of the variant.  `own` are all arguments of the
+// user's command, or a part of them.
 Arguments CompileRun::WordsWith(const Arguments& extra, const Arguments& own) const {
   Arguments all = compiler_;
   all.insert(all.end(), extra.begin(), extra.end());

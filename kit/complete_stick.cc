@@ -26,8 +26,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // An image of this build: its entry in the log of the build, the content of its file, and the names
-// under which OBJECT.CFG may mention the image.  These are the names of its object, its class, its
-// files and its folder.
+// under which OBJECT.CFG may mention the image, such as the names of its object, class, file and
+// folder.
 struct BuiltImage {
   KitLog::Image log;
   std::string bytes;
@@ -66,8 +66,8 @@ std::vector<BuiltImage> ReadBuiltImages(const KitLog& log, const Project& projec
   for (const KitLog::Image& entry : log.images) {
     BuiltImage image{entry, ReadImageFile(entry.file).bytes, {}};
     const fs::path folder = fs::path(entry.ocf).parent_path();
-    // Adds a dot to the folder's name, because Normalised() removes everything from the last dot on
-    // as an extension.
+    // Adds a dot to the last of these names, the folder's, because Normalised() removes everything
+    // from the last dot on as an extension.
     image.names = {entry.object, fs::path(entry.file).filename(), fs::path(entry.ocf).filename(),
                    folder.filename().string() + "."};
     for (const ObjectFolder& object : project.objects) {
@@ -147,8 +147,9 @@ class StickCompletion {
     return record.path.size() < 4 ? fs::path() : FindBelow(stick_.root, record.path.substr(4));
   }
 
-  // Returns whether no other stick is nearer to the image's .ocf file.  A stick is near if
-  // the folder around it also contains the .ocf file; the deeper that folder, the nearer the stick.
+  // Returns whether no other stick is nearer to the image's .ocf file.  To compare the sticks,
+  // looks at the parent folders of the sticks that also contain the .ocf file: the deeper the
+  // parent folder, the nearer is the stick.
   bool IsOfThisStick(const BuiltImage& image) const {
     const auto depth = [&image](const StickFolder& stick) {
       const fs::path around = stick.root.parent_path();
@@ -164,9 +165,9 @@ class StickCompletion {
     for (const std::string& name : missing_) CopyFromKit(name);
   }
 
-  // Finds images for the names in `missing_`, which OBJECT.CFG lists without an image on the stick,
-  // by similar names (MatchImages).  Uses only images that are not on the stick yet and for which
-  // `is_wanted` returns true.
+  // Finds images of this build for `missing_`, the names in OBJECT.CFG that have no image on the
+  // stick yet.  Compares the names (MatchImages()).  Uses only images that are not on the stick yet
+  // and for which `is_wanted` returns true.
   void UseMatchingImages(const std::function<bool(const BuiltImage&)>& is_wanted) {
     std::vector<ImageCandidate> candidates;
     std::vector<size_t> indices;
@@ -223,8 +224,9 @@ class StickCompletion {
   }
 
   // Puts on this stick all images to which no other stick is nearer (IsOfThisStick()), and writes
-  // an OBJECT.CFG that names them and the other images in the stick's folder OBJS.  Called when the
-  // stick has no OBJECT.CFG, because without this file nothing says which images the stick needs.
+  // an OBJECT.CFG that names these images and the usable images that already lie in the stick's
+  // folder OBJS.  Called when the stick has no OBJECT.CFG, because without this file nothing says
+  // which images the stick needs.
   void ListEverything() {
     if (built_.empty()) return;
     ListInstalled();
@@ -239,8 +241,8 @@ class StickCompletion {
     for (const auto& [name, index] : listed_)
       (index == kNone ? foreign : own) += fmt::format("/MS/OPEN-R/MW/OBJS/{}\n", name);
     const fs::path folder = objects_.parent_path() / "CONF";
-    // Begins OBJECT.CFG with the images that this build has not linked.  One of them may be
-    // POWERMON.BIN, which the robot's own sticks name in the first line.
+    // Writes the images that this build has not linked into the first lines of OBJECT.CFG.  One of
+    // them may be POWERMON.BIN, which is in the first line of OBJECT.CFG on a robot's stick.
     WriteText(folder / "OBJECT.CFG", foreign + own);
     const bool has_connections = !FindEntry(folder, "CONNECT.CFG").empty();
     if (!has_connections) WriteText(folder / "CONNECT.CFG", "");
@@ -264,8 +266,8 @@ class StickCompletion {
 
   // Adds to `listed_` (the images that the new OBJECT.CFG names) the images in the stick's folder
   // OBJS that this build has not linked: images that rules of Makefiles have copied to the stick,
-  // and images of the user's stick for which the SDK tree has an image, too.  Adds a note about
-  // each image that stays out of OBJECT.CFG.
+  // and images of the user's stick if the SDK tree has an image of the same name, which is then
+  // used.  Adds a note about each image that stays out of OBJECT.CFG.
   void ListForeign() {
     std::map<std::string, fs::path> files;  // key: name of the file in upper case
     for (const fs::path& folder :
@@ -339,9 +341,9 @@ bool HasSameBytes(const fs::path& a, const fs::path& b) {
   return ReadText(a) == ReadText(b);
 }
 
-// Returns the file in which to keep a robot's image: `kept`, or a name beside it with a number,
-// such as WALK.BIN.2, if another image is kept under `kept` already.  Thus the image of each
-// version stays that a user has put on the stick between two builds.
+// Returns the path under which to keep the robot's image `image`: `kept`, or a path with a number,
+// such as WALK.BIN.2, if there is already another image at `kept`.  So each version of the image
+// that a user puts on the stick between two builds is kept.
 fs::path PlaceToKeep(const fs::path& image, const fs::path& kept) {
   fs::path place = kept;
   std::error_code error;

@@ -15,8 +15,9 @@ namespace openr_host {
 struct PlacedImage {
   std::string name;    // file name of the image, such as HELLO.BIN
   std::string object;  // name of the image's object; "" if this build has not made the image
-  // How the image for a name in OBJECT.CFG was found: "Makefile", "by its name", "the kit's own"
-  // and others.
+  // How the image was found: "Makefile" (a rule has put the image on the stick), "by its name" (an
+  // image of this build with a name that fits), "the kit's own" (an image of the SDK tree), or "the
+  // runtime's own" (the gateway).
   std::string from;
 };
 
@@ -32,13 +33,15 @@ struct CompletedStick {
 };
 
 // Puts on `stick` the images that its OBJECT.CFG names and that no rule of a Makefile has put on
-// the stick.  `stick` is in the private copy of the user's folder, and `users_stick` is its
-// original; the path is empty if there is no original.  If the stick has no OBJECT.CFG, writes an
-// OBJECT.CFG, and adds a note about each image in the stick's folder OBJS that this OBJECT.CFG does
-// not name, with the reason.  If there are several sticks, first takes images that were built
-// nearer to this stick than to other sticks in the tree of folders.  Takes images that were built
-// elsewhere only for the names that are then still without an image.  An image that a Makefile puts
-// on one stick has the same file name on all other sticks.
+// the stick.  `stick` is in the private copy of the user's folder; `users_stick` is the original of
+// `stick`, or empty if there is no original.  If `stick` has no OBJECT.CFG, writes an OBJECT.CFG,
+// and adds a note, with the reason, about each image in the stick's folder OBJS that the new
+// OBJECT.CFG does not name.
+//
+// Compares the names in OBJECT.CFG with the images of the build in two rounds: first with the
+// images to which no other stick is nearer in the tree of folders, then with all other images, for
+// names that still have no image.  If a Makefile puts an image on one stick, the file name on that
+// stick counts as a name of the image for all sticks.
 CompletedStick CompleteStick(const StickFolder& stick, const Project& project, const KitLog& log,
                              const std::string& sdk_root, const std::filesystem::path& users_stick);
 
@@ -48,9 +51,9 @@ void RemoveImages(const std::vector<KitLog::Image>& images, const Project& proje
 
 // Copies the files of `stick`, which is in the private copy, to `target`, the user's stick or
 // another folder.  Leaves out files that the build has not changed, unless `whole` is set.  Before
-// a binary for the robot is overwritten, copies it to `robot_folder`, where each version of it is
-// kept: the second of WALK.BIN as WALK.BIN.2.  Also creates the folder in
-// which programs write files.  Returns the error messages, each of one line.
+// an image for the robot is overwritten, copies that image to `robot_folder`, where each version of
+// an image is kept: the second version of WALK.BIN as WALK.BIN.2.  Also creates the folder in which
+// programs write files.  Returns the error messages, each of one line.
 std::vector<std::string> DeliverStick(const StickFolder& stick, const std::filesystem::path& target,
                                       const WorkCopy& copy,
                                       const std::filesystem::path& robot_folder, bool whole);

@@ -27,7 +27,8 @@ struct CodeFunction {
   size_t end = 0;    // position of the bracket that closes the body
 };
 
-// A call of a function in a file's code, or text that only looks like a call.
+// A call of a function in a file's code, or another word with a bracket after it, such as the name
+// of a function in its definition.
 struct CodeCall {
   std::string name;
   size_t at = 0;    // position of the name
@@ -36,7 +37,7 @@ struct CodeCall {
 
 class ControllerCode {
  public:
-  // Reads `sources`, and the headers beside them that they include with quotes.
+  // Reads `sources`, and the headers in the same folders that these sources include with quotes.
   explicit ControllerCode(const std::vector<std::filesystem::path>& sources);
   ControllerCode(const ControllerCode&) = delete;
   ControllerCode& operator=(const ControllerCode&) = delete;
@@ -65,9 +66,9 @@ class ControllerCode {
 
   static FilePosition PlaceOf(const CodeFile& file, size_t at);
 
-  // Returns the text of the source that begins with the first argument of the call and ends with
-  // the file.  If the argument is an identifier, returns instead the text of the macro with this
-  // name, or "" if there is no such macro.
+  // Returns the text of the source from the first argument of the call to the end of the file.  If
+  // the argument is an identifier, returns instead the text of the macro with this name, or "" if
+  // there is no such macro.
   std::string FirstArgument(const CodeFile& file, const CodeCall& call) const;
 
  private:

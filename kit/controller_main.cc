@@ -12,18 +12,18 @@
 namespace openr_host {
 namespace {
 
-// A way in which a source may declare main(), which is compiled under the name controller_main.
-// `symbol` is the name of that function in the object file.  `declaration` and `call` are the C++
-// text that declares and calls the function.
+// A way in which a source may declare main(), which the kit compiles under the name
+// controller_main.  `symbol` is the name that the compiled main() then has in the object file.
+// `declaration` and `call` are the C++ text that declares and calls controller_main().
 struct Form {
   const char* symbol;
   const char* declaration;
   const char* call;
 };
 
-// All ways in which a source may declare main().  The symbol of a C function does not show its
-// parameters.  So a C function is called with all arguments, and ignores them if it has no
-// parameters.
+// All ways in which a source may declare main().  The symbol of a C function does not tell its
+// parameters, so the call passes all arguments to a C function.  A C function without parameters
+// ignores these arguments.
 constexpr Form kForms[] = {
     {"controller_main", "extern \"C\" int controller_main(int argc, char** argv);",
      "controller_main(1, arguments)"},

@@ -9,8 +9,8 @@
 namespace openr_host {
 
 struct ControllerSources {
-  // The sources of the controller, in the order of `list`, the file Makefile.sources.  Without this
-  // file, in the order of their names.
+  // The sources of the controller, in the order in which Makefile.sources (`list`) names them, or
+  // in the order of their names if there is no Makefile.sources.
   std::vector<std::filesystem::path> files;
   std::filesystem::path list;           // path of Makefile.sources; empty: there is no such file
   std::vector<Diagnostic> diagnostics;  // mistakes in the list, such as a missing file

@@ -46,7 +46,8 @@ bool HasMain(const fs::path& source) {
   return std::regex_search(ReadText(source).value_or(""), kMain);
 }
 
-// Returns the shared sources, which lie in no object's folder, without those that have a main().
+// Returns the shared sources, which lie in no object's folder.  Leaves out sources with a main(),
+// because such a source is a program of its own.
 Paths SharedParts(const Project& project) {
   Paths shared;
   for (const fs::path& source : project.shared_sources)
@@ -173,8 +174,8 @@ class ConventionBuild {
     const Paths included = SourcesIncluded(object_.sources, shared_);
     WriteMakefile(included, {});
     // In the first attempt, links only the shared sources whose headers are included.  If there are
-    // other shared sources, hides a failure of this attempt, because the second attempt links these
-    // sources, too, and may succeed.
+    // other shared sources, prints no messages of a failed first attempt, because the second
+    // attempt links these sources, too, and may succeed.
     const bool has_more = included.size() < shared_.size();
     if (Make(has_more ? MakeOptions::PrintOutput::kIfGood : MakeOptions::PrintOutput::kAlways) ||
         !has_more)
@@ -196,7 +197,7 @@ class ConventionBuild {
     return RunMakeIn(build_, {}, options_).is_good;
   }
 
-  // Returns whether undefined names are the only failures of the last build, so that linking more
+  // Returns whether all failures of the last build are undefined names.  If so, linking more
   // sources may help.
   bool LinksOnly() const {
     const std::vector<KitLog::Failure> failures = log().failures;
@@ -326,8 +327,8 @@ std::vector<std::string> BuildByConvention(const Project& project,
                             build.lexically_normal(), options);
     const std::string problem = attempt.Run();
     KitLog log = attempt.log();
-    // Removes the compilations from the log, because their flags come from a Makefile that we have
-    // written and not from the user's.
+    // Removes the compilations from the log, because their flags come from the Makefile that
+    // ConventionBuild has written and not from the user's Makefile.
     log.compiles.clear();
     AppendKitLog(options.log, log);
     if (!problem.empty()) {

@@ -32,10 +32,10 @@ std::vector<std::filesystem::path> SourcesIncluded(
 uint64_t CountByConvention(const Project& project, const std::vector<ObjectFolder>& objects);
 
 // Builds `objects` of `project` in folders below `work`.  Compiles them with the kit's flags, and
-// with the flags (-D, -I, -std ...) that their Makefiles have when make sets the variables of
-// `plan`.  Returns an error message for each object whose build cannot begin, for example without
-// an .ocf file.  Prints the messages of the compilers.  Failures and images are in the log of
-// `options` (kit_log.h).
+// with the flags (-D, -I, -std ...) of their Makefiles.  If make must run to find these flags, it
+// gets the variables of `plan` on its command line.  Returns an error message for each object whose
+// build cannot begin, for example without an .ocf file.  Prints the messages of the compilers.
+// Failures and images are in the log of `options` (kit_log.h).
 std::vector<std::string> BuildByConvention(const Project& project,
                                            const std::vector<ObjectFolder>& objects,
                                            const MakePlan& plan, const std::filesystem::path& work,

@@ -44,10 +44,11 @@ LineCounts ReadCounts(const std::vector<fs::path>& files, const fs::path& work) 
   return counts;
 }
 
-// Returns the counts of the user's own sources in `folder`, which were compiled as copies below
-// `work`.  A name in `counts` is the path of the copy or, if the compile command had an absolute
-// path, the path of the original (-ffile-prefix-map).  So both names of each file are looked up.
-// Leaves out the headers of the SDK and of the C++ library, and the stubs, which openr build makes.
+// Returns the counts of executed lines of the user's own sources in `folder`.  The build has
+// compiled private copies of these sources, which are below `work`.  The key of a source in
+// `counts` is the path of the copy or, if the compile command had an absolute path, the path of the
+// original (-ffile-prefix-map), so the function looks up both paths.  Leaves out the headers of the
+// SDK and of the C++ library, and the stubs, which openr build makes.
 LineCounts OfOriginals(const LineCounts& counts, const fs::path& folder, const fs::path& work) {
   const WorkCopy copy(work, SdkRoot());
   LineCounts own;

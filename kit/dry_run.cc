@@ -39,10 +39,10 @@ bool BeginsWith(const std::string& line, const std::regex& pattern, std::smatch*
   return std::regex_search(line, *match, pattern, std::regex_constants::match_continuous);
 }
 
-// Returns the words of `targets`, the targets of a rule in a Makefile.  If a variable is among
-// them, also returns the words of all values that the Makefiles give to the first variable: for
-// "$(DEPEND)" after "DEPEND = .depend", also returns ".depend".  Does not look up variables in
-// these values.
+// Returns the words of `targets`, the targets of a rule in a Makefile.  If `targets` contains a
+// variable, also returns the words of all values that `lines` assign to this variable: for
+// "$(DEPEND)" after "DEPEND = .depend", also returns ".depend".  Looks up only the first variable
+// of `targets`, and no variables in its values.
 std::vector<std::string> ExpandedTargets(const std::string& targets,
                                          const std::vector<std::string>& lines) {
   static const std::regex kReference("\\$[({](\\w+)[)}]");
@@ -94,7 +94,7 @@ bool HasRuleFor(const std::string& name, const std::vector<std::string>& lines) 
 bool IsAlwaysRun(const std::string& line) {
   if (line.find("$(MAKE)") != std::string::npos || line.find("${MAKE}") != std::string::npos)
     return true;
-  // A line of a recipe begins with a tab, or it follows the semicolon of a rule.
+  // Finds the beginning of a recipe line, which is at a tab, or after the semicolon of a rule.
   const size_t begin = line.starts_with('\t')    ? 0
                        : TargetsIn(line).empty() ? std::string::npos
                                                  : line.find(';');
@@ -108,7 +108,8 @@ bool IsAlwaysRun(const std::string& line) {
 bool DryRunRunsCommands(const std::string& makefiles) {
   static const std::regex kInclude(" *[-s]?include\\s");
   const std::vector<std::string> lines = LogicalLines(makefiles);
-  // Names of the files that make reads.
+  // Names of the Makefiles that make reads: at first those that make looks for by itself, then also
+  // those that `lines` include.
   std::set<std::string> read = {"Makefile", "makefile", "GNUmakefile"};
   for (const std::string& line : lines) {
     if (IsAlwaysRun(line)) return true;

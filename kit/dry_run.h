@@ -12,8 +12,8 @@ namespace openr_host {
 //   - a file that a Makefile includes, or the Makefile itself, is made by its rule.
 // The result is also true if the text does not show which file is included, or if the file has no
 // name of a Makefile (text_files.h), because its text is then not in `makefiles`.  Calls of
-// $(shell) do not count: they run whenever make reads the Makefile, so their author expects that
-// they run often.
+// $(shell) do not count, because make runs them whenever it reads the Makefile, not only in a dry
+// run.
 bool DryRunRunsCommands(const std::string& makefiles);
 
 }  // namespace openr_host

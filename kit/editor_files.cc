@@ -42,8 +42,9 @@ std::string StickOf(const EditorFolder& folder) {
 // because its main() is called only when the robot has stood up, which takes more than 10 s.
 const char* DurationOf(const EditorFolder& folder) { return folder.is_controller ? "30s" : "10s"; }
 
-// Returns the name of the task whose images the debugger runs.  A controller is always built with
-// debug information, so the task that builds it is also the task for the debugger.
+// Returns the name of the editor's task that builds the images for the debugger.  A controller is
+// always built with debug information, so its ordinary build task is also the task for the
+// debugger.
 const char* TaskBeforeDebugger(const EditorFolder& folder) {
   return folder.is_controller ? kBuildTask : kDebugBuildTask;
 }

@@ -9,7 +9,8 @@
 
 namespace openr_host {
 
-// Paths of the installation that the files for the editor contain.
+// Absolute paths of this installation of openr-host, which EditorFiles() writes into the editor's
+// files.
 struct EditorPlaces {
   std::string program;   // absolute path of the program openr
   std::string prefix;    // absolute path of the folder where CMake finds openr-host

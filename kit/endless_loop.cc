@@ -92,8 +92,8 @@ class LoopFinder {
 
   // Returns whether the condition of a loop waits for a value of a device to change.  Such a loop
   // never ends, because no time passes while a function of the controller runs, so the value does
-  // not change.  Returns false if another part of the condition may end the loop: ++, --, an
-  // assignment, or a second condition after &&.
+  // not change.  Returns false if the condition also contains ++, --, an assignment or &&, because
+  // these may end the loop.
   static bool AsksADevice(const std::string& condition) {
     static const std::regex kAsks(
         "\\b(\\w+_sensor_get_value|servo_get_position|accelerometer_get_values|"

@@ -7,11 +7,11 @@
 namespace openr_host {
 namespace {
 
-// Least length of a name of an image that counts as a part of another name, because a shorter name
-// may occur in another name by chance.
+// Least length of the two names that IsPrefix() and IsPart() compare, and of the wanted name in
+// IsLongSubsequence().  A shorter name may occur in another name by chance.
 constexpr size_t kPrefixMin = 3;
-// Least number of letters in a row that two names must have in common to count as names of one
-// image.
+// Least number of letters in a row that two names must share before HaveCommonPart() takes them for
+// names of the same image.
 constexpr size_t kSharedMin = 4;
 
 // Returns the letters and digits of an image's name in lower case, without the extension.

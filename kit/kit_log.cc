@@ -154,8 +154,8 @@ KitLog ReadKitLog(const std::string& file) {
 uint64_t CompileCounter::CountIn(const std::string& file) {
   const uint64_t count = CountCompiles(file);
   Lines& lines = logs_.try_emplace(file, Lines{count, 0}).first->second;
-  // Keeps the largest count of compilations, because CleanKitLog() removes repeated compilations
-  // from the log.
+  // Keeps the largest number of compilations that the log has had, because the number shrinks when
+  // CleanKitLog() removes repeated compilations from the log.
   if (count > lines.before) lines.now = std::max(lines.now, count - lines.before);
   uint64_t all = 0;
   for (const auto& [name, each] : logs_) all += each.now;
