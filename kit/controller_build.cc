@@ -68,8 +68,8 @@ class ControllerBuild {
   }
 
   // Returns whether the files of the controller's folder that are copied to the stick have no
-  // errors, and prints their errors and warnings.  Errors are a motion file whose name no file on a
-  // stick can have, and a WLANCONF.TXT with which the robot cannot boot.
+  // errors, and prints their errors and warnings.  Errors are a motion file with a name that the
+  // file system of a stick does not allow, and a WLANCONF.TXT with which the robot cannot boot.
   bool HasGoodFiles() const {
     std::vector<Diagnostic> diagnostics;
     std::vector<fs::directory_entry> entries{fs::directory_iterator(folder_), {}};

@@ -26,8 +26,8 @@ std::vector<std::filesystem::path> SourcesIncluded(
     const std::vector<std::filesystem::path>& sources,
     const std::vector<std::filesystem::path>& shared);
 
-// Returns how many sources BuildByConvention() compiles for `objects` when nothing is up to date.
-// Does not count the shared sources (in no object's folder) that are added only if names are
+// Returns how many sources BuildByConvention() compiles for `objects` if no object file is up to
+// date.  Does not count the shared sources (in no object's folder) that are added only if names are
 // undefined at linking.
 uint64_t CountByConvention(const Project& project, const std::vector<ObjectFolder>& objects);
 
