@@ -47,8 +47,8 @@ struct KitLog {
 };
 
 // LogImage() and the other Log functions append an entry to the log file that the environment
-// variable OPENR_KIT_LOG names; without the variable they do nothing.  Names of files become
-// absolute.  Several processes may append at the same time.
+// variable OPENR_KIT_LOG names; without the variable they do nothing.  All of them but LogRepair()
+// make the file names in the entry absolute.  Several processes may append at the same time.
 void LogImage(const KitLog::Image& image);
 void LogFailure(const KitLog::Failure& failure);
 void LogCompile(const KitLog::Compile& compile);
@@ -65,9 +65,9 @@ KitLog ReadKitLog(const std::string& file);
 // Counts the sources that a build has compiled so far, from all logs of the build.
 class CompileCounter {
  public:
-  // Reads the log `file` again and returns the number of sources compiled so far, in all logs that
-  // were read.  The compilations that a log has when it is read for the first time belong to
-  // earlier builds and do not count.
+  // Reads the log `file` and returns the number of sources compiled so far, in all logs that this
+  // counter has read.  Compilations that a log already has at its first reading do not count,
+  // because they belong to earlier builds.
   uint64_t CountIn(const std::string& file);
 
  private:
@@ -83,9 +83,9 @@ void AppendKitLog(const std::string& file, const KitLog& log);
 // Replaces the content of the log file `file` by `log`.
 void WriteKitLog(const std::string& file, const KitLog& log);
 
-// Removes from the log `file` of earlier builds all failures, all repairs of sources that the kit
-// has made in them, and each image whose file no longer exists.  Called at the beginning of a
-// build, so that failures of earlier builds do not count.
+// Removes all failures, all repairs, and each image whose file no longer exists, from the log
+// `file`, which earlier builds have left.  Called at the beginning of a build, so that only the
+// failures and repairs of the new build count.
 void CleanKitLog(const std::string& file);
 
 }  // namespace openr_host

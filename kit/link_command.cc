@@ -6,8 +6,9 @@
 namespace openr_host {
 namespace {
 
-// Returns the value X of the flag at `*i`, which is written "-oX" or "-o X".  In the second case
-// sets `*i` to the index of X.
+// Returns X, the value of the flag `arguments[*i]`, which is written "-oX" or "-o X".  In the
+// second case, sets `*i` to the index of X, so that the caller does not take X for a further
+// argument.
 std::string ValueOf(const std::vector<std::string>& arguments, size_t* i) {
   const std::string& word = arguments[*i];
   if (word.size() > 2) return word.substr(2);
@@ -44,7 +45,8 @@ LinkCommand TranslateMkbin(const std::vector<std::string>& arguments,
       command.objects.push_back(word);
     }
   }
-  // Looks for the libraries only now, because a folder (-L) may come after the library (-l).
+  // Looks for the libraries after all arguments are read, because a folder (-L) may come after a
+  // library (-l).
   for (const std::string& name : wanted) {
     for (const std::string& folder : folders) {
       const std::string file = folder + "/lib" + name + ".a";

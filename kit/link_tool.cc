@@ -31,9 +31,10 @@ int Refuse(const std::string& why) {
   return 1;
 }
 
-// Returns whether the command has object files or libraries for another processor, and reports the
-// first of these files.  Such object files are left from an earlier build for the robot, and make
-// takes them as up to date.  Such libraries are for the robot and came without sources.
+// Returns whether `command` links an object file or a library for another processor, and reports
+// the first such file.  make takes an object file from an earlier build for the robot as up to
+// date, so the error tells the user to remove the file.  A library for the robot must be built
+// again from its sources.
 bool HasForeignCode(const LinkCommand& command) {
   for (const std::string& file : command.objects) {
     const std::string processor = ForeignProcessorOf(file);
@@ -57,8 +58,8 @@ bool HasForeignCode(const LinkCommand& command) {
   return false;
 }
 
-// Returns the path of `output`, the image, without its extension.  The names of intermediate files
-// begin with this path, as with the SDK's mkbin.
+// Returns the path of the image `output` without its extension.  The names of intermediate files
+// begin with this path, so that they are the same names as with the SDK's mkbin.
 std::string Stem(const std::string& output) {
   return (fs::path(output).parent_path() / fs::path(output).stem()).string();
 }
@@ -82,7 +83,7 @@ std::string CompileImageInfo(const LinkCommand& command, const std::string& ocf_
   return result.good() ? object : "";
 }
 
-// Returns the name of the file that the linker writes.  This file is copied to the image only if
+// Returns the path of the file that the linker writes.  mkbin copies this file to the image only if
 // the linker succeeds, so that no incomplete image ever exists.
 std::string LinkedFile(const LinkCommand& command) { return Stem(command.output) + ".nosnap.elf"; }
 
@@ -122,8 +123,8 @@ std::string WithoutDangerWarnings(const std::string& output) {
   return last.empty() ? kept : kept + last + "\n";
 }
 
-// Gives the linked file also the names of the intermediate files that the SDK's mkbin leaves,
-// because rules of Makefiles use these files.
+// Makes hard links to the linked file, under the names of the intermediate files that the SDK's
+// mkbin leaves, because rules of Makefiles use files of these names.
 void LinkIntermediates(const LinkCommand& command) {
   std::error_code ignored;
   for (const char* extension : {".snap.elf", ".rel.elf"}) {

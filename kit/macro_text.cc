@@ -13,7 +13,8 @@ namespace {
 constexpr size_t kExpandedMax = 4 << 20;
 
 bool IsNumber(std::string_view word) {
-  // Limits the length, so that std::stoi() in NumberOf() cannot fail.
+  // Limits the length of the number, because std::stoi() in NumberOf() throws if a number is too
+  // large.
   return !word.empty() && word.size() < 8 &&
          std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
@@ -73,16 +74,16 @@ std::string WithoutDirectives(std::string code) {
   };
   int depth = 0;  // number of conditions open since "#if 0"
   size_t dead = 0;
-  // Reads the directives in a copy of the text, because blank() overwrites `code` with blanks while
-  // the directives are still needed.
+  // Finds the directives in a copy of the text, because the loop overwrites parts of `code` with
+  // blanks while it still reads the directives.
   const std::string text = code;
   for (const Directive& directive : DirectivesOf(text)) {
     const bool opens = directive.word.starts_with("if");
     const std::string rest = Trimmed(text.substr(directive.rest, directive.end - directive.rest));
     if (depth > 0) {
       if (opens) ++depth;
-      // Ends the part at an #else or #elif of "#if 0" itself, because the code after it is
-      // compiled.
+      // An #else or #elif that belongs to "#if 0" itself also ends the part that is not compiled,
+      // because the code after it may be compiled.
       if (directive.word == "endif" || (directive.word.starts_with("el") && depth == 1)) --depth;
       if (depth == 0) blank(dead, directive.begin);
     } else if (opens && rest == "0") {
@@ -176,10 +177,10 @@ ExpandedText MacroTable::Expand(const std::string& source) const {
   return result;
 }
 
-// Expands the macro that is used at `at` into `result`, and returns the position after the use.
-// Returns `at` if no macro is used at `at`.  All new characters get the offset `origin`
-// (ExpandedText::origins).  Macros in `hidden` are not expanded, because `text` is a part of their
-// own expansion.
+// Expands the use of a macro at the position `at`: appends the expansion to `result`, and returns
+// the position after the use.  Returns `at` if no macro is used at this position.  All appended
+// characters get the origin `origin` (ExpandedText::origins).  Does not expand the macros in
+// `hidden`, because `text` is a part of their own expansion, which would never end.
 size_t MacroTable::PutMacro(std::string_view text, size_t at, size_t origin, const Names& hidden,
                             ExpandedText* result) const {
   const std::string_view word = WordAt(text, at);
@@ -202,8 +203,8 @@ size_t MacroTable::PutMacro(std::string_view text, size_t at, size_t origin, con
 // Expands the macros in `text` and appends the resulting characters to `result`, each with its
 // origin, an offset in the source (ExpandedText::origins).  If `text` comes from a macro, `fixed`
 // is the origin of all characters: the offset of the macro's use.  If `text` is the source itself,
-// `fixed` is kNone, and the origin of a character is its offset in `text`.  Macros in `hidden` are
-// not expanded, because `text` is a part of their own expansion.
+// `fixed` is kNone, and the origin of a character is its offset in `text`.  Does not expand the
+// macros in `hidden`, because `text` is a part of their own expansion, which would never end.
 void MacroTable::Put(std::string_view text, size_t fixed, const Names& hidden,
                      ExpandedText* result) const {
   for (size_t at = 0; at < text.size() && result->text.size() < kExpandedMax;) {

@@ -40,8 +40,8 @@ Environment MakeEnvironment(const MakeOptions& options) {
       {"CC", bin + "/mipsel-linux-gcc"},
       {"CXX", bin + "/mipsel-linux-g++"},
       {"AR", bin + "/mipsel-linux-ar"}};
-  // Removes variables of the user's shell that make or a Makefile would use, and variables that a
-  // make has set if it has started this program.
+  // Removes variables of the user's shell that make or a Makefile would use.  Also removes
+  // MAKEFLAGS, MFLAGS and MAKELEVEL, which make has set if a Makefile has started `openr build`.
   for (const char* name : {"CFLAGS", "CXXFLAGS", "CPPFLAGS", "LDFLAGS", "MAKEFLAGS", "MFLAGS",
                            "MAKELEVEL", "LD", "AS", "RANLIB", "STRIP"}) {
     environment.emplace_back(name, "");
@@ -117,8 +117,9 @@ bool HasOnlyValue(const MakefileVariable& variable, const std::string& value) {
                                             [&](const std::string& v) { return v == value; });
 }
 
-// Returns whether the database of make (make -p) has a rule whose target is `install` itself.  For
-// this question make runs a target that does nothing, and no recipe of the Makefile.
+// Returns whether make has an explicit rule for the target `install`, according to its database
+// (make -p).  Asks make for a target that does nothing, so that make prints the database and runs
+// no recipe of the Makefile.
 bool HasExplicitInstallRule(const fs::path& folder, const std::vector<std::string>& variables,
                             const MakeOptions& options) {
   std::vector<std::string> arguments{"-p", "--eval=openr-host-nothing:;@:", "openr-host-nothing"};
@@ -131,7 +132,7 @@ bool HasExplicitInstallRule(const fs::path& folder, const std::vector<std::strin
   return false;
 }
 
-// Returns whether make has a rule for the target `install`.
+// Returns whether make has an explicit or an implicit rule for the target `install`.
 bool HasInstallRule(const fs::path& folder, const std::vector<std::string>& variables,
                     const MakeOptions& options) {
   // Asks for the database of make (make -p) first, because in a dry run (make -n) the recipe of an
@@ -195,9 +196,9 @@ std::string CauseOf(const std::string& output) {
     if (error.starts_with("Waiting for") || error.starts_with("Deleting file")) continue;
     std::smatch match;
     if (!std::regex_match(error, match, kFailedRule)) return error;
-    // Prefers a missing program (Error 127) as the cause, because this explains more than a program
-    // that failed.  Of several failed rules the first is the cause, because the later rules may
-    // depend on the first.
+    // Takes a rule that lacks a program (Error 127) as the cause of make's failure, rather than a
+    // rule with another error, because a missing program explains more.  Of several such rules,
+    // takes the first, because later rules may depend on the first.
     std::string* const cause = match[3] == "Error 127" ? &tool : &rule;
     if (!cause->empty()) continue;
     *cause = fmt::format("the rule for '{}'{} failed: {}", match[2].str(),
@@ -280,10 +281,10 @@ MakeOutcome RunMakeIn(const fs::path& folder, const std::vector<std::string>& ar
     return {result.good(), result.output};
   }
   if (options.jobs > 1) {
-    // Runs make again with one job if a run with several jobs fails, and hides the output of the
-    // first run.  Old Makefiles often lack dependencies, and work only if make runs their rules one
-    // after the other.  Failures that the compiler has logged count as well, because rules may
-    // ignore a failure.
+    // Runs make with several jobs.  If this run fails, hides its output and runs make again with
+    // one job, because old Makefiles often lack dependencies, and work only if make runs their
+    // rules one after the other.  A failure that the compiler has logged also makes the run fail,
+    // because a rule may ignore the failure of its command.
     const KitLog before = ReadKitLog(options.log);
     const ProcessResult together = Make(folder, arguments, options.jobs, false, options);
     KitLog after = ReadKitLog(options.log);
@@ -311,9 +312,9 @@ MakeOutcome RunMakeTargets(const fs::path& folder, const MakePlan& plan,
   arguments.insert(arguments.end(), variables.begin(), variables.end());
   const size_t failures = ReadKitLog(options.log).failures.size();
   MakeOptions install = options;
-  // Shows the output of a failed run of make for the target `install` only if the log has new
-  // failures.  This target often repeats the steps of the first target, so their messages were
-  // already shown.
+  // After a failure of the Makefile's first target, prints the output of a failed run for the
+  // target `install` only if the log has new failures.  The run for `install` often repeats the
+  // steps of the first target, and the messages of these steps are already printed.
   if (!outcome.is_good || failures > 0) {
     install.print_output = MakeOptions::PrintOutput::kIfGood;
     install.jobs = 1;

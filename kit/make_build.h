@@ -20,8 +20,9 @@ struct MakeOptions {
   std::string variant;  // name of the variant to build (build_variant.h)
   int jobs = 1;
   bool is_verbose = false;
-  // A function that is called again and again while make runs; null: none.  Its argument is the
-  // path of the log in which this make records its compilations.
+  // A function that is called again and again while make runs; null: no function is called.  Its
+  // argument is the path of the log in which the compiler records the compilations of this run of
+  // make.
   std::function<void(const std::string& log)> while_waiting;
   // Tells when the output of make is printed: always, only if make succeeds, or never.
   enum class PrintOutput { kAlways, kIfGood, kNever } print_output = PrintOutput::kAlways;
@@ -39,7 +40,7 @@ struct MakePlan {
   // RunMake() creates them first.
   std::vector<std::filesystem::path> needed_folders;
   // True: even make -n, which should only print commands, would run commands of these Makefiles
-  // (dry_run.h).
+  // (dry_run.h), so CountPlannedCompiles() does not call make -n.
   bool runs_in_dry_run = false;
 };
 
@@ -58,9 +59,9 @@ MakePlan PlanMake(const Project& project, const std::string& sdk_root);
 uint64_t CountSourcesIn(const std::string& commands);
 
 // Returns how many sources RunMake() is going to compile, according to make -n.  Returns 0 if make
-// does not know the commands before it runs them, for example because a script calls make.
-// Returns nullopt, and does not call make, if make -n would run commands; because RunMake() runs
-// them again, a command that may run only once would fail or do damage.
+// does not know the commands before it runs them, for example because a script calls make.  Returns
+// nullopt, and does not call make, if make -n would run commands.  RunMake() runs these commands
+// again, and a command that may run only once would then fail or do damage.
 std::optional<uint64_t> CountPlannedCompiles(const MakePlan& plan, const MakeOptions& options);
 
 // Runs make as planned.  Prints the output of compilers and make.  Afterwards the log (kit_log.h)

@@ -13,8 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-// Adds to `all` the flags that it does not have yet.  A flag of two words ("-include FILE") is
-// always added, because the comparison is by single words.
+// Adds to `all` the flags that `all` does not have yet.  Always adds a flag of two words ("-include
+// FILE"), because the search in `all` compares single words.
 void AddFlags(const Words& flags, Words* all) {
   for (size_t i = 0; i < flags.size(); ++i) {
     const bool is_pair = flags[i].starts_with("-i") && i + 1 < flags.size();
@@ -34,8 +34,8 @@ bool HasMainMakefile(const fs::path& folder) {
   return false;
 }
 
-// The text of a rule for make that prints the value of each variable that a Makefile sets, each on
-// a line of its own.
+// A rule for make, given with the flag --eval.  The rule prints the values of all variables that
+// Makefiles set, each value on a line of its own.
 constexpr char kShowVariables[] =
     "openr-kit-flags: ; "
     "$(foreach v,$(.VARIABLES),$(if $(filter file,$(origin $v)),$(info $($v))))@:";
@@ -50,7 +50,8 @@ Words FlagsOfMakefiles(const fs::path& folder, const KitLog& log,
     if (IsBelow(compile.file, folder) || IsBelow(compile.folder, folder))
       AddFlags(compile.flags, &flags);
   }
-  // Prefers the flags of real compilations, because a variable may hold flags that no rule uses.
+  // Prefers the flags in the log to the values of variables, because a variable may hold flags that
+  // no rule uses.
   if (!flags.empty() || !HasMainMakefile(folder)) return flags;
   Words arguments{std::string("--eval=") + kShowVariables, "openr-kit-flags"};
   for (const auto& [name, value] : variables) arguments.push_back(name + "=" + value);

@@ -46,8 +46,8 @@ MakefileVariable Describe(const std::string& name, const std::string& text) {
 }
 
 // A way in which Makefiles use a variable that stands for the SDK or a folder in it.  The text
-// after the variable, `rest`, shows which folder is meant.  If several entries of kSdkUses fit, the
-// first one counts.
+// after the variable (`rest`) shows for which folder of the SDK the variable stands (`folder`).  If
+// the text fits several entries of kSdkUses, the first of these entries counts.
 struct SdkUse {
   const char* rest;  // text after the variable, as a regular expression
   const char* folder;

@@ -60,8 +60,8 @@ std::string PutImages(const std::vector<std::string>& images, const fs::path& ob
   return list;
 }
 
-// Adds the lines `ours` to `file`, a configuration file that was copied from the user's base
-// (NewStickOptions::base).  Creates the file if there is no base, or if the base has no such file.
+// Adds the lines `ours` to `file`, a configuration file of the stick.  Creates `file` if it was not
+// copied from the user's base (NewStickOptions::base).
 void MergeInto(const fs::path& file, const std::string& ours) {
   Write(file, MergeConfig(ReadText(file).value_or(""), ours));
 }

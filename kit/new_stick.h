@@ -10,7 +10,8 @@ struct NewStickOptions {
   std::string output;               // folder to make; OPEN-R/ will be in it
   std::vector<std::string> images;  // .BIN files, in the order of OBJECT.CFG
   std::string connections;          // path of the CONNECT.CFG to copy; "": an empty file is made
-  // Folder whose OPEN-R/ has a base image, the robot's system, for the stick; "": none
+  // Folder with a base image (the robot's system) in its OPEN-R/, which is copied to the stick;
+  // "": the stick gets no base image
   std::string base;
   std::string wlan;  // text of WLANCONF.TXT; "": none is written
 };

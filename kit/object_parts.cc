@@ -177,8 +177,8 @@ std::vector<fs::path> ObjectParts::OcfsOf(const ObjectFolder& object) const {
   std::vector<ImageCandidate> candidates;
   for (const fs::path& file : free)
     candidates.push_back({{file.filename(), file.parent_path().filename().string() + "."}});
-  // Matches the names of all objects without an .ocf file together with the names of the .ocf files
-  // outside of the objects' folders, so that two objects do not get the same file.
+  // Matches the .ocf files outside of the objects' folders with all objects that have no .ocf file,
+  // and not only with `object`, so that two objects do not get the same file.
   std::vector<std::string> wanted;
   size_t own = 0;
   for (const ObjectFolder& other : project_.objects) {

@@ -13,8 +13,8 @@
 
 namespace openr_host {
 
-// Reads the files of a project, and of the folders outside of it that it names with "../".  Each
-// file is read at most once.
+// Reads the files of a project, and the files of folders outside of the project that the project
+// names with "../".  Each file is read at most once.
 class ObjectParts {
  public:
   ObjectParts(const Project& project, const ReferredPlaces& places);
@@ -53,7 +53,8 @@ class ObjectParts {
   // count.  Returns an empty path if there is no such file.
   std::filesystem::path FindFile(const std::string& name) const;
 
-  // Returns the text of a file; for a Makefile the text that make reads (referred_places.h).
+  // Returns the text of `file`.  For a Makefile, returns the result of ExpandedMakefile(): the text
+  // has the included files in it, and values in place of variables for paths.
   const std::string& TextOf(const std::filesystem::path& file) const;
 
  private:

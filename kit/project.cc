@@ -114,8 +114,8 @@ Project ScanProject(const std::vector<fs::path>& folders) {
   Project project;
   project.root = folders[0];
   std::map<fs::path, std::vector<fs::path>> files_of;
-  // The files found already.  Without this set, the files of a folder inside another folder of the
-  // list would be taken twice.
+  // The files found already.  Without this set, files would be taken twice if a folder of `folders`
+  // is inside another folder of `folders`.
   std::set<fs::path> seen;
   for (const fs::path& folder : folders) {
     // Searches folders outside of the project for sticks only if the project has no stick of its
@@ -174,7 +174,8 @@ void CheckHasProgram(const fs::path& folder) {
   if (const std::string problem = PathReadProblem(folder); !problem.empty())
     throw std::runtime_error(fmt::format("{}: {}", folder.string(), problem));
   const ReferredPlaces places = FindReferredPlaces(folder);
-  // Files around the folder may hold the program, so only the copies show whether it has one.
+  // Checks the project only if no files in the folders around `folder` belong to it.  Such files
+  // may be all that there is to build, and ScanProject() finds them only in the private copies.
   if (places.files.empty()) CheckHasProgram(ScanProject(places.folders), folder);
 }
 

@@ -33,8 +33,8 @@ struct StickFolder {
 struct Project {
   std::filesystem::path root;
   std::vector<ObjectFolder> objects;  // the objects, sorted by folder
-  // Objects in folders outside of `root`, which are not built.  If the root has no objects, this
-  // list is empty and `objects` has the objects outside.
+  // Objects in folders outside of `root`, which are not built.  If `root` has no objects, the
+  // objects outside of `root` are in `objects` and are built, and `neighbours` is empty.
   std::vector<ObjectFolder> neighbours;
   std::vector<StickFolder> sticks;
   std::vector<std::filesystem::path> makefiles;  // all Makefiles, also those that others include
@@ -49,8 +49,9 @@ struct Project {
 // these folders are used only if the root has none.
 Project ScanProject(const std::vector<std::filesystem::path>& folders);
 
-// Throws std::runtime_error if `project`, which is in `folder` or in a copy of it, has nothing that
-// can be built.
+// Throws std::runtime_error if `project` has nothing that can be built.  `folder` is the user's
+// folder, also if `project` describes the private copy of this folder; the error message names
+// `folder`.
 void CheckHasProgram(const Project& project, const std::filesystem::path& folder);
 
 // Throws std::runtime_error if `folder`, the user's folder, cannot be read or has nothing that can
@@ -61,7 +62,8 @@ void CheckHasProgram(const std::filesystem::path& folder);
 // Returns whether the text of a def.h was written by stubgen2, of any version.
 bool IsGeneratedDefinitions(const std::string& text);
 
-// Returns the file name of a path on the robot: "HELLO.BIN" for "/MS/OPEN-R/MW/OBJS/HELLO.BIN".
+// Returns the file name of the image in `record`, a line of OBJECT.CFG: "HELLO.BIN" for the path
+// "/MS/OPEN-R/MW/OBJS/HELLO.BIN".
 std::string FileNameOf(const ObjectRecord& record);
 
 }  // namespace openr_host

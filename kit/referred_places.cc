@@ -19,8 +19,9 @@ namespace fs = std::filesystem;
 // taken as a part of the program.
 constexpr size_t kOutsideFilesMax = 20'000;
 
-// Returns whether the file, by its name, may be a part of a program.  Of a folder that contains the
-// program, only such files are used, because the folder may hold many other files.
+// Returns whether the file, by its name, may be a part of a program.  Other files are ignored in a
+// folder that contains the program's own folder, because such a folder may hold many files that do
+// not belong to the program.
 bool IsPartOfPrograms(const fs::path& file) {
   return IsSourceName(file) || IsHeaderName(file) || IsMakefileName(file) ||
          LowerCase(file.extension()) == ".ocf" || LowerCase(file.extension()) == ".cfg";
@@ -57,8 +58,8 @@ std::string Expanded(const std::string& text, const Variables& variables) {
     }
     if (done == 0) break;
     result = next + result.substr(done);
-    // Returns `text` unchanged if the values of its variables make it so long that a variable must
-    // contain itself.
+    // Returns `text` unchanged if the values of its variables make the result very long, because
+    // then a variable probably contains itself.
     if (result.size() > 100 * text.size() + 1000) return text;
   }
   return result;
@@ -121,11 +122,12 @@ class PlaceSearch {
     }
   }
 
-  // Adds the folder `target`, or the folder of the file `target`, to which a path in a file of the
-  // program leads.  `is_above` says that the path ends in "..".  A folder that contains the
-  // program's own folder may hold other programs too, so only the files directly in this folder are
-  // added.  The same holds for the folder of a file and for a folder above (`is_above`) if it
-  // contains a folder that was added before.
+  // Adds `target`, a folder to which a path in a file of the program leads, or the folder of
+  // `target`, a file.  `is_above` says that the path ends in "..".  Adds only the files directly in
+  // the folder
+  //   - if the folder contains the program's own folder, because it may hold other programs, too;
+  //   - if the folder contains a folder that was added before, and `target` is a file or `is_above`
+  //     is true.
   void AddTarget(const fs::path& target, bool is_above) {
     std::error_code error;
     if (!fs::exists(target, error) || IsCovered(target)) return;

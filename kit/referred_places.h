@@ -24,7 +24,8 @@ struct ReferredPlaces {
 std::string ExpandedMakefile(const std::filesystem::path& file);
 
 // Searches the files below `root`, an absolute folder, for paths that lead out of `root`.  Then
-// searches the files to which these paths lead in the same way.  Returns all places outside.
+// searches the files to which these paths lead in the same way.  Returns all files and folders
+// outside of `root` that were found.
 ReferredPlaces FindReferredPlaces(const std::filesystem::path& root);
 
 }  // namespace openr_host

@@ -74,7 +74,8 @@ Edits RepeatedParameter(const ErrorPlace& place) {
 }
 
 // Removes the user's definition of a type that the SDK defines too: typedef unsigned long uint32;
-// The SDK's type has 32 bits, as on the robot, and `long` has 64 bits on the host.
+// The definitions conflict, because `long` has 64 bits on the host, and the SDK's type has 32 bits,
+// as on the robot.
 Edits OwnTypedef(const ErrorPlace& place) {
   if (!place.MessageHas("conflicting declaration 'typedef")) return {};
   const size_t begin = place.code.rfind("typedef", place.at);
@@ -212,8 +213,8 @@ std::optional<Loop> LoopThatDeclares(const std::string& code, size_t at, const s
   return Loop{at, open + 1, semicolon};
 }
 
-// Returns the last for loop before the position `use` that declares the variable `name`.  The block
-// around the loop must still be open at `use`.
+// Returns the last for loop before the position `use` that declares the variable `name`.  A loop in
+// a block that ends before `use` does not count, because its variable does not exist at `use`.
 std::optional<Loop> FindLoop(const std::string& code, size_t use, const std::string& name) {
   int depth = 0;
   for (size_t at = use; at-- > 0;) {

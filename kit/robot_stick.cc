@@ -84,8 +84,9 @@ class RobotStick {
   }
 
  private:
-  // Returns the path of the file `name` in `folder` of OPEN-R/, and creates the folder.  If the
-  // folder or file already exists, its name keeps its upper and lower case.
+  // Returns the path of the file `name` in `folder`, a folder inside OPEN-R/ of the stick, and
+  // creates the folder.  If the folder or the file already exists, its name keeps its upper and
+  // lower case.
   fs::path On(const std::string& folder, const std::string& name) const {
     fs::path place = FindBelow(open_r_, folder);
     if (place.empty()) {

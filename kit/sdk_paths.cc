@@ -42,7 +42,8 @@ std::vector<std::string> HostCompiler(Language language) {
   const char* const given = std::getenv(language == Language::kCxx ? kCxxVariable : kCcVariable);
   std::istringstream words(given == nullptr ? "" : given);
   std::vector<std::string> compiler;
-  // Splits the value into words, because it may begin with a program such as ccache.
+  // Splits the value of the environment variable into words, because the value may begin with a
+  // program such as ccache.
   for (std::string word; words >> word;) compiler.push_back(word);
   if (compiler.empty()) compiler.push_back(language == Language::kCxx ? "g++" : "gcc");
   return compiler;

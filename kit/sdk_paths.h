@@ -29,9 +29,9 @@ enum class Language { kC, kCxx };
 std::vector<std::string> ParseCompileFlags(const std::string& text, Language language,
                                            bool is_clang);
 
-// The next constants are environment variables that `openr build` sets for the tools that `make`
-// starts.  Without these variables the tools only do the work of the SDK's tools with the same
-// names.
+// The next constants are environment variables that `openr build` sets for the tools that make
+// starts.  Without these variables, the tools do what the SDK's tools of the same names do, and do
+// nothing for `openr build`.
 inline constexpr char kLogVariable[] = "OPENR_KIT_LOG";  // path of the log, see kit_log.h
 // Environment variable: the path of the stick to which rules of Makefiles write.
 inline constexpr char kStickVariable[] = "OPENR_KIT_STICK";

@@ -23,8 +23,9 @@ int RunMkbin(const Arguments& arguments);
 // .ocf file into an image.  A build system compiles this source and links it into the image.
 int RunImageInfo(const Arguments& arguments);
 
-// Runs the tool `controller-main NM OUT [OBJECT...]`, which writes the source that calls main() of
-// a controller.  The tool is for build systems; see controller_main.h.
+// Runs the tool `controller-main NM OUT [OBJECT...]`, which writes to OUT the source that calls
+// main() of a controller.  With NM, a program that lists symbols, the tool looks for main() in the
+// object files OBJECT.  The tool is for build systems; see controller_main.h.
 int RunControllerMain(const Arguments& arguments);
 
 // Runs the tool `gzcp FROM TO`, which makes a copy of FROM that is compressed with gzip.

@@ -103,7 +103,7 @@ void WriteWithTime(const std::string& file, const std::string& text) {
 
 RepairSession::RepairSession() : copies_(SourceCopies()) {
   const char* const log = std::getenv(kLogVariable);
-  // Needs no lock without private copies, because then nothing may be repaired (may_repair()).
+  // Takes no lock if there are no private copies, because no file is repaired then (may_repair()).
   if (log == nullptr || copies_.empty()) return;
   lock_ = open((std::string(log) + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   // Waits for other processes of the compiler, because they may be repairing the same headers.
@@ -149,7 +149,8 @@ bool RepairSession::Apply(const std::string& diagnostics, const std::vector<std:
   const bool is_unclear = diagnostics.find("need 'typename'") != std::string::npos;
   for (const CompilerError& error : errors) {
     if (is_unclear && error.message.find("not declared") != std::string::npos) continue;
-    // Leaves other files alone, such as headers of the SDK tree, which serve other builds, too.
+    // Repairs only files of the private copies.  Other files, such as headers of the SDK tree,
+    // serve other builds, too.
     if (OriginalOf(error.file, copies_).empty()) continue;
     const std::string text = ReadText(error.file).value_or("");
     if (headers.empty() && error.message.find("No such file") != std::string::npos) {
@@ -172,7 +173,8 @@ bool RepairSession::Apply(const std::string& diagnostics, const std::vector<std:
   for (const auto& [file, edits] : edits_of) {
     if (edits.empty()) continue;
     const std::string text = ReadText(file).value_or("");
-    // Keeps the text from before the first round, because Undo() takes back all rounds.
+    // Keeps only the text that the file had before the first round of repairs, because Undo() takes
+    // back all rounds.
     former_.emplace(file, text);
     WriteWithTime(file, Edited(text, edits));
     changed = true;

@@ -12,8 +12,8 @@ namespace openr_host {
 std::string WithoutComments(std::string_view text);
 
 // Returns `code`, a text without comments, with blanks in place of everything between #if and
-// #endif.  Programs that also run on a PC have calls between these lines that are not compiled for
-// the robot.
+// #endif, so that checks do not report calls in these lines.  In programs that also run on a PC,
+// such lines may be compiled only for the PC.
 std::string WithoutConditionalCode(std::string code);
 
 // A string literal of a source.
@@ -28,7 +28,7 @@ std::vector<StringLiteral> StringLiteralsIn(std::string_view text);
 // Returns the position of a line and a column, both from 1; npos if the text has no such place.
 size_t OffsetOf(std::string_view text, int line, int column);
 
-// The result of the functions below if they find no position.
+// The value that NextOf(), PreviousOf() and ClosingOf() return if they find no position.
 inline constexpr size_t kNone = std::string_view::npos;
 
 // Returns the position of the first character from `at` on that is neither a blank nor a line end;

@@ -25,7 +25,8 @@ StickDraft::StickDraft(const std::string& output)
         fmt::format("{} is there already; name a new folder, nothing is written over", output));
   }
   fs::create_directories(output_.parent_path());
-  // Makes the draft beside the output, because Finish() can rename it only inside one file system.
+  // Makes the temporary folder beside the output, because Finish() can rename a folder only inside
+  // one file system.
   std::string pattern = output_.parent_path() / ".openr-stick-XXXXXX";
   if (mkdtemp(pattern.data()) == nullptr) {
     throw std::runtime_error(fmt::format("{}: cannot make a folder there: {}",

@@ -146,7 +146,8 @@ std::vector<Diagnostic> CheckObjectConfig(const fs::path& stick) {
   bool has_power_monitor = false;
   for (const FilePosition& line : SplitLines("OPEN-R/MW/CONF/OBJECT.CFG", text, &diagnostics)) {
     if (!IsRecord(line.text)) continue;
-    // Removes the blank that WithoutBlanks() leaves at the end of the line.
+    // Removes the last character, because WithoutBlanks() puts a blank after every word, also after
+    // the last.
     const std::string path =
         WithoutBlanks(line.text).substr(0, WithoutBlanks(line.text).size() - 1);
     // Looks for PowerMonitor, the object that handles the pause button on the robot's own sticks.

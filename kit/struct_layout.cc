@@ -54,8 +54,8 @@ std::string NameOf(Dwarf_Die* die) {
 
 std::string WideTypeIn(Dwarf_Die* structure);
 
-// Returns the name of the type in `member` that has 8 bytes here and 4 on the robot
-// (StructLayout::Member::wide_type); "" if there is none.
+// Returns the name of the type in `member` that has 8 bytes on the host and 4 on the robot
+// (StructLayout::Member::wide_type); "" if the member has no such type.
 std::string WideTypeOf(Dwarf_Die* member) {
   std::string shown;  // the outermost typedef, by which the user knows the type
   Dwarf_Die die = *member;
@@ -73,8 +73,8 @@ std::string WideTypeOf(Dwarf_Die* member) {
         if (NumberOf(&die, DW_AT_byte_size) != uint64_t{8}) return "";
         return shown.empty() ? name : shown;
       case DW_TAG_typedef:
-        // Does not count a type such as int64_t, which is `long` here, because such a type has 8
-        // bytes on the robot, too.
+        // Does not count a type such as int64_t, which is `long` on the host, because such a type
+        // has 8 bytes on the robot, too.
         if (name.find("64") != std::string::npos) return "";
         if (shown.empty()) shown = name;
         break;
@@ -85,9 +85,9 @@ std::string WideTypeOf(Dwarf_Die* member) {
   return "";
 }
 
-// Returns the name of the first type in a struct that has 8 bytes here and 4 on the robot; "" if
-// there is none.  Leaves out the pointer of a class with virtual functions, because no source names
-// this pointer.
+// Returns the name of the first type in a struct that has 8 bytes on the host and 4 on the robot;
+// "" if the struct has no such type.  Leaves out the hidden pointer to the table of virtual
+// functions, because no source names this pointer.
 std::string WideTypeIn(Dwarf_Die* structure) {
   Dwarf_Die child;
   for (int end = dwarf_child(structure, &child); end == 0; end = dwarf_siblingof(&child, &child)) {
@@ -167,8 +167,8 @@ std::optional<StructLayout> LayoutIn(const fs::path& image, const std::string& n
   const fs::path beside = FindEntry(image.parent_path(), image.stem().string() + ".DBG");
   if (layouts.empty() && !beside.empty()) layouts = LayoutsIn(ReadText(beside).value_or(""), name);
   for (const StructLayout& layout : layouts) {
-    // Gives no answer if the sources of the image differ, because nothing says which of them
-    // counts.
+    // Returns nullopt if sources of the image define the type with different layouts, because
+    // nothing shows which layout is meant.
     if (layout != layouts.front()) return std::nullopt;
   }
   if (layouts.empty()) return std::nullopt;

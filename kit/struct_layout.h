@@ -20,8 +20,8 @@ struct StructLayout {
     uint64_t begin = 0;  // first byte of the member, counted from the beginning of the struct
     uint64_t bytes = 0;  // size of the member; 0 for an array without a length
     bool is_array = false;
-    // A type in this member that has 8 bytes here and 4 on the robot (field-notes.md, 12.4), such
-    // as "long int", "size_t" or "a pointer"; "" if there is none.
+    // A type in this member that has 8 bytes on the host and 4 on the robot (field-notes.md, 12.4),
+    // such as "long int", "size_t" or "a pointer"; "" if the member has no such type.
     std::string wide_type;
     bool operator==(const Member&) const = default;
   };

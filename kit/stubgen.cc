@@ -60,8 +60,8 @@ std::optional<std::string> ReadInput(const std::string& file, std::istream& in, 
   return text;
 }
 
-// Writes all files or none: the files get their names only when all contents are on the disk.
-// Returns "" or the error.
+// Writes all files or none: gives the files their final names only when all contents are on the
+// disk.  Returns "" or the error message.
 std::string WriteTogether(const std::vector<GeneratedFile>& files, const fs::path& folder) {
   std::vector<PendingFile> pending;
   for (const GeneratedFile& file : files) {

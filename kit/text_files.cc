@@ -52,7 +52,7 @@ std::optional<std::string> ReadText(const fs::path& file) {
 std::string WriteText(const fs::path& file, const std::string& text) {
   std::error_code error;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
-  // Ignores the error that a file is in the place of a folder of the path, because WriteFile()
+  // Ignores the error that a part of the path is a file and not a folder, because WriteFile()
   // reports this error with the name of the file.
   if (error && error != std::errc::not_a_directory)
     return Explain(fs::filesystem_error("", file.parent_path(), error));

@@ -66,7 +66,7 @@ class SettingsCheck {
 
 void CheckAddresses(const WlanConfig& config, SettingsCheck* check) {
   const uint32_t ip = AddressOf(config.ether_ip), mask = AddressOf(config.ether_netmask);
-  // A netmask has all its ones before its zeros.
+  // Warns if a one comes after a zero in the netmask, because no network has such a mask.
   if (std::popcount(mask) != std::countl_one(mask)) {
     check->Warn(fmt::format("ETHER_NETMASK {} is no mask of a network, which is like 255.255.255.0",
                             config.ether_netmask));
@@ -117,10 +117,10 @@ const std::vector<WlanQuestion>& WlanQuestions() {
 
 std::string SetWlanKey(const std::string& key, const std::string& value, WlanConfig* config) {
   // Checks the value of the setting `key` with the parser of WLANCONF.TXT, because only the parser
-  // knows which values are allowed.  The parser begins with the robot's defaults, so all other keys
-  // are given to it again with their old values.
+  // knows which values are allowed.
   const WlanResult result = ParseWlanConfig("", key + "=" + value);
   if (!result.diagnostics.empty()) return result.diagnostics[0].message;
+  // Gives the parser the values of all keys, because the parser begins with the robot's defaults.
   std::string text;
   for (const WlanQuestion& other : WlanQuestions()) {
     const std::string old = other.key == key ? value : WlanValue(*config, other.key);
@@ -175,8 +175,8 @@ std::string WlanText(const WlanConfig& config) {
 }
 
 std::vector<Diagnostic> CheckWlanSettings(const std::string& file, const WlanResult& settings) {
-  // A line with an error sets nothing.  Warnings would be about the initial values of such
-  // settings, which are not in the file, so the errors have to be corrected first.
+  // Gives no warnings if the file has errors.  A setting in a line with an error keeps its initial
+  // value, so a warning would be about a value that is not in the file.
   const bool has_errors = std::any_of(
       settings.diagnostics.begin(), settings.diagnostics.end(),
       [](const Diagnostic& diagnostic) { return diagnostic.severity == Severity::kError; });

@@ -64,8 +64,8 @@ bool IsText(const std::string& text) {
   return text.substr(0, 4096).find('\0') == std::string::npos;
 }
 
-// Returns whether paths in the copy of the file must be changed, because the file is a Makefile, or
-// a script that Makefiles may call.
+// Returns whether AdaptMakefile() must change paths in the copy of `file`, because the file is a
+// Makefile, or a script that Makefiles may call.
 bool IsToBeAdapted(const fs::path& file, const std::string& text) {
   const std::string extension = file.extension();
   const bool is_script = extension == ".sh" || extension == ".in" || file.filename() == "configure";
@@ -209,7 +209,8 @@ void WorkCopy::CopyFile(const fs::path& original) {
   // that makes the stub.
   if (IsGeneratedStub(original)) {
     SetOldTime(copy);
-    // Does not replace a def.h that was written by hand, because stubgen2 has not made it.
+    // Does not put a def.h that was written by hand into `left_stubs_`, because MakeStubsAnew()
+    // would replace the file.
     if (copy.filename() != "def.h" || IsGeneratedDefinitions(text)) left_stubs_.push_back(copy);
   }
 }
@@ -237,7 +238,7 @@ void WorkCopy::MakeStubsAnew() const {
   fs::remove_all(made, error);
 }
 
-// Removes the files from the private copy whose originals in the user's folders no longer exist.
+// Removes from the private copy all files whose originals no longer exist in the user's folders.
 void WorkCopy::RemoveVanished() {
   for (const auto& [name, stamp] : former_) {
     if (present_.contains(name) || !IsCovered(name)) continue;

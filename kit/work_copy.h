@@ -27,17 +27,18 @@ class WorkCopy {
   // Makefiles, `sdk_root`, the SDK tree of this project, replaces the paths of other SDKs.
   WorkCopy(std::filesystem::path work, std::string sdk_root);
 
-  // Brings the copy of `original`, an absolute folder, up to date, and copies everything outside of
-  // it that its Makefiles and sources name with "../" (referred_places.h).  Returns the path of the
-  // copy.  Throws std::runtime_error when something cannot be read or written.
+  // Brings the copy of `original`, an absolute folder, up to date.  Also copies the files and
+  // folders outside of `original` that its Makefiles and sources name with "../"
+  // (referred_places.h).  Returns the path of the copy.  Throws std::runtime_error when something
+  // cannot be read or written.
   std::filesystem::path Add(const std::filesystem::path& original);
 
   // Returns the path that the copy of `original` has or would have, even if `original` was not
   // copied.
   std::filesystem::path PlaceOf(const std::filesystem::path& original) const;
 
-  // Returns all copied folders.  The first is the folder that the user named.  The last ones are
-  // folders of which only the files directly inside were copied.
+  // Returns all copied folders.  The first is the folder that the user named.  At the end are the
+  // folders of which only the files directly inside were copied (ReferredPlaces::around).
   const std::vector<SourceCopy>& copies() const { return copies_; }
 
   // Returns the originals of object files, libraries and images that were not copied because they
@@ -48,8 +49,8 @@ class WorkCopy {
   // made by the build.
   bool IsOriginal(const std::filesystem::path& file) const;
 
-  // Writes a list of the copied files to disk, so that the next build finds out which files have
-  // changed.  Add() does this at its end.
+  // Writes the names, sizes and times of the copied files to the work folder, so that the next
+  // build finds out which files have changed.  Add() calls Save() at its end.
   void Save() const;
 
  private:
