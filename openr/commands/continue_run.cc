@@ -92,7 +92,7 @@ class ContinuedRun {
       networks_.push_back(network.get());
       return network;
     };
-    if (recorder_ != nullptr) recorder_->Listen(simulation);
+    if (recorder_ != nullptr) recorder_->RecordNetworks(simulation);
   }
 
   // Returns the folder of the Memory Stick for the replay, which then uses a copy of this stick.
