@@ -77,6 +77,22 @@ TEST_F(ServoTest, AJammedJointIsPulledToItsPlace) {
               ServoSettings{}.jam_stiffness_per_rad * joint_.stall_torque_nm * 0.001, 1e-12);
 }
 
+// Else a light joint in a firm hand would swing about the hand's place and never rest there.
+TEST_F(ServoTest, AHandPullsByTheAngleAtTheEndOfTheStep) {
+  const ServoSettings settings;
+  JointDisturbance disturbance;
+  JointCommand command;
+  command.disturbance = &disturbance;
+  servo_.BeginFrame(command, 0);
+  const TorqueLine limp = servo_.Step(0, 0, kStep_s);
+  disturbance.hand_rad = 0.001;
+  const TorqueLine held = servo_.Step(0, 0, kStep_s);
+  EXPECT_NEAR(held.zero_speed_nm - limp.zero_speed_nm, settings.hand_stiffness_nm_per_rad * 0.001,
+              1e-12);
+  EXPECT_NEAR(held.slope_nm_s - limp.slope_nm_s, settings.hand_stiffness_nm_per_rad * kStep_s,
+              1e-12);
+}
+
 TEST_F(ServoTest, DriveIsReportedBeyondItsClampButTheMotorGetsNoMore) {
   servo_.BeginFrame(At(Radians(90)), 0);
   EXPECT_GT(servo_.Drive(0, 0), 4 * kDriveFull);
