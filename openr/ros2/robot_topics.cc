@@ -48,19 +48,25 @@ Ros2Status FaultStatus(VirtualRobot* robot) {
 }
 
 // Returns a summary of the findings about the objects of `robot`.  The member `message` is the
-// newest finding.
+// newest finding.  Notes leave the level as it is, because a note says that nothing is wrong.
 Ros2Status ObjectStatus(const RobotParts& robot) {
   Ros2Status status{
       .level = Ros2Status::kGood, .name = "objects", .message = "no findings", .values = {}};
-  int warnings = 0, errors = 0;
+  int notes = 0, warnings = 0, errors = 0;
   for (const Finding& finding : robot.system.findings().all()) {
     if (finding.robot != robot.robot_index) continue;
-    const bool is_error = finding.severity == Severity::kError;
-    ++(is_error ? errors : warnings);
-    status.level = std::max(status.level, is_error ? Ros2Status::kError : Ros2Status::kWarning);
+    if (finding.severity == Severity::kNote) {
+      ++notes;
+    } else {
+      const bool is_error = finding.severity == Severity::kError;
+      ++(is_error ? errors : warnings);
+      status.level = std::max(status.level, is_error ? Ros2Status::kError : Ros2Status::kWarning);
+    }
     status.message = finding.object.empty() ? finding.text : finding.object + ": " + finding.text;
   }
-  status.values = {{"errors", std::to_string(errors)}, {"warnings", std::to_string(warnings)}};
+  status.values = {{"errors", std::to_string(errors)},
+                   {"warnings", std::to_string(warnings)},
+                   {"notes", std::to_string(notes)}};
   return status;
 }
 

@@ -118,5 +118,17 @@ TEST(Ros2StateTopicsTest, DiagnosticsTellFaultsOfTheBody) {
   EXPECT_EQ(all[2]["hardware"], "aibo");
 }
 
+TEST(Ros2StateTopicsTest, ANoteIsNoWarningOfTheDiagnostics) {
+  const ScratchFolder folder;
+  std::filesystem::copy(OPENR_STICK, folder.File("stick"),
+                        std::filesystem::copy_options::recursive);
+  std::filesystem::remove(folder.File("stick/OPEN-R/MW/CONF/CONNECT.CFG"));
+  const Ros2Run run({"--stick", folder.File("stick")});
+  const json all = run.peer().ReadOne("diagnostic_msgs/DiagnosticArray", "rt/diagnostics");
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_THAT(all[2]["message"].get<std::string>(), HasSubstr("CONNECT.CFG"));
+  EXPECT_EQ(all[2]["level"], 0);
+}
+
 }  // namespace
 }  // namespace openr_host
