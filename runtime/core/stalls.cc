@@ -17,21 +17,22 @@ constexpr char kReadyAdvice[] =
 
 // Adds to `stalls` the wait for a ready on the connection `link` of `subject`, if the observer is
 // not ready.  Adds nothing for an observer that has deasserted ready (link.ready < 0), because such
-// an observer does not want data.
+// an observer does not want data.  Adds nothing for an observer that is ready either: data may wait
+// for it because it has ordered more notifications in one message (ObserverLink::min).
 void FindInLink(const Object& object, const SubjectState& subject, const ObserverLink& link,
                 int64_t now_us, std::vector<Stall>* stalls) {
-  if (link.ready < 0) return;
+  if (link.ready != 0) return;
   const bool is_chosen = object.is_system || link.sent >= 2;
   if (link.waiting_since_us >= 0) {
     stalls->push_back({object.id, link.waiting_since_us,
                        fmt::format("{} waits for ready of {} on {} since t={:.3f} s", object.name,
                                    link.name, subject.service, Seconds(link.waiting_since_us)),
                        kReadyAdvice, false, is_chosen});
-  } else if (link.ready == 0 && link.sent == 0 && now_us >= kStallUs) {
+  } else if (link.sent == 0 && now_us >= kStallUs) {
     stalls->push_back({object.id, 0,
                        fmt::format("{} has never asserted ready to {}", link.name, subject.service),
                        kReadyAdvice, true, is_chosen});
-  } else if (link.ready == 0 && now_us - link.sent_us >= kStallUs) {
+  } else if (now_us - link.sent_us >= kStallUs) {
     stalls->push_back({object.id, link.sent_us,
                        fmt::format("{} has not asserted ready to {} since its notification of "
                                    "t={:.3f} s",

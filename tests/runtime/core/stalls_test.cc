@@ -40,6 +40,25 @@ TEST(StallsTest, ACallWithoutAnswerIsOneAfterASecond) {
   EXPECT_THAT(system.findings().all()[0].text, HasSubstr("two objects that Call() each other"));
 }
 
+// The receiver waits for more data; the sender does not wait for a ready of the receiver.
+TEST(StallsTest, AnObserverThatIsReadyForSeveralNotificationsInOneMessageIsNone) {
+  System system;
+  system.AddRobot("ERS-210", nullptr);
+  SubjectProbe* const sender = system.AddObject<SubjectProbe>(0, "sender");
+  ObserverProbe* const receiver = system.AddObject<ObserverProbe>(0, "receiver");
+  RunAs(receiver, [&] { receiver->in->SetBufCtrlParam(0, 2, 4); });
+  receiver->on_start = [&] { receiver->in->AssertReady(); };
+  system.Connect({0, "Sender.Out.Number.S", "Receiver.In.Number.O", "test"});
+  system.Boot();
+  system.RunFor(1000);
+  RunAs(sender, [&] { sender->Send(1); });
+  system.RunFor(2 * kStallUs);
+  EXPECT_TRUE(receiver->events.empty());
+  EXPECT_TRUE(TextsOf(system, 0).empty());
+  ReportStalls(&system, true);
+  EXPECT_TRUE(system.findings().all().empty());
+}
+
 // The one called "hog" costs 1 ms, everybody else 1 us.
 class HogCost : public CostModel {
  public:
