@@ -95,7 +95,7 @@ class AbsentObject : public Object {
 };
 
 // Copies the statistics of the object `old` to the object `fresh`, which replaces `old`, because
-// the report counts both objects as one.
+// the report counts both objects as one.  Makes `fresh` go on with the numbers of reply boxes.
 void PassStatistics(const Object& old, Object* fresh) {
   fresh->predecessors = old.predecessors + 1;
   fresh->message_count = old.message_count;
@@ -106,6 +106,9 @@ void PassStatistics(const Object& old, Object* fresh) {
   // Copies the number of messages that wait for the old object and does not set it to 0, because a
   // gate (schedule.h) may keep some of these messages, which the new object will receive.
   fresh->waiting = old.waiting;
+  // A reply to a request of the old object may still come.  It names only the object's id and a
+  // reply box, so a box of the new object must not have the same number.
+  fresh->boxes.last = std::max(fresh->boxes.last, old.boxes.last);
 }
 
 }  // namespace

@@ -1,16 +1,16 @@
 // The first that an object hears of is its DoInit, at boot and when it takes another's place.
 #include <OPENR/ObjcommMessages.h>
 #include <gmock/gmock.h>
+#include <sError.h>
 
 #include "runtime/core/api.h"
-#include "tests/runtime/objcomm/probe.h"
+#include "tests/runtime/core/recorder.h"
 
 namespace openr_host {
 namespace {
 
 using ::testing::ElementsAre;
 
-using Log = std::vector<std::string>;
 constexpr Selector kControl = oentryBASE;  // of the first subject
 constexpr int64_t kWaitUs = 5000;
 
@@ -185,6 +185,66 @@ TEST_F(NewcomerTest, AnObserverThatWasNotReadyIsNotReadyForTheSuccessor) {
   Return();
   system_.RunFor(kWaitUs);
   EXPECT_THAT(log_, ElementsAre("init"));
+}
+
+// ---- replies
+
+class LateReplyTest : public testing::Test {
+ protected:
+  LateReplyTest() {
+    system_.AddRobot("ERS-210", nullptr);
+    asker_ = system_.AddObject<Recorder>(0, "asker", &log_);
+    slow_ = system_.AddObject<Recorder>(0, "slow", &log_);
+    silent_ = system_.AddObject<Recorder>(0, "silent", &log_);
+    slow_->on_message = [this](int) { ticket_ = system_.requests().TakeTicket(); };
+    system_.Boot();
+    system_.RunFor(1000);
+  }
+  // Makes the asker send `target` a request, and wait for the reply.
+  void Ask(Recorder* target) {
+    asker_->on_message = [this, target](int value) {
+      int answer = 0;
+      system_.requests().Call(target->host().id, target->entry, &value, sizeof value, &answer,
+                              sizeof answer);
+      log_.push_back(fmt::format("answer {}", answer));
+    };
+    PostTo(asker_, 1);
+    system_.RunFor(1000);
+  }
+  void ReplaceAsker() {
+    auto host = std::make_unique<CodeHost>(&system_, asker_->host().id, 0);
+    host->name = "asker";
+    {
+      const CurrentScope scope(&system_, host.get());
+      auto code = std::make_unique<Recorder>(&log_);
+      asker_ = code.get();
+      host->SetCode(std::move(code));
+    }
+    std::vector<std::unique_ptr<Object>> fresh;
+    fresh.push_back(std::move(host));
+    system_.object_table().Return(std::move(fresh));
+    system_.RunFor(1000);
+  }
+
+  Log log_;
+  System system_;
+  Recorder* asker_;
+  Recorder* slow_;
+  Recorder* silent_;
+  ReplyTicket ticket_;
+};
+
+TEST_F(LateReplyTest, AReplyToTheOldObjectIsNoneToARequestOfItsSuccessor) {
+  Ask(slow_);
+  ReplaceAsker();
+  Ask(silent_);
+  log_.clear();
+  const int answer = 7;
+  RunAs(slow_, [&] {
+    EXPECT_EQ(system_.requests().Reply(ticket_, &answer, sizeof answer), sRBOXWASCLEANED);
+  });
+  system_.RunFor(1000);
+  EXPECT_EQ(log_, Log{});
 }
 
 // ---- handlers that take time
