@@ -403,6 +403,9 @@ OwnedMessage Dispatcher::WaitFor(uint64_t box) {
 
 void Dispatcher::Abandon() {
   ASSERT(running_ != nullptr && t_current.object != nullptr, "only a handler can be abandoned");
+  // Ends a direct call of an entry of the object itself, from which the handler is abandoned.
+  // Otherwise later replies of the object would go to the stack that is given up here.
+  t_current.object->self_reply = nullptr;
   FinishHandler(t_current.object);
   Fiber* const next = TakeIdleFiber();
   // Does not prepare the running fiber (stack) for its next use here, because this code still runs

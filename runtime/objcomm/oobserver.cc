@@ -109,12 +109,20 @@ std::optional<OControlReplyMessage> AskSubject(ObserverState* state, const OServ
                          : objcommCMD_REMOVEOBSERVER_SELF;
   SelfReply self{&reply, sizeof reply, entry.GetSelector()};
   state->object->self_reply = &self;
+  // Ends the direct call in a destructor, because the program's function for Control may throw an
+  // exception.  Otherwise later replies of the object would go to `self`, which no longer exists.
+  struct CallEnd {
+    openr_host::Object* object;
+    ~CallEnd() {
+      t_current.image_code = false;
+      object->self_reply = nullptr;
+    }
+  };
+  const CallEnd end{state->object};
   // Sets image_code, because the Control entry of the subject, which is called here, is code of the
   // object and must use the object's heap and files, not the host's.
   t_current.image_code = state->object->is_image;
   state->object->Dispatch(entry.GetSelector(), control);
-  t_current.image_code = false;
-  state->object->self_reply = nullptr;
   return reply;
 }
 

@@ -4,6 +4,9 @@
 #include <OPENR/ObjcommMessages.h>
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <stdexcept>
+
 #include "runtime/core/api.h"
 #include "tests/runtime/objcomm/probe.h"
 
@@ -141,6 +144,36 @@ TEST_F(ConnectMessagesTest, AFailureOfTheProgramConnectsNobody) {
     EXPECT_EQ(sender->out->ControlHandler(control, oFAIL), oFAIL);
     EXPECT_EQ(sender->out->NumberOfObservers(), 2);
   });
+}
+
+// An object whose subject and observer are connected with each other, and whose Control entry ends
+// the handler.
+class WithEndedControl : public CodeObject {
+ public:
+  explicit WithEndedControl(std::function<void()> on_control) {
+    const Selector control = AddExtra("Control", [on_control](void*) { on_control(); });
+    AddObserver("Both.In.Number.O");
+    RegisterServiceEntry(OServiceEntry(myOID_, control), "Both.Out.Number.S");
+  }
+};
+
+// The connection has no reply, so the object manager waits for 10 s.  The DoStart after it has one.
+void ExpectDoStartIsAnswered(std::function<void(System*)> on_control) {
+  System system;
+  system.AddRobot("ERS-210", nullptr);
+  system.AddObject<WithEndedControl>(0, "both", [&] { on_control(&system); });
+  system.Connect({0, "Both.Out.Number.S", "Both.In.Number.O", "test"});
+  system.Boot();
+  system.RunFor(11'000'000);
+  EXPECT_TRUE(system.booted());
+}
+
+TEST(EndedControlTest, AfterAnAbandonedControlTheObjectRepliesAgain) {
+  ExpectDoStartIsAnswered([](System* system) { system->AbandonHandler(); });
+}
+
+TEST(EndedControlTest, AfterAnExceptionInControlTheObjectRepliesAgain) {
+  ExpectDoStartIsAnswered([](System*) { throw std::runtime_error("no"); });
 }
 
 }  // namespace
