@@ -38,10 +38,11 @@ void RobotTable::BeginShutdown(int index, const RunEnd& why) {
 
 void RobotTable::CutPower(int index, const RunEnd& why) {
   const bool is_shutdown = why.kind == EndKind::kPowerOff;  // a shutdown has set Robot::end already
+  const bool was_off = index < count() && Get(index).powered_off;
   // Records the cut of the power as the reason (Robot::end) why the robot goes off, even if a
   // shutdown has begun and has set another reason.  Keeps the reason of a robot that is off
   // already.
-  if (index < count() && !is_shutdown && !Get(index).powered_off) Get(index).end = why;
+  if (index < count() && !is_shutdown && !was_off) Get(index).end = why;
   NoteEnd(index, why);
   for (const auto& object : system_->objects()) {
     // Does not mark the object manager as off, because it serves all robots of the System.
@@ -52,7 +53,8 @@ void RobotTable::CutPower(int index, const RunEnd& why) {
   if (index >= count()) return NoteIfAllAreOff(why);
   Get(index).powered_off = true;
   off_robots_.Remove(index);
-  if (is_shutdown) WaitForBoot(&Get(index));
+  // Starts no boot timer if the power was cut during the shutdown, because the cut is the end.
+  if (is_shutdown && !was_off) WaitForBoot(&Get(index));
   NoteIfAllAreOff(*Get(index).end);
 }
 
