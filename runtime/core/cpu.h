@@ -57,6 +57,9 @@ class Cpu {
   // object began.
   void Wait(Object* object, OwnedMessage message, int64_t now_us);
 
+  // Returns the messages whose receiver waits for the processor, oldest first.
+  const std::vector<OwnedMessage>& waiting() const { return waiting_; }
+
   // Removes the messages to object `id` that wait for the processor, and returns them, oldest
   // first.
   std::vector<OwnedMessage> TakeMessagesTo(ObjectId id);

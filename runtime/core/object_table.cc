@@ -226,6 +226,31 @@ std::vector<StandingReady> ObjectTable::EndMessagesTo(Object* old) {
   return readies;
 }
 
+// Makes the regions of object `id` that are in notifications on their way belong to no object.
+// EndAllOf() deletes all regions of the object, but the observers of these notifications have not
+// read the data yet: an observer may wait in a handler, or for the processor.  The ready that gives
+// such a region back deletes the region, if the object itself has kept no reference to it.
+void ObjectTable::KeepSentRegions(ObjectId id) {
+  RegionTable& regions = system_->regions();
+  const auto keep = [&regions, id](const Message& message) {
+    if (message.sender != id || message.kind != PayloadKind::kNotify) return;
+    const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
+    for (int i = 0; i < notify.numOfData; ++i) {
+      if (regions.OwnerOf(notify.data[i].memID) == id)
+        regions.SetOwner(notify.data[i].memID, kNoObject);
+    }
+  };
+  system_->queue().ForEach(keep);
+  for (const auto& cpu : system_->dispatcher().cpus()) {
+    for (const OwnedMessage& message : cpu->waiting()) keep(*message);
+  }
+  for (const auto& object : objects_) {
+    for (const OwnedMessage& message : object->delivery.held()) keep(*message);
+    for (const ProcessorState::Outgoing& outgoing : object->processor.outbox)
+      keep(*outgoing.message);
+  }
+}
+
 // Puts the object `fresh` in the place of the old object, which has the same id and ends.
 void ObjectTable::Place(std::unique_ptr<Object> fresh) {
   const ObjectId id = fresh->id;
@@ -245,7 +270,10 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
   // Ends everything that the old object still has in the System (EndAllOf()) if the old object is
   // an image that is replaced or an object of a robot that was switched off.  For all other
   // objects, whose process was lost, EndAllOf() was called before Return().
-  if (old->is_image || fresh->is_absent) EndAllOf(id);
+  if (old->is_image || fresh->is_absent) {
+    KeepSentRegions(id);
+    EndAllOf(id);
+  }
   for (const Listener& listener : replace_listeners_) listener(id);
   PassStatistics(*old, fresh.get());
   fresh->delivery.set_off(old->delivery.is_off());

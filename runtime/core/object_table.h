@@ -74,9 +74,9 @@ class ObjectTable {
   // Posts the replacement of an image by a new load of its file: DoStop and DoDestroy of the old
   // object, then DoInit, connections and DoStart of the new one.  The new object has the same OID,
   // static variables with their initial values, and an empty heap.  Messages to the old object are
-  // lost, and regions that it had received go back to their subjects.  If the image cannot be
-  // loaded, an error finding is added and nothing changes.  REQUIRES: System::booted(), and `id`
-  // names an image.
+  // lost, and regions that it had received go back to their subjects.  Data that it had sent still
+  // arrive.  If the image cannot be loaded, an error finding is added and nothing changes.
+  // REQUIRES: System::booted(), and `id` names an image.
   void Reload(ObjectId id);
 
   // Posts the replacement of objects whose worker process was lost, that is, has ended or cannot be
@@ -101,6 +101,7 @@ class ObjectTable {
  private:
   std::vector<StandingReady> EndMessagesTo(Object* old);
   std::vector<OwnedMessage> TakeMessagesTo(Object* object);
+  void KeepSentRegions(ObjectId id);
   void Place(std::unique_ptr<Object> fresh);
 
   System* const system_;

@@ -28,6 +28,11 @@ class Talker : public CodeObject {
       answer = static_cast<const char*>(event.Data(0));
       in->AssertReady();
     });
+    sleep = AddExtra("Sleep", [this](void*) {
+      bool timed_out = false;
+      const uint64_t box = system().requests().OpenBox();
+      system().requests().Await(box, kSleepUs, "nothing", &timed_out);
+    });
   }
   OStatus DoStart(const OSystemEvent&) override {
     in->AssertReady();
@@ -43,8 +48,11 @@ class Talker : public CodeObject {
     return answer;
   }
 
+  static constexpr int64_t kSleepUs = 5000;
+
   OSubject* out;
   OObserver* in;
+  Selector sleep;  // the entry whose handler waits for kSleepUs
   std::string answer;
 };
 

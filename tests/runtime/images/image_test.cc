@@ -1,6 +1,7 @@
 // Objects loaded from images: statics, heaps, files and ends of methods of their own.
 #include "runtime/core/image.h"
 
+#include <OPENR/RCRegion.h>
 #include <elf.h>
 #include <gtest/gtest.h>
 
@@ -8,6 +9,7 @@
 #include <iterator>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "runtime/core/image_info.h"
 #include "runtime/core/load_image.h"
@@ -191,6 +193,35 @@ TEST_F(ImageTest, WhatAReloadedImageWasLentGoesBack) {
   system->RunFor(1000);
   EXPECT_EQ(region->NumberOfReference(), 1);
   EXPECT_EQ(talker->Ask("count"), "1");
+}
+
+// The answer waits for its observer, which waits in a handler, when the reload begins.
+TEST_F(ImageTest, WhatTheOldImageHasSentArrivesUnchanged) {
+  Start();
+  system->Post(system->NewMessage(talker->host().id, talker->sleep));
+  system->RunFor(100);
+  RunAs(talker, [&] {
+    talker->out->SetData("count", sizeof "count");
+    talker->out->NotifyObservers();
+  });
+  system->RunFor(100);
+  EXPECT_EQ(talker->answer, "");
+  system->object_table().Reload(system->FindObject(0, "probe")->id);
+  system->RunFor(100);
+  EXPECT_NE(printed.find("destroyed"), std::string::npos);
+  // New regions, whose memory would be that of the answer if the reload had freed it.
+  std::vector<RCRegion*> regions;
+  RunAs(talker, [&] {
+    for (int i = 0; i < 8; ++i) regions.push_back(new RCRegion(2));
+  });
+  system->RunFor(2 * Talker::kSleepUs);
+  EXPECT_EQ(talker->answer, "1");
+  EXPECT_EQ(system->regions().CountOf(kNoObject), 0);  // the answer was given back
+  EXPECT_EQ(Findings(), "");
+  EXPECT_EQ(talker->Ask("count"), "1");
+  RunAs(talker, [&] {
+    for (RCRegion* const region : regions) region->RemoveReference();
+  });
 }
 
 TEST_F(ImageTest, AnImageThatWasCutOffIsRefused) {
