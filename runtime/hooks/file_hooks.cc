@@ -325,6 +325,9 @@ FILE* freopen(const char* path, const char* mode, FILE* file) {
 int fclose(FILE* file) {
   static const auto next = OPENR_NEXT(fclose);
   if (!InObject()) return next(file);
+  // fclose() of a stream of the console reports success but leaves the console open, as close()
+  // does.
+  if (file == stdin || file == stdout || file == stderr) return 0;
   OpenFiles::File written = ForgetStream(file);
   const int result = next(file);
   // fclose() has written the last bytes of the file, so an error may mean that these bytes are

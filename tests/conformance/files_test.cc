@@ -1,7 +1,9 @@
 // core.md section 8.1 and field-notes.md section 13: files and the C library, as an object built
 // from a stub.cfg meets them.
+#include <fcntl.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <unistd.h>
 #include <zlib.h>
 
 #include "runtime/core/write_errors.h"
@@ -210,6 +212,14 @@ TEST_F(FilesConformance, FreopenOpensWhatFopenWouldOpen) {
   Start();
   EXPECT_EQ(Answer("freopen"), "T freopen terminal 0 open 0 free 1\n");
   EXPECT_NE(Findings().find("of a stream of the terminal fails"), std::string::npos) << Findings();
+}
+
+TEST_F(FilesConformance, FcloseLeavesTheTerminalOpenBecauseAllObjectsShareIt) {
+  Start();
+  const bool has_input = fcntl(STDIN_FILENO, F_GETFD) != -1;
+  EXPECT_EQ(Answer("close terminal"), "T close terminal 0 0\n");
+  EXPECT_EQ(fcntl(STDIN_FILENO, F_GETFD) != -1, has_input);
+  EXPECT_NE(fcntl(STDOUT_FILENO, F_GETFD), -1);
 }
 
 TEST_F(FilesConformance, DesignDataAreCopiesThatCanBeDeletedOnce) {

@@ -171,6 +171,14 @@ Reopens()
     fclose(other);
 }
 
+static void
+CloseTerminal()
+{
+    const int in = fclose(stdin);
+    const int out = fclose(stdout);
+    OSYSPRINT(("T close terminal %d %d\n", in, out));
+}
+
 static bool
 ConsoleCommand(const std::string& command)
 {
@@ -247,6 +255,8 @@ FileCommand(const std::string& command)
         Threads();
     } else if (command == "freopen") {
         Reopens();
+    } else if (command == "close terminal") {
+        CloseTerminal();
     } else if (command == "atexit") {
         OSYSPRINT(("T atexit %d\n", atexit(Never)));
     } else if (command == "exit") {
