@@ -41,9 +41,11 @@ Finding* Findings::Add(Finding finding) {
   return &all_.emplace_back(std::move(finding));
 }
 
-bool Findings::HasError(size_t first) const {
+bool Findings::HasError(size_t first, std::optional<int> robot) const {
   return std::any_of(all_.begin() + static_cast<ptrdiff_t>(first), all_.end(),
-                     [](const Finding& f) { return f.severity == Severity::kError; });
+                     [robot](const Finding& f) {
+                       return f.severity == Severity::kError && (!robot || f.robot == *robot);
+                     });
 }
 
 }  // namespace openr_host

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,8 +52,9 @@ class Findings {
   // element.  If the finding was only counted, returns null.
   Finding* Add(Finding finding);
   const std::vector<Finding>& all() const { return all_; }
-  // Returns whether there is an error among the findings from index `first` of all() on.
-  bool HasError(size_t first = 0) const;
+  // Returns whether there is an error among the findings from index `first` of all() on.  If
+  // `robot` has a value, only findings about the robot with this number count.
+  bool HasError(size_t first = 0, std::optional<int> robot = {}) const;
   uint64_t not_kept() const { return not_kept_; }
 
  private:

@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "runtime/base/assert.h"
@@ -143,7 +144,7 @@ void ObjectManager::ReleaseEarlyMessages() {
 }
 
 // Boots `robot`, or all robots if `robot` is kAllRobots.  `findings_before` is the number of
-// findings before this boot; all later findings count as findings about the boot.
+// findings before this boot; all later findings about `robot` count as findings about the boot.
 void ObjectManager::RunBoot(int robot, size_t findings_before) {
   SendToAll(oentryINIT, oreasonBOOT, true, robot);
   SendToAll(oentryINIT, oreasonBOOT, false, robot);
@@ -151,7 +152,9 @@ void ObjectManager::RunBoot(int robot, size_t findings_before) {
     if (robot == kAllRobots || connection.robot == robot) Connect(connection);
   }
   ReleaseEarlyMessages();
-  if (system().options().strict && system().findings().HasError(findings_before)) {
+  // When one robot boots again, leaves out errors of other robots, which go on meanwhile.
+  const std::optional<int> of_robot = robot == kAllRobots ? std::nullopt : std::optional(robot);
+  if (system().options().strict && system().findings().HasError(findings_before, of_robot)) {
     RefuseToStart(robot);
     return;
   }

@@ -51,5 +51,23 @@ TEST_F(RobotTableTest, ARobotThatIsSwitchedOffDuringItsShutdownDoesNotBootAgain)
   EXPECT_FALSE(system.powered_off());
 }
 
+TEST(StrictRobotTest, AnErrorOfAnotherRobotDoesNotKeepARobotFromBootingAgain) {
+  for (const int robot_with_error : {0, 1}) {
+    System system({.strict = true});
+    for (int i = 0; i < 2; ++i) system.AddRobot("ERS-210", nullptr);
+    system.robot(0).services = std::make_unique<TimerServices>();
+    system.robot(0).load_again = [&] {
+      system.AddFindingAboutRobot(robot_with_error, Severity::kError, "an error during the boot");
+      return true;
+    };
+    system.Boot();
+    system.RunFor(1000);
+    system.Shutdown(0);
+    system.RunFor(2'000'000);
+    EXPECT_EQ(system.robot(0).boots, 2);
+    EXPECT_EQ(system.robot(0).powered_off, robot_with_error == 0);
+  }
+}
+
 }  // namespace
 }  // namespace openr_host
