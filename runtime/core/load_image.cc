@@ -29,6 +29,13 @@ std::string NearestName(const std::string& path) {
   return DidYouMean(fs::path(path).filename().string(), names);
 }
 
+std::vector<uint32_t> RegionsOf(const System& system, ObjectId owner) {
+  std::vector<uint32_t> regions;
+  system.regions().ForEachOf(
+      owner, [&regions](uint32_t region, char*, size_t) { regions.push_back(region); });
+  return regions;
+}
+
 }  // namespace
 
 std::unique_ptr<ImageObject> OpenImage(System* system, int robot, ObjectId id,
@@ -53,14 +60,27 @@ std::unique_ptr<ImageObject> OpenImage(System* system, int robot, ObjectId id,
   }
   auto image = std::make_unique<ImageObject>(system, id, robot);
   image->path = path;
+  // The regions of the object that the new image is to replace; none if there is no such object.
+  const std::vector<uint32_t> old_regions = RegionsOf(*system, id);
   const std::string problem = image->Load(location.path, system->run_folder());
-  if (!problem.empty()) return refuse(problem);
+  if (const Object* const old = system->object(id); old != nullptr && !old->is_absent) {
+    for (const uint32_t region : RegionsOf(*system, id)) {
+      if (std::find(old_regions.begin(), old_regions.end(), region) != old_regions.end()) continue;
+      system->regions().SetOwner(region, kNoObject);
+      image->early_regions.push_back(region);
+    }
+  }
+  const auto refuse_loaded = [&](const std::string& why) {
+    for (const uint32_t region : image->early_regions) system->regions().Delete(region);
+    return refuse(why);
+  };
+  if (!problem.empty()) return refuse_loaded(problem);
   const Object* const namesake = system->FindObject(robot, image->name);
   // Refuses the image if another object of the robot has the same name.  The object `id` may have
   // the same name, because the new image is loaded to replace this object.
   if (namesake != nullptr && namesake->id != id) {
-    return refuse(fmt::format("is named '{}' like another object; names in .ocf files must differ",
-                              image->name));
+    return refuse_loaded(fmt::format(
+        "is named '{}' like another object; names in .ocf files must differ", image->name));
   }
   return image;
 }

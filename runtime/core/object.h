@@ -180,6 +180,11 @@ class Object {
   // notice that another object has this id now, whose entries may have other names.
   int predecessors = 0;
 
+  // The regions that constructors of an image have made although another object still has its id.
+  // They belong to no object until ObjectTable::Place() has deleted the regions of that object, and
+  // then to this object.
+  std::vector<uint32_t> early_regions;
+
   // Text after "state: " in the last INFO line that the object has printed with OSYSLOG1.  This
   // member and the next three members are statistics for the report of the run.
   std::string state;

@@ -274,6 +274,7 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
     KeepSentRegions(id);
     EndAllOf(id);
   }
+  for (const uint32_t region : fresh->early_regions) system_->regions().SetOwner(region, id);
   for (const Listener& listener : replace_listeners_) listener(id);
   PassStatistics(*old, fresh.get());
   fresh->delivery.set_off(old->delivery.is_off());

@@ -1,5 +1,6 @@
 #include "Imports.h"
 
+#include <OPENR/RCRegion.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdio.h>
@@ -10,10 +11,16 @@
 #include <stdexcept>
 #include <vector>
 
-// Keeps an address of the stack on which constructors of global objects run.
+// Keeps an address of the stack on which constructors of global objects run, and a region that such
+// a constructor has made.
 struct Early {
-    Early() : place(0)
+    Early() : place(0), region(0)
     {
+        if (FILE* file = fopen("/MS/OPEN-R/MW/DATA/P/REGION.TXT", "r")) {
+            fclose(file);
+            region = new RCRegion(32);
+            strcpy(region->Base(), "made early");
+        }
         if (FILE* file = fopen("/MS/OPEN-R/MW/DATA/P/THROW.TXT", "r")) {
             fclose(file);
             throw std::runtime_error("thrown early");
@@ -21,6 +28,7 @@ struct Early {
         place = __builtin_frame_address(0);
     }
     void* place;
+    RCRegion* region;
 };
 
 static Early early;
@@ -87,6 +95,7 @@ AnswerImports(const std::string& command)
 {
     std::ostringstream out;
     if (command == "constructed") out << early.place;
+    if (command == "region") out << early.region->Base();
     if (command == "stack") out << static_cast<void*>(&out);
     if (command == "arguments") out << Many();
     if (command == "digits") out << Digits(4000);

@@ -224,6 +224,20 @@ TEST_F(ImageTest, WhatTheOldImageHasSentArrivesUnchanged) {
   });
 }
 
+// The reload deletes the regions of the old object after the constructors of the new one have run.
+TEST_F(ImageTest, RegionsThatConstructorsMakeOutliveAReload) {
+  Write("OPEN-R/MW/DATA/P/REGION.TXT", "");
+  Start();
+  EXPECT_EQ(talker->Ask("region"), "made early");
+  const ObjectId id = system->FindObject(0, "probe")->id;
+  EXPECT_EQ(system->regions().CountOf(id), 1);
+  system->object_table().Reload(id);
+  system->RunFor(1000);
+  EXPECT_EQ(system->regions().CountOf(id), 1);
+  EXPECT_EQ(system->regions().CountOf(kNoObject), 0);
+  EXPECT_EQ(talker->Ask("region"), "made early");
+}
+
 TEST_F(ImageTest, AnImageThatWasCutOffIsRefused) {
   const fs::path image = root / "OPEN-R/MW/OBJS/PROBE.BIN";
   fs::resize_file(image,
