@@ -31,6 +31,7 @@ void LocalCalls::CloseBox(uint64_t box) {
   Object* const self = t_current.object;
   self->boxes.open.erase(box);
   self->boxes.arrived.erase(box);
+  system_->time_events().ForgetBox(self->id, box);
 }
 
 bool LocalCalls::AcceptsReply(ObjectId asker, uint64_t box) const {

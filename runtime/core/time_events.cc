@@ -52,6 +52,12 @@ void TimeEvents::ForgetObject(ObjectId id) {
   });
 }
 
+void TimeEvents::ForgetBox(ObjectId owner, uint64_t box) {
+  std::erase_if(events_, [owner, box](const auto& entry) {
+    return entry.second.letter.owner == owner && entry.second.box == box;
+  });
+}
+
 int64_t TimeEvents::NextUs() const {
   int64_t next_us = INT64_MAX;
   for (const auto& [id, event] : events_) next_us = std::min(next_us, event.due_us);

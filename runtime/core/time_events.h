@@ -36,6 +36,9 @@ class TimeEvents {
 
   // Cancels the time event or reply event `id`.  Returns false if `owner` has no such event.
   bool Cancel(ObjectId owner, uint32_t id);
+  // Removes the reply events of object `owner` that wait for the reply in its reply box `box`,
+  // because the box is closed and no reply will arrive.
+  void ForgetBox(ObjectId owner, uint64_t box);
   // Returns the number of time events and reply events of `owner`.
   int CountOf(ObjectId owner) const;
   // Removes all time events and reply events of object `id`, and all such events that post to it,

@@ -189,6 +189,22 @@ TEST_F(DispatcherTest, ACallIgnoresItsTimeoutWhileTheCalleeWaitsForWallTime) {
   EXPECT_EQ(log.back(), "answer @2000");
 }
 
+// An object can have 32 events, so an event that can never come must not count.
+TEST_F(DispatcherTest, AReplyEventEndsWithItsReplyBox) {
+  Recorder* a = Add("a");
+  RunAs(a, [&] {
+    SystemCalls& calls = system.calls();
+    const uint64_t closed = system.requests().OpenBox();
+    const uint64_t open = system.requests().OpenBox();
+    for (const uint64_t box : {closed, open})
+      calls.AddReplyEvent({a->host().id, a->host().id, a->entry, {}}, box);
+    calls.AddTimedEvent({a->host().id, a->host().id, a->entry, {}}, 1000, 0);
+    EXPECT_EQ(calls.CountEvents(), 3);
+    calls.CloseBox(closed);
+    EXPECT_EQ(calls.CountEvents(), 2);
+  });
+}
+
 TEST_F(DispatcherTest, AHandlerCanBeAbandonedAndItsObjectGoesOn) {
   Recorder* a = Add("a");
   a->on_message = [&](int value) {
