@@ -96,8 +96,9 @@ bool CheckNames(const std::string& path) {
   return !strict;
 }
 
+// O_TRUNC alone counts too, because the host's open() then empties the file.
 bool OpensForWriting(int flags) {
-  return (flags & O_ACCMODE) != O_RDONLY || (flags & O_CREAT) != 0;
+  return (flags & O_ACCMODE) != O_RDONLY || (flags & (O_CREAT | O_TRUNC)) != 0;
 }
 bool OpensForWriting(const char* mode) { return std::strpbrk(mode, "wa+") != nullptr; }
 

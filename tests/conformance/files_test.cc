@@ -100,6 +100,14 @@ TEST_F(FilesConformance, AWriteProtectedStickRefusesWritersAndSaysSo) {
   EXPECT_EQ(Answer("flags"), "T created 0 wrote -1 exclusive -1 text \n");
 }
 
+TEST_F(FilesConformance, AWriteProtectedStickKeepsAFileThatIsOpenedWithTruncOnly) {
+  Start();
+  stick->set_writable(false);
+  EXPECT_EQ(Answer("truncates"), "T truncates 0\n");
+  EXPECT_EQ(std::filesystem::file_size(root / "OPEN-R/MW/DATA/P/HELLO.TXT"), 11u);
+  EXPECT_TRUE(Found("HELLO.TXT cannot be written: the stick is write-protected")) << Findings();
+}
+
 // binary.md 4.2: errno is 30.
 TEST_F(FilesConformance, AWriteProtectedStickIsNamedForEachFileThatIsNotWritten) {
   Data("STAY.TXT", "stay");

@@ -51,6 +51,7 @@ class TwoProcesses : public Elsewhere {
       "AnObjectThatIsNotInObjectCfgIsNotFound",
       "AWriteProtectedStickRefusesWritersAndSaysSo",
       "AWriteProtectedStickIsNamedForEachFileThatIsNotWritten",
+      "AWriteProtectedStickKeepsAFileThatIsOpenedWithTruncOnly",
       // The limit for the size of files is one of this process.
       "BytesThatTheStickDoesNotTakeAreReportedOnceForEachFile",
       "BytesOfAStreamThatForgetsItsErrorsAreReportedToo",

@@ -121,6 +121,14 @@ Flags()
     OSYSPRINT(("T created %d wrote %d exclusive %d text %s\n", created >= 0, written, exclusive, text));
 }
 
+static void
+Truncates()
+{
+    const int emptied = open(FOLDER "HELLO.TXT", O_RDONLY | O_TRUNC);
+    if (emptied >= 0) close(emptied);
+    OSYSPRINT(("T truncates %d\n", emptied >= 0));
+}
+
 static void Never() { OSYSPRINT(("T atexit ran\n")); }
 
 static void
@@ -235,6 +243,8 @@ FileCommand(const std::string& command)
         ManageFiles();
     } else if (command == "flags") {
         Flags();
+    } else if (command == "truncates") {
+        Truncates();
     } else if (command == "writes") {
         WriteInAllWays();
     } else if (command == "leaves") {
