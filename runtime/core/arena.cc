@@ -97,6 +97,12 @@ void Arena::FreeSpans(size_t first) {
   first_free_ = std::min(first_free_, first);
 }
 
+void Arena::LeaveBudget() {
+  budget_->used_bytes -= in_use_;
+  own_budget_.used_bytes = in_use_;
+  budget_ = &own_budget_;
+}
+
 bool Arena::MayTake(size_t size) {
   if (budget_->allocations_until_failure > 0 && --budget_->allocations_until_failure == 0)
     return false;

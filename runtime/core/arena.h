@@ -45,6 +45,10 @@ class Arena {
   // if that is larger.
   void* Allocate(size_t size, size_t alignment = 16);
 
+  // Gives the memory of this arena back to the budget that the robot's objects share, because the
+  // object of this arena was replaced.  From then on the size of the heap area is the only limit.
+  void LeaveBudget();
+
   size_t bytes_in_use() const { return in_use_; }
   size_t bytes_in_use_max() const { return in_use_max_; }
 
@@ -131,7 +135,7 @@ class Arena {
   size_t in_use_ = 0;
   size_t in_use_max_ = 0;
   MemoryBudget own_budget_;
-  MemoryBudget* const budget_;
+  MemoryBudget* budget_;
 };
 
 }  // namespace openr_host

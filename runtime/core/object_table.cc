@@ -279,9 +279,12 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
   PassStatistics(*old, fresh.get());
   fresh->delivery.set_off(old->delivery.is_off());
   // Keeps an old object whose handler waits or still has the processor, because that handler needs
-  // its object until it ends.
-  if (old->handler.running != nullptr || old->delivery.is_busy())
+  // its object until it ends.  The heap of the old object does not count as memory of the robot any
+  // more, because on the robot the object would be gone.
+  if (old->handler.running != nullptr || old->delivery.is_busy()) {
+    if (old->arena != nullptr) old->arena->LeaveBudget();
     replaced_running_.push_back(std::move(objects_[static_cast<size_t>(id)]));
+  }
   objects_[static_cast<size_t>(id)] = std::move(fresh);
 }
 

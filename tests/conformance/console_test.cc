@@ -29,6 +29,20 @@ TEST_F(ConsoleConformance, AReaderWaitsAloneUntilALineIsThere) {
   EXPECT_EQ(Said(), "some words\nT gets 'some words'\nT ready 1 refs 0\nT any 1 ready 1 all 1\n");
 }
 
+// The old object exists as long as its handler waits.
+TEST_F(ConsoleConformance, AReaderThatWasReloadedUsesNoMemoryOfTheRobot) {
+  Start();
+  Tell("gets");
+  system->object_table().Reload(IdOf("teller"));
+  system->RunFor(
+      25'000'000);  // DoStop and DoDestroy of the old object are given up after 10 s each
+  size_t used = 0;
+  for (const auto& object : system->objects()) {
+    if (object->arena != nullptr) used += object->arena->bytes_in_use();
+  }
+  EXPECT_EQ(system->robot(0).memory.used_bytes, used);
+}
+
 TEST_F(ConsoleConformance, LinesEnterAtAFrameBoundary) {
   Start();
   Tell("gets");

@@ -52,6 +52,8 @@ class TwoProcesses : public Elsewhere {
       "AWriteProtectedStickRefusesWritersAndSaysSo",
       "AWriteProtectedStickIsNamedForEachFileThatIsNotWritten",
       "AWriteProtectedStickKeepsAFileThatIsOpenedWithTruncOnly",
+      // Only images that were loaded in this process can be loaded again.
+      "AReaderThatWasReloadedUsesNoMemoryOfTheRobot",
       // The limit for the size of files is one of this process.
       "BytesThatTheStickDoesNotTakeAreReportedOnceForEachFile",
       "BytesOfAStreamThatForgetsItsErrorsAreReportedToo",

@@ -113,6 +113,18 @@ TEST_F(ArenaTest, ArenasShareABudgetAndGiveItBack) {
   EXPECT_NE(stays.Allocate(600), nullptr);
 }
 
+TEST_F(ArenaTest, AnArenaCanLeaveItsBudget) {
+  MemoryBudget budget{.limit_bytes = 1000};
+  Arena arena(place_, &budget);
+  void* const block = arena.Allocate(100);
+  EXPECT_GE(budget.used_bytes, 100u);
+  arena.LeaveBudget();
+  EXPECT_EQ(budget.used_bytes, 0u);
+  EXPECT_TRUE(Arena::Free(block));
+  EXPECT_EQ(budget.used_bytes, 0u);
+  EXPECT_EQ(arena.bytes_in_use(), 0u);
+}
+
 TEST_F(ArenaTest, AllMemoryGoesWithTheArena) {
   void* block = nullptr;
   {
