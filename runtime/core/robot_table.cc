@@ -44,18 +44,23 @@ void RobotTable::CutPower(int index, const RunEnd& why) {
   // already.
   if (index < count() && !is_shutdown && !was_off) Get(index).end = why;
   NoteEnd(index, why);
-  for (const auto& object : system_->objects()) {
-    // Does not mark the object manager as off, because it serves all robots of the System.
-    if (object == nullptr || object->robot != index || object.get() == &system_->manager().host())
-      continue;
-    object->delivery.set_off(true);
-  }
+  SwitchObjectsOff(index);
   if (index >= count()) return NoteIfAllAreOff(why);
   Get(index).powered_off = true;
   off_robots_.Remove(index);
   // Starts no boot timer if the power was cut during the shutdown, because the cut is the end.
   if (is_shutdown && !was_off) WaitForBoot(&Get(index));
   NoteIfAllAreOff(*Get(index).end);
+}
+
+// Drops from now on all messages to the objects of robot number `index`.
+void RobotTable::SwitchObjectsOff(int index) {
+  for (const auto& object : system_->objects()) {
+    // Does not mark the object manager as off, because it serves all robots of the System.
+    if (object == nullptr || object->robot != index || object.get() == &system_->manager().host())
+      continue;
+    object->delivery.set_off(true);
+  }
 }
 
 // Called after `robot` has shut down.  If a boot timer runs and the robot can be loaded again,
@@ -92,6 +97,8 @@ bool RobotTable::LoadAgain(int index) {
   if (boots) {
     dog.powered_off = false;
   } else {
+    // The objects that were loaded get no DoInit, so they must not get a DoStop either.
+    SwitchObjectsOff(index);
     dog.end = {EndKind::kNoBoot, "the robot does not boot again; the findings say why"};
     NoteIfAllAreOff(*dog.end);
   }

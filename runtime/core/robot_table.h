@@ -67,6 +67,7 @@ class RobotTable {
   const OffRobots& off_robots() const { return off_robots_; }
 
  private:
+  void SwitchObjectsOff(int index);
   void WaitForBoot(Robot* robot);
   void NoteIfAllAreOff(const RunEnd& why);
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "runtime/core/code_object.h"
 #include "runtime/core/robot_services.h"
 #include "runtime/core/system.h"
 
@@ -49,6 +50,35 @@ TEST_F(RobotTableTest, ARobotThatIsSwitchedOffDuringItsShutdownDoesNotBootAgain)
   ASSERT_TRUE(system.robot(0).end.has_value());
   EXPECT_EQ(system.robot(0).end->kind, EndKind::kFatal);
   EXPECT_FALSE(system.powered_off());
+}
+
+// An object that counts how often it is stopped.
+class StopCounter : public CodeObject {
+ public:
+  explicit StopCounter(int* stops) : stops_(stops) {}
+  OStatus DoStop(const OSystemEvent&) override {
+    ++*stops_;
+    return oSUCCESS;
+  }
+
+ private:
+  int* const stops_;
+};
+
+// The object gets no DoInit, so its DoStop would find nothing to stop.
+TEST_F(RobotTableTest, AnObjectOfARobotThatDoesNotBootAgainIsNotStopped) {
+  int stops = 0;
+  system.robot(0).load_again = [&] {
+    system.AddObject<StopCounter>(0, "loaded", &stops);
+    return false;  // as if the next image could not be loaded
+  };
+  system.Shutdown(0);
+  system.RunFor(2'000'000);
+  ASSERT_NE(system.FindObject(0, "loaded"), nullptr);
+  system.Shutdown();
+  system.RunFor(1000);
+  EXPECT_TRUE(system.powered_off());
+  EXPECT_EQ(stops, 0);
 }
 
 TEST(StrictRobotTest, AnErrorOfAnotherRobotDoesNotKeepARobotFromBootingAgain) {
