@@ -65,6 +65,7 @@ sError CancelEvent(EventID event) {
 
 // Changes a limit of the current object.  Only the length of its message queue can be changed.
 sError SetResourceValue(sResource resource, slongword value) {
+  const ApiScope scope;
   if (t_current.object == nullptr) return sFAIL;
   if (resource < rMAXMESSAGESIZE || resource > rMAXENTRIES) return sINVALIDRESOURCE;
   if (resource != rMAXQUEUESIZE) return sNOTSUPPORTED;

@@ -23,6 +23,7 @@ constexpr size_t kPageBytes = 4096;
 // (GrowMemoryRegion()), the new size must not be smaller than the old size.  Otherwise
 // (ShrinkMemoryRegion()), the new size must be smaller.
 sError Resize(MemoryRegionID id, size_t size, bool grows) {
+  const ApiScope scope;
   if (t_current.object == nullptr) return sFAIL;
   RegionTable& regions = t_current.system->regions();
   if (regions.BaseOf(id) == nullptr) return sINVALIDSHAREDMEMID;
