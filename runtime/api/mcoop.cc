@@ -170,7 +170,11 @@ sError Delegate(OID oid, Selector selector, void* msg, size_t size) {
   OwnedMessage message = NewBytes(oid, selector, msg, size);
   message->sender = ticket.to;
   message->reply_box = ticket.box;
-  return t_current.system->Post(std::move(message));
+  const sError error = t_current.system->Post(std::move(message));
+  // Gives the right to reply back to the running handler if the message to object `oid` was
+  // refused, so that this object can still answer the request.
+  if (error != sSUCCESS) t_current.object->handler.running->reply_box = ticket.box;
+  return error;
 }
 
 sError CleanRBox(RID rbox) {

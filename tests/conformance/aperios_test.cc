@@ -130,6 +130,14 @@ TEST_F(AperiosConformance, ADelegatedRequestIsAnsweredByTheOther) {
   EXPECT_EQ(asker->answer, "0 an answer");
 }
 
+TEST_F(AperiosConformance, ARequestThatCannotBeDelegatedIsAnsweredByTheObjectItself) {
+  StartWithOthers();
+  Post("asker", "Go", "misguide");
+  Settle();
+  EXPECT_EQ(Said(), "T asked misguide\nT delegate 16\n");
+  EXPECT_EQ(asker->answer, "0 an answer");
+}
+
 // core.md 6.5, regions; field-notes.md, 3.1
 TEST_F(AperiosConformance, MemoryIsMadeSharedResizedAndDeleted) {
   Start();

@@ -99,7 +99,7 @@ Die()
 }
 
 // Hands "delegate" on to its own entry, and "bequeath" to another object; anything else it answers
-// itself.
+// itself, also "misguide" after it has tried to hand it on to an entry that does not exist.
 void
 Teller::Ask(void* msg)
 {
@@ -112,6 +112,7 @@ Teller::Ask(void* msg)
         Delegate(myOID_, selector, word, sizeof word);
         return;
     }
+    if (strcmp((const char*)msg, "misguide") == 0) OSYSPRINT(("T delegate %d\n", Delegate(myOID_, 40, msg, 9)));
     if (strcmp((const char*)msg, "bequeath") == 0) {
         char word[] = "answer";
         OID heir;
