@@ -48,7 +48,9 @@ HostNetwork::HostNetwork(HostNetworkOptions options)
 
 void HostNetwork::Attach(uint32_t ip) {
   ip_ = ip;
-  if (addresses_.Has(ip)) bind_ip_ = addresses_.ToHost(ip);
+  // Forgets the addresses of an earlier boot, because the robot may have another address now.
+  bind_ip_ = addresses_.Has(ip) ? addresses_.ToHost(ip) : options_.bind_ip;
+  bound_.clear();
 }
 
 bool HostNetwork::IsRobot(uint32_t ip) const {

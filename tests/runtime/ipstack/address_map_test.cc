@@ -102,6 +102,20 @@ TEST_F(AddressesTest, AServerBoundToAnAddressIsFoundWhereThatIs) {
   EXPECT_EQ(local, (NetAddress{kOtherIp, kPort}));
 }
 
+TEST(HostNetworkAttachTest, AfterABootWithAnotherAddressThePairOfTheOldOneIsNotUsed) {
+  HostNetworkOptions options;
+  options.tcp_ports[kPort] = 0;
+  options.addresses = {{kRobotIp, kSecondLocal}};
+  HostNetwork network(options);
+  network.Attach(kRobotIp);
+  network.Attach(kOtherIp);
+  network.Listen(1, kPort);
+  const Fd client = OpenSocket(NetProtocol::kTcp);
+  int error = ConnectTo(client, {kLocal, network.HostPort(NetProtocol::kTcp, kPort)});
+  for (int i = 0; i < kTriesMax && error == EINPROGRESS; ++i) error = ConnectResult(client);
+  EXPECT_EQ(error, 0);
+}
+
 TEST_F(AddressesTest, AnAddressThatNobodySpokeOfCannotBeBoundTo) {
   StartWith({});
   Do([&] {
