@@ -10,11 +10,17 @@ LoopbackNetwork::LoopbackNetwork(std::shared_ptr<LoopbackHub> hub) : hub_(std::m
 LoopbackNetwork::~LoopbackNetwork() {
   while (!connections_.empty()) Drop(connections_.begin()->first, true);
   while (!listeners_.empty()) Drop(listeners_.begin()->first, true);
+  LeaveHub();
+}
+
+// Removes this host from the hosts of the hub, unless another host has the same address now.
+void LoopbackNetwork::LeaveHub() {
   const auto self = hub_->hosts_.find(ip_);
   if (self != hub_->hosts_.end() && self->second == this) hub_->hosts_.erase(self);
 }
 
 void LoopbackNetwork::Attach(uint32_t ip) {
+  LeaveHub();
   ip_ = ip;
   hub_->hosts_[ip] = this;
 }

@@ -109,6 +109,7 @@ class LoopbackNetwork : public Network {
     std::deque<Datagram> waiting;
   };
 
+  void LeaveHub();
   LoopbackNetwork* HostAt(uint32_t ip);
   Listener* ListenerOn(uint16_t port);
   void Add(NetworkEvent::Kind kind, NetHandle handle, NetError error = NetError::kNone);

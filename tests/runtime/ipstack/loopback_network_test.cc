@@ -114,6 +114,15 @@ TEST_F(LoopbackNetworkTest, DatagramsBeyondTheQueueAreLost) {
   EXPECT_EQ(count, LoopbackNetwork::kDatagrams);
 }
 
+TEST_F(LoopbackNetworkTest, HostWithANewAddressIsNotFoundAtTheOldOne) {
+  b.Attach(3);
+  b.Listen(1, 80);
+  a.Connect(10, 4000, {2, 80});
+  EXPECT_EQ(a.Poll().back().error, NetError::kHostUnreachable);
+  a.Connect(11, 4001, {3, 80});
+  EXPECT_EQ(KindsOf(a.Poll()), std::vector<Kind>{Kind::kConnected});
+}
+
 TEST_F(LoopbackNetworkTest, HostThatIsGoneIsUnreachableAndBreaksItsConnections) {
   {
     LoopbackNetwork c(hub);
