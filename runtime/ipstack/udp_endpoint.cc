@@ -225,11 +225,19 @@ void UdpEndpoint::FinishSend() {
   Finish(&send_, UDP_SUCCESS, data, size);
 }
 
+// Returns whether a datagram from `sender` comes from the connected peer.  A program may call its
+// own robot 127.0.0.1 in Connect, but the network gives the robot's own address for a datagram that
+// the robot has sent to itself.
+bool UdpEndpoint::IsFromPeer(const NetAddress& sender) const {
+  return sender == peer_ ||
+         (IPAddress(peer_.ip).InLoop() && sender == NetAddress{stack_->address(), peer_.port});
+}
+
 // Drops the waiting datagrams in front of the first datagram of the connected peer, because after
 // Connect only the peer's datagrams are delivered.  Without a connected peer, drops no datagrams.
 // Returns whether a datagram is left.
 bool UdpEndpoint::DropFromOtherSenders() {
-  while (peer_.ip != 0 && !waiting_.empty() && waiting_.front().remote != peer_) {
+  while (peer_.ip != 0 && !waiting_.empty() && !IsFromPeer(waiting_.front().remote)) {
     waiting_.pop_front();
   }
   return !waiting_.empty();

@@ -45,6 +45,7 @@ class UdpEndpoint : public Endpoint {
   void NoteSecondSend(const Operation& operation);
   void Refuse(Operation operation, UDPEndpointError error);
   void FinishSend();
+  bool IsFromPeer(const NetAddress& sender) const;
   bool DropFromOtherSenders();
   void FinishReceive();
   void Finish(std::optional<Operation>* operation, UDPEndpointError error,

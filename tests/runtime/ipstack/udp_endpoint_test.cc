@@ -164,6 +164,20 @@ TEST_F(UdpTest, ConnectedEndpointSendsWithoutAnAddressAndHearsOnlyItsPeer) {
   EXPECT_EQ(peer.datagrams[0].bytes, "friend");
 }
 
+TEST_F(UdpTest, ConnectedToLoopbackItHearsItsOwnRobot) {
+  Bind(kPort);
+  Do([&] { probe->Send(UDPEndpointConnectMsg(endpoint, 0x7f000001, 9000)); });
+  Receive(10);
+  Do([&] {
+    antModuleRef other = probe->NewEndpoint(EndpointType_UDP);
+    probe->Send(UDPEndpointBindMsg(other, IP_ADDR_ANY, 9000));
+    std::memcpy(buffer + 100, "echo", 4);
+    probe->Send(UDPEndpointSendMsg(other, 0x7f000001, kPort, buffer + 100, 4));
+  });
+  Frames(2);
+  EXPECT_EQ(probe->replies.back(), "UDP Receive 0 'echo'");
+}
+
 TEST_F(UdpTest, ResetConnectHearsEverybodyAgain) {
   Bind(kPort);
   Do([&] {
