@@ -112,7 +112,9 @@ void Worker::AddObject(const openr_wire_ObjectEntry& entry,
   // Gives the network stack of this process an empty network.  This stack serves only the shared
   // buffers of the objects in this process.  Only the stack in the master uses the real network.
   if (entry.is_stack) {
-    AddIpStack(system_.get(), entry.robot, std::make_unique<LoopbackNetwork>());
+    IpStackOptions options;
+    options.reports_settings = false;
+    AddIpStack(system_.get(), entry.robot, std::make_unique<LoopbackNetwork>(), std::move(options));
     return;
   }
   if (entry.is_own) {

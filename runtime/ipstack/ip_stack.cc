@@ -55,8 +55,9 @@ IpStack::IpStack(std::shared_ptr<Network> network, IpStackOptions options)
       next_port_(IPPORT_RESERVED) {
   host().is_system = true;
   host().post_class = MessageClass::kInput;
-  for (const Diagnostic& diagnostic : parameters_.diagnostics()) {
-    system().AddFindingAbout(&host(), diagnostic.severity, RenderWithoutKind(diagnostic));
+  if (options_.reports_settings) {
+    for (const Diagnostic& diagnostic : parameters_.diagnostics())
+      system().AddFindingAbout(&host(), diagnostic.severity, RenderWithoutKind(diagnostic));
   }
   const WlanConfig& wlan = parameters_.wlan();
   address_ = IpFromText(wlan.ether_ip);

@@ -40,6 +40,9 @@ struct IpStackOptions {
   // Pairs of an address that programs use and the host's address that replaces it.  Programs may
   // bind to AddressPair::robot of each pair, besides the robot's own address (address_config.h).
   std::vector<AddressPair> addresses = {};
+  // Whether faults of WLANCONF.TXT are added to the findings.  False in a worker process of a
+  // distributed run, because the network stack in the master adds them.
+  bool reports_settings = true;
 };
 
 class IpStack : public CodeObject {

@@ -69,6 +69,14 @@ TEST_F(EqualRunsTest, TheRunIsTheSameInOtherProcesses) {
   EXPECT_EQ(Run({"--isolate", "Revealer", "--isolate", "Mirror"}), alone);
 }
 
+TEST_F(EqualRunsTest, AFindingAboutTheNetworkSettingsIsOneFindingInAllProcesses) {
+  stick_.Write("OPEN-R/SYSTEM/CONF/WLANCONF.TXT", "NO_SUCH_KEY=1\n");
+  const json alone = ReportOf(RunProgram(Flags()))["findings"];
+  EXPECT_EQ(alone.size(), 1u) << alone;
+  const Words apart = {"--isolate", "Revealer", "--isolate", "Mirror"};
+  EXPECT_EQ(ReportOf(RunProgram(Flags(apart)))["findings"], alone);
+}
+
 TEST_F(EqualRunsTest, TheRunIsTheSameWithReceivedDataOnPagesOfTheirOwn) {
   const std::string strict = Run({"--strict"});
   EXPECT_EQ(Run({"--strict"}), strict);
