@@ -1,6 +1,7 @@
 // The functions of MCOOP.h that send messages, wait for replies, reply, and find objects.  MCOOP.h
 // is the interface of Aperios, the robot's operating system.
 #include <MCOOP.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstring>
@@ -34,6 +35,17 @@ sError CheckBox(const RID& rbox) {
   if (self == nullptr || !rbox.IsValid()) return sINVALIDRID;
   if (ObjectIdOf(rbox.GetMailer()) != self->id) return sRIDCANNOTBETREATED;
   return self->boxes.open.contains(rbox.GetValue()) ? sSUCCESS : sRIDNOTFOUND;
+}
+
+// Returns whether the current object can wait for a reply.  In a constructor it cannot; then adds a
+// finding that names `function`, the function of MCOOP.h that the program has called.
+bool CanWait(const char* function) {
+  if (t_current.object->handler.running != nullptr) return true;
+  t_current.system->AddFinding(
+      Severity::kError, fmt::format("{}() in a constructor fails: only a handler can wait for an "
+                                    "answer; do it in DoInit",
+                                    function));
+  return false;
 }
 
 }  // namespace
@@ -129,6 +141,7 @@ sError Receive(RID rbox, void* msg, size_t size, size_t* got, RelativeTime* time
   const ApiScope scope;
   const sError error = CheckBox(rbox);
   if (error != sSUCCESS) return error;
+  if (!CanWait("Receive")) return sFAIL;
   return t_current.system->requests().Wait(rbox.GetValue(), msg, size, got,
                                            timeout == nullptr ? -1 : Microseconds(*timeout),
                                            "a reply (Receive)");
@@ -139,6 +152,7 @@ sError Call(OID oid, Selector selector, void* msg, size_t size, void* reply, siz
   if (t_current.object == nullptr) return sFAIL;
   if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;
   if (t_current.system->object(ObjectIdOf(oid)) == nullptr) return sINVALIDOID;
+  if (!CanWait("Call")) return sFAIL;
   return t_current.system->requests().Call(ObjectIdOf(oid), selector, msg, size, reply, replySize);
 }
 

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "runtime/core/api.h"
 #include "runtime/core/code_object.h"
 #include "runtime/core/local_calls.h"
 #include "runtime/core/system.h"
@@ -57,6 +58,35 @@ TEST(McoopTest, NoCallOfAProgramTakesMemoryOfItsObjectForTheRuntime) {
   EXPECT_EQ(set, sSUCCESS);
   EXPECT_EQ(calls->count, 3);
   EXPECT_EQ(calls->count_as_image, 0);
+}
+
+// An object with an entry to which others send requests.
+class Asked : public CodeObject {
+ public:
+  Asked() {
+    AddExtra("Question", [](void*) { Reply(); });
+  }
+};
+
+TEST(McoopTest, NoCallWaitsForAnAnswerInAConstructor) {
+  System system;
+  const ObjectId asked = system.AddObject<Asked>(0, "asked")->host().id;
+  Object* const object = &system.AddObject<CodeObject>(0, "caller")->host();
+  const CurrentScope scope(&system, object);
+  const OID oid = OidOf(asked);
+  char question[] = "?";
+  EXPECT_EQ(Call(oid, oentryBASE, question, sizeof question), sFAIL);
+  RID box;
+  ASSERT_EQ(SendWithRBox(oid, oentryBASE, question, sizeof question, &box), sSUCCESS);
+  size_t got = 0;
+  EXPECT_EQ(Receive(box, question, sizeof question, &got, nullptr), sFAIL);
+  ASSERT_EQ(system.findings().all().size(), 2u);
+  EXPECT_EQ(
+      system.findings().all()[0].text,
+      "Call() in a constructor fails: only a handler can wait for an answer; do it in DoInit");
+  EXPECT_EQ(system.findings().all()[1].text,
+            "Receive() in a constructor fails: only a handler can wait for an answer; do it in "
+            "DoInit");
 }
 
 }  // namespace
