@@ -33,9 +33,10 @@ std::string Indent(const std::string& text, int column) {
 }
 
 std::string RenderAs(const Diagnostic& d, const char* kind) {
-  if (d.line == 0) return fmt::format("{}: {}{}", d.file, kind, d.message);
+  const std::string message = Printable(d.message);
+  if (d.line == 0) return fmt::format("{}: {}{}", d.file, kind, message);
   std::string result =
-      fmt::format("{}:{}: {}{}\n{}", d.file, d.line, kind, d.message, Printable(d.text));
+      fmt::format("{}:{}: {}{}\n{}", d.file, d.line, kind, message, Printable(d.text));
   if (d.column > 0) result += fmt::format("\n{}^", Indent(d.text, d.column));
   return result;
 }

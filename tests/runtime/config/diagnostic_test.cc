@@ -51,6 +51,12 @@ TEST(DiagnosticTest, ControlBytesNeverReachTheTerminal) {
   EXPECT_EQ(Render(ErrorAt(FilePosition{"A.CFG", 1, 0, "a\x1b[2Jb"}, "m")), "A.CFG:1: m\na?[2Jb");
 }
 
+TEST(DiagnosticTest, ControlBytesOfAWordInTheMessageDoNotEither) {
+  EXPECT_EQ(Render(ErrorAt(FilePosition{"A.CFG", 1, 0, "ab"}, "no key 'a\x1b[2Jb'")),
+            "A.CFG:1: no key 'a?[2Jb'\nab");
+  EXPECT_EQ(Render(ErrorAt(FilePosition{"A.CFG", 0, 0, ""}, "no key '\x1b'")), "A.CFG: no key '?'");
+}
+
 TEST(DiagnosticTest, WithoutLineOnlyTheFileIsNamed) {
   EXPECT_EQ(Render(ErrorAt(FilePosition{"A.CFG", 0, 0, ""}, "is empty")), "A.CFG: is empty");
 }
