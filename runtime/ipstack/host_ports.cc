@@ -35,9 +35,9 @@ int HostPorts::Bind(uint16_t port, const std::function<int(uint16_t)>& take,
   chosen_[port] = bound();
   if (first_error != 0) {
     *note = fmt::format(
-        "{} port {} of the robot is port {} of this computer: port {} cannot be had ({}; "
-        "another openr-host running?)",
-        protocol, port, chosen_[port], first, std::strerror(first_error));
+        "{} port {} of the robot is port {} of this computer: port {} cannot be had ({}{})",
+        protocol, port, chosen_[port], first, std::strerror(first_error),
+        first_error == EADDRINUSE ? "; another openr-host running?" : "");
   }
   return 0;
 }

@@ -46,6 +46,18 @@ TEST(HostPortsTest, TakenPortIsReplacedByTheNextFreeOneWithANote) {
             "(Address already in use; another openr-host running?)");
 }
 
+TEST(HostPortsTest, ANoteBlamesNoOtherRunForAPortThatNeedsARight) {
+  HostPorts ports(NetProtocol::kTcp, {});
+  std::string note;
+  const auto take = [](uint16_t wanted) { return wanted == 0 ? 0 : EACCES; };
+  EXPECT_EQ(ports.Bind(
+                21, take, [] { return uint16_t{5555}; }, &note),
+            0);
+  EXPECT_EQ(note,
+            "TCP port 21 of the robot is port 5555 of this computer: port 21 cannot be had "
+            "(Permission denied)");
+}
+
 TEST(HostPortsTest, WhereTheNextHundredAreTakenAnyFreeOneWillDo) {
   HostPorts ports(NetProtocol::kTcp, {});
   Host host;
