@@ -228,6 +228,9 @@ std::string CopyToFile(const std::string& from, const std::string& to) {
   if (!bytes) return fmt::format("{}: cannot be read: {}", from, std::strerror(errno));
   const std::string problem = WriteFile(to, *bytes);
   if (!problem.empty()) return problem;
+  // Changes no permissions of a device, a pipe or an open stream, because they are not the copy.
+  const OutputTarget target = OutputTargetOf(to);
+  if (target.stream >= 0 || !S_ISREG(target.status.st_mode)) return "";
   std::error_code error;
   fs::permissions(to, fs::status(from).permissions(), error);
   return error ? WriteErrorText(to, error.value()) : "";

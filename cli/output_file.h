@@ -61,8 +61,9 @@ class PendingFile {
   std::string temporary_;
 };
 
-// Replaces `to` by a copy of the file `from`, with the permissions of `from`.  Returns "" or the
-// error message, as WriteFile() does.
+// Replaces `to` by a copy of the file `from`, with the permissions of `from`.  A device, a pipe or
+// an open stream gets only the content, and keeps its permissions.  Returns "" or the error
+// message, as WriteFile() does.
 std::string CopyToFile(const std::string& from, const std::string& to);
 
 // Removes `file` if it is a regular file; does nothing to a device.

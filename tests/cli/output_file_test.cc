@@ -219,6 +219,24 @@ TEST(OutputFileTest, APipeIsWrittenAndStaysAPipe) {
   close(reader);
 }
 
+TEST(OutputFileTest, ACopyHasThePermissionsOfItsFileAndAPipeKeepsItsOwn) {
+  const ScratchFolder folder;
+  folder.Write("a", "text");
+  chmod(folder.File("a").c_str(), 0750);
+  const auto mode_of = [&folder](const std::string& name) {
+    struct stat status {};
+    stat(folder.File(name).c_str(), &status);
+    return status.st_mode & 07777;
+  };
+  EXPECT_EQ(CopyToFile(folder.File("a"), folder.File("b")), "");
+  EXPECT_EQ(mode_of("b"), 0750u);
+  ASSERT_EQ(mkfifo(folder.File("pipe").c_str(), 0600), 0);
+  const int reader = open(folder.File("pipe").c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  EXPECT_EQ(CopyToFile(folder.File("a"), folder.File("pipe")), "");
+  EXPECT_EQ(mode_of("pipe"), 0600u);
+  close(reader);
+}
+
 TEST(OutputFileTest, AFileThatAnotherProcessWritesIsRefusedUntilThatHasEnded) {
   const ScratchFolder folder;
   const std::string file = folder.File("a.trace");
