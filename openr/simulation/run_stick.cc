@@ -7,6 +7,7 @@
 #include "cli/output_file.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/base/spelling.h"
+#include "runtime/stick/memory_stick.h"
 
 namespace openr_host {
 namespace {
@@ -27,8 +28,13 @@ std::string CrashLogInCache() {
 
 }  // namespace
 
+// Looks for the folder OPEN-R with Locate(), because Locate() also finds a folder "open-r"
+// (HoldsOpenR()).
 std::string CrashLogOn(const std::string& folder) {
-  return (fs::absolute(folder) / "OPEN-R" / kCrashLog).lexically_normal();
+  const fs::path root = fs::absolute(folder);
+  const MemoryStick::Location open_r = FolderStick(root).Locate("/MS/OPEN-R");
+  const fs::path parent = open_r.exists ? fs::path(open_r.path) : root / "OPEN-R";
+  return (parent / kCrashLog).lexically_normal();
 }
 
 void CopyStick(const fs::path& from, const fs::path& to) {

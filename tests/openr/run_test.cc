@@ -235,6 +235,16 @@ TEST(CrashTest, ACrashLeavesARecordOnTheStick) {
   EXPECT_EQ(record.find("STACK overflow"), std::string::npos) << record;
 }
 
+TEST(CrashTest, ACrashLeavesARecordInAFolderInLowerCase) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("crash");
+  std::filesystem::rename(stick.File("OPEN-R"), stick.File("open-r"));
+  const ProgramResult result = RunFor("1s", {"--stick", stick.path()});
+  const std::string record = stick.Read("open-r/EMON.LOG");
+  EXPECT_THAT(record, HasSubstr("EXCEPTION SIGSEGV")) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("openr: wrote " + stick.File("open-r/EMON.LOG") + "\n"));
+}
+
 TEST(CrashTest, TheRecordNamesTheMessageAndStandardErrorSaysItsContent) {
   const ScratchFolder stick;
   stick.MakeTrouble("crash");
