@@ -23,16 +23,29 @@ constexpr int kSignal = SIGVTALRM;
 constexpr int kTicks = 8;
 
 timer_t g_timer;
-uint64_t g_limit_s_tenths = 0;
+uint64_t g_limit_us = 0;
 uint64_t g_message = 0;  // number of the message whose handler ran at the last check
 int g_seen = 0;          // number of checks in a row at which the handler of g_message still ran
+
+// Adds `us` microseconds to `text` as seconds, with at least one digit after the point: "2.0",
+// "0.05".
+void AddSeconds(uint64_t us, SignalText* text) {
+  constexpr uint64_t kTenthUs = 100'000;
+  text->AddNumber(us / 1'000'000).Add(".");
+  uint64_t rest_us = us % 1'000'000;
+  for (uint64_t unit_us = kTenthUs; unit_us == kTenthUs || rest_us > 0; unit_us /= 10) {
+    text->AddNumber(rest_us / unit_us);
+    rest_us %= unit_us;
+  }
+}
 
 void EndTheHandler() {
   Ending ending;
   ending.kind = EndKind::kHandlerLimit;
   const auto add_limit = [](SignalText* text) {
-    text->Add(" has used more than ").AddNumber(g_limit_s_tenths / 10).Add(".");
-    text->AddNumber(g_limit_s_tenths % 10).Add(" s of processor time (--handler-limit)");
+    text->Add(" has used more than ");
+    AddSeconds(g_limit_us, text);
+    text->Add(" s of processor time (--handler-limit)");
   };
   ending.record.Add("openr: a handler does not return: ");
   AddCurrentHandler(&ending.record);
@@ -64,7 +77,7 @@ void OnTickSignal(int) {
 
 Watchdog::Watchdog(int64_t limit_us) : limit_us_(limit_us) {
   if (limit_us <= 0) return;
-  g_limit_s_tenths = static_cast<uint64_t>(limit_us / 100'000);
+  g_limit_us = static_cast<uint64_t>(limit_us);
   g_message = 0;
   g_seen = 0;
   struct sigaction action {};

@@ -90,6 +90,11 @@ TEST(EndingTest, AHandlerThatDoesNotReturn) {
                      "a handler does not return: DoStart");
 }
 
+TEST(EndingTest, AShortLimitOfHandlersIsToldExactly) {
+  ExpectEndOfTrouble("hang", {"--handler-limit", "250ms"}, 1, "handler-limit",
+                     "has used more than 0.25 s of processor time");
+}
+
 TEST(EndingTest, ARobotThatDoesNotBoot) {
   const ScratchFolder stick;
   stick.MakeTrouble("nothing");
