@@ -246,7 +246,19 @@ void Marshaller::EncodeAnt(const Message& message, WireArena* arena, openr_wire_
   out->message = arena->Bytes(bytes, message.size);
 }
 
+void Marshaller::UndoDecode() {
+  for (RCRegion* const region : decoded_regions_) DropImported(region);
+  for (auto& exported : returned_) exported_.insert(std::move(exported));
+  for (auto& withdrawn : returned_withdrawn_) withdrawn_.insert(std::move(withdrawn));
+  decoded_regions_.clear();
+  returned_.clear();
+  returned_withdrawn_.clear();
+}
+
 std::string Marshaller::Decode(const openr_wire_Message& in, Message* out) {
+  decoded_regions_.clear();
+  returned_.clear();
+  returned_withdrawn_.clear();
   out->number = in.number;
   out->cause = in.cause;
   out->sender = in.sender;
@@ -321,6 +333,7 @@ std::string Marshaller::DecodePart(const openr_wire_NotifiedRegion& in, RCRegion
   // Keeps the memory of the received region until the observer gives the region back, even if the
   // object that owns the region deletes it meanwhile.
   system_->regions().KeepCopy(in.region);
+  decoded_regions_.push_back(*region);
   if (in.bytes._length != 0) {
     imported_[*region] = {in.token, in.bytes._buffer, 0};
     sample_regions_.push_back(*region);
@@ -343,16 +356,19 @@ std::string Marshaller::DecodeReady(const openr_wire_Ready& in, Message* out) {
     const openr_wire_ReturnedRegion& returned = in.regions._buffer[i];
     // If the object with the region's subject was replaced, TakeExportedBy() has already released
     // the region, and its token is in withdrawn_.  In this case the loop only removes the token.
+    if (auto withdrawn = withdrawn_.extract(returned.token)) {
+      returned_withdrawn_.push_back(std::move(withdrawn));
+      continue;
+    }
     const auto found = exported_.find(returned.token);
-    if (withdrawn_.erase(returned.token) > 0) continue;
     if (found == exported_.end()) return "a ready with an unknown region";
-    const ExportedRegion exported = found->second;
+    const ExportedRegion& exported = found->second;
     if (returned.bytes._length != 0 && returned.bytes._length != exported.size)
       return "a region of another size";
     if (returned.bytes._length != 0)
       std::memcpy(exported.region->Base(), returned.bytes._buffer, exported.size);
     ready.rcRegion[ready.numOfData++] = exported.region;
-    exported_.erase(found);
+    returned_.push_back(exported_.extract(found));
   }
   return "";
 }

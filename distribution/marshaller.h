@@ -57,6 +57,10 @@ class Marshaller {
   // bytes.
   std::string Decode(const openr_wire_Message& in, Message* out);
   void ReleaseSample();
+  // Undoes the last Decode(), because the System has refused the message, so that no object gets
+  // it.  The regions that a ready message would have given back stay exported, because the observer
+  // keeps its regions after a refusal.  The regions of a notification are not imported.
+  void UndoDecode();
 
   // Returns whether data of `region` were received from the peer and have not been given back to
   // it.  If so, observers may have changed the copy in this process, so this copy may be newer than
@@ -139,6 +143,11 @@ class Marshaller {
   // number of the region), the value the memory id.
   std::map<uint64_t, uint32_t> dropped_;
   std::vector<RCRegion*> sample_regions_;  // received regions whose ImportedRegion::bytes is set
+  // The changes of the last Decode(), for UndoDecode(): the regions that Decode() has imported, and
+  // the elements that Decode() has taken out of exported_ and withdrawn_.
+  std::vector<RCRegion*> decoded_regions_;
+  std::vector<std::map<uint64_t, ExportedRegion>::node_type> returned_;
+  std::vector<std::map<uint64_t, uint32_t>::node_type> returned_withdrawn_;
 };
 
 }  // namespace openr_host

@@ -207,6 +207,7 @@ int32_t RemoteEffects::Post(const openr_wire_PostedMessage& posted, Object* self
                               message->target, message->selector};
   const bool answers = Answers(*message, self);
   const int32_t error = resources_->system()->Post(std::move(message), posted.delay_us);
+  if (error != sSUCCESS) resources_->marshaller()->UndoDecode();
   // Marks the request, to which this message is the reply, as answered.  Without this mark the
   // master would answer the request again if the worker is lost before the handler ends
   // (RemoteObject::SendEmptyReply()).

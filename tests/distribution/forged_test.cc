@@ -1,10 +1,21 @@
 // A forged worker sends what no real one would: the run reports the loss and goes on.
 #include "tests/distribution/forged.h"
 
+#include <OPENR/ObjcommMessages.h>
+
+#include <cstring>
+#include <new>
+
 namespace openr_host {
 namespace {
 
 using ::testing::HasSubstr;
+
+// Changes the posted message of `to_master` to an entry that its receiver does not have.
+openr_wire_ToMaster ToMissingEntry(const openr_wire_ToMaster& to_master) {
+  to_master.effects._buffer[0]._u.posted.message.selector = 77;
+  return to_master;
+}
 
 TEST_F(ForgedTest, ValidSamplesCauseNoLoss) {
   EXPECT_EQ(LossBy(Stopped()), "");
@@ -103,6 +114,41 @@ TEST_F(ForgedTest, AReadyWithATokenOfItsOwnMaking) {
 TEST_F(ForgedTest, AReadyWithTooManyRegions) {
   EXPECT_THAT(LossBy(Ready(std::vector<openr_wire_ReturnedRegion>(1000))),
               HasSubstr("a ready with 1000 regions"));
+}
+
+// A real worker sends such a ready again, when the subject has the entry or room for it.
+TEST_F(ForgedTest, ARefusedReadyGivesNothingBack) {
+  RCRegion* region = nullptr;
+  {
+    const CurrentScope scope(&system_, &sender_->host());
+    region = new RCRegion(kBytes);
+  }
+  const uint32_t id = region->MemID();
+  openr_host::Message notification;
+  std::memset(notification.payload, 0, sizeof notification.payload);
+  auto& notify = *new (notification.payload) ONotifyMessage;
+  notify.subjectID = sender_->out->GetID();
+  notify.numOfNotify = notify.numOfData = 1;
+  notify.data[0].srcRCR = region;
+  notify.data[0].memID = id;
+  notify.data[0].offset = 0;
+  notify.data[0].size = kBytes;
+  notification.size = sizeof notify;
+  notification.kind = PayloadKind::kNotify;
+  Marshaller* const marshaller = process_.resources().marshaller();
+  openr_wire_Message wire{};
+  marshaller->Encode(notification, nullptr, &arena_, &wire);
+  const uint64_t token = wire.payload._u.notify.parts._buffer[0].token;
+
+  EXPECT_EQ(LossBy(ToMissingEntry(Ready({{token, {}}}))), "");
+  EXPECT_TRUE(marshaller->HasExported(id));
+  EXPECT_EQ(LossBy(Ready({{token, {}}})), "");
+  EXPECT_FALSE(marshaller->HasExported(id));
+}
+
+TEST_F(ForgedTest, ARefusedNotificationBringsNothing) {
+  EXPECT_EQ(LossBy(ToMissingEntry(Notify({{1, region_there_, kBytes, 0, kBytes, {}}}))), "");
+  EXPECT_FALSE(process_.resources().marshaller()->HasImported(region_there_));
 }
 
 TEST_F(ForgedTest, AMessageThatIsTooLong) {

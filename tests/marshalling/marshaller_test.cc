@@ -121,6 +121,39 @@ TEST_F(MarshallerTest, ANewPeerHasNoRegionOfTheLostOne) {
   LetGo(region);
 }
 
+// The queue of the subject's object was full, so the observer keeps its regions.
+TEST_F(MarshallerTest, ARefusedReadyCanBeSentAgain) {
+  for (const bool is_replaced : {false, true}) {
+    RCRegion* const region = NewRegion("before");
+    Message out;
+    ASSERT_EQ(Carry(Notification({region}), &out), "");
+    if (is_replaced) ours.TakeExportedBy(wire.payload._u.notify.subject);
+    const Message answer = Answer({NotifyOf(out).data[0].srcRCR});
+    openr_wire_Message back{};
+    theirs.Encode(answer, nullptr, &arena, &back);
+    Message ready = Blank();
+    ASSERT_EQ(ours.Decode(back, &ready), "");
+    ours.UndoDecode();
+    EXPECT_TRUE(ours.HasExported(region->MemID()));
+    ready = Blank();
+    EXPECT_EQ(ours.Decode(back, &ready), "");
+    EXPECT_EQ(ReadyOf(ready).numOfData, is_replaced ? 0 : 1);
+    EXPECT_FALSE(ours.HasExported(region->MemID()));
+    theirs.CompleteSend(answer);
+    LetGo(region);
+  }
+}
+
+TEST_F(MarshallerTest, ARefusedNotificationIsNotImported) {
+  RCRegion* const region = NewRegion("refused");
+  Message out;
+  ASSERT_EQ(Carry(Notification({region, region}), &out), "");
+  theirs.UndoDecode();
+  EXPECT_FALSE(theirs.HasImported(region->MemID()));
+  EXPECT_EQ(there.regions().BaseOf(region->MemID()), nullptr);
+  LetGo(region);
+}
+
 TEST_F(MarshallerTest, ADeassertForALostObserverIsMarked) {
   Message answer = Answer({});
   const_cast<OReadyMessage&>(ReadyOf(answer)).msgType = kDeassertOfLost;
