@@ -11,6 +11,7 @@ std::string JoinAdvice(const std::string& process, const std::string& host, cons
   if (bus.domain != assumed.domain) text += fmt::format(" --dds-domain {}", bus.domain);
   if (host != assumed.address) text += fmt::format(" --dds-address {}", host);
   if (host != bus.address) text += fmt::format(" --dds-peer {}", bus.address);
+  if (bus.lease_s != assumed.lease_s) text += fmt::format(" --dds-lease {}", bus.lease_s);
   // Writes the word FILE into the command that the user is to type on the host `host`, and not the
   // name of this run's settings file.  Each host has a settings file of its own: with DDS Security,
   // the file contains the host's private key.

@@ -117,11 +117,12 @@ TEST(JoinAdviceTest, TheAdviceHasTheFlagsThatAreNeeded) {
   bus.run = "team";
   bus.domain = 7;
   bus.address = "192.168.1.2";
+  bus.lease_s = 60;
   bus.config_file = "alpha.xml";
   EXPECT_EQ(JoinAdvice("vision", "192.168.1.7", bus),
             "start it on 192.168.1.7 with: openr join --process vision --run-name team "
-            "--dds-domain 7 --dds-address 192.168.1.7 --dds-peer 192.168.1.2 --dds-config FILE "
-            "--stick DIR");
+            "--dds-domain 7 --dds-address 192.168.1.7 --dds-peer 192.168.1.2 --dds-lease 60 "
+            "--dds-config FILE --stick DIR");
 }
 
 }  // namespace
