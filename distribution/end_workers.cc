@@ -54,8 +54,12 @@ void EndWorkers(const std::vector<EndingWorker>& workers, const EndLimits& limit
   for (const EndingWorker& worker : workers) is_told.push_back(worker.tell());
   Deadline receipt_deadline(limits.receipt_ms, limits.interrupted_ms, is_interrupted, now_ms);
   std::vector<bool> is_silent;
-  for (size_t i = 0; i < workers.size(); ++i)
-    is_silent.push_back(is_told[i] && !receipt_deadline.Wait(workers[i].await_receipt));
+  for (size_t i = 0; i < workers.size(); ++i) {
+    const auto needs_no_wait = [&worker = workers[i]](int64_t limit_ms) {
+      return worker.has_ended() || worker.await_receipt(limit_ms);
+    };
+    is_silent.push_back(is_told[i] && !receipt_deadline.Wait(needs_no_wait));
+  }
   Deadline exit_deadline(limits.exit_ms, limits.interrupted_ms, is_interrupted, now_ms);
   for (size_t i = 0; i < workers.size(); ++i) {
     const bool has_ended =

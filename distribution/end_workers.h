@@ -12,6 +12,8 @@ struct EndingWorker {
   // Tells the worker that the run is over, and does not wait.  Returns false if no worker is there
   // that could be told.
   std::function<bool()> tell;
+  // Returns whether the process of the worker has ended, so that the worker will receive nothing.
+  std::function<bool()> has_ended;
   // Waits until the worker has received what tell() has sent, at most `limit_ms`.  Returns whether
   // the worker has received it.
   std::function<bool(int64_t limit_ms)> await_receipt;
@@ -36,7 +38,8 @@ constexpr int64_t kEndSliceMs = 100;
 
 // Tells all `workers` that the run is over.  Then waits until they have received this, and then
 // until their processes have ended.  A worker that has not received it does not know that it has to
-// end, so its process is killed at once.
+// end, so its process is killed at once.  A worker whose process has ended, because it was killed
+// for example, is not waited for.
 //
 // Several worker processes may be suspended (SIGSTOP), so that they receive nothing until they go
 // on, or may run handlers that never end.  So all workers are told before the first wait, and each

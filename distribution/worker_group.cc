@@ -412,6 +412,7 @@ void WorkerGroup::End() {
   for (auto& [name, entry] : members_) {
     Member* const member = &entry;
     workers.push_back({[member, why] { return member->process->SendEnd(why); },
+                       [member] { return HasEnded(*member); },
                        [member](int64_t limit_ms) {
                          return member->process->connection().AwaitReceipt(limit_ms);
                        },
@@ -421,6 +422,12 @@ void WorkerGroup::End() {
   EndWorkers(
       workers, {kEndFlushMs, kExitWaitMs, kInterruptedWaitMs}, [this] { return IsInterrupted(); },
       WallClockMs);
+}
+
+// Returns whether the process of the worker has ended, as far as this machine can tell.
+bool WorkerGroup::HasEnded(const Member& member) {
+  if (member.child != nullptr) return !member.child->EndText().empty();
+  return member.process->connection().slot().HasEnded();
 }
 
 // Waits for the end of a worker's process, at most `limit_ms`.  Returns whether the process has

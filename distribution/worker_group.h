@@ -179,6 +179,7 @@ class WorkerGroup {
   bool HandleReceived();
   void HandleLoss(const RemoteObject* about, RemoteObject::Loss loss, const std::string& why);
   void StopRun(const RunEnd& why);
+  static bool HasEnded(const Member& member);
   static bool AwaitExit(const Member& member, int64_t limit_ms);
   void KillAtEnd(const Member& member) const;
 

@@ -28,11 +28,13 @@ class EndWorkersTest : public ::testing::Test {
  protected:
   // Adds a worker that receives a sample `receipt_ms` after the first wait for it has begun, and
   // ends `ending_ms` after the first wait for its end has begun.
-  void Add(const std::string& name, int64_t receipt_ms, int64_t ending_ms, bool is_there = true) {
+  void Add(const std::string& name, int64_t receipt_ms, int64_t ending_ms, bool is_there = true,
+           bool has_ended = false) {
     workers_.push_back({[this, name, is_there] {
                           calls_.push_back({"tell " + name});
                           return is_there;
                         },
+                        [has_ended] { return has_ended; },
                         [this, name, receipt_ms](int64_t limit_ms) mutable {
                           return Wait(name, limit_ms, &receipt_ms);
                         },
@@ -125,6 +127,14 @@ TEST_F(EndWorkersTest, AWorkerThatIsNotThereIsNotWaitedFor) {
   Add("b", 0, 10);
   EXPECT_THAT(End(), ElementsAre("tell a", "tell b", "wait 0 ms for b",
                                  "wait 10 ms for the end of a", "wait 10 ms for the end of b"));
+}
+
+// A worker that was killed is there for DDS until its lease is over.
+TEST_F(EndWorkersTest, AWorkerWhoseProcessHasEndedIsNotWaitedFor) {
+  Add("a", kNever, 0, true, true);
+  Add("b", 0, 10);
+  EXPECT_THAT(End(), ElementsAre("tell a", "tell b", "wait 0 ms for b",
+                                 "wait 0 ms for the end of a", "wait 10 ms for the end of b"));
 }
 
 TEST_F(EndWorkersTest, AWorkerThatEndsAtOnceIsWaitedForOnceInEachStep) {
