@@ -35,6 +35,18 @@ constexpr int kJoinRetryMs = 1'000;  // time after which a join request is repea
 
 constexpr char kAbandonedText[] = "the run could not reach it and goes on without";
 
+// Returns the next answer to the requester `id`; the result is empty if none comes within
+// kJoinRetryMs.  Drops answers to other requesters, which come on the same channel.
+WorkerJoinChannel::ReceivedSample ReceiveAnswerTo(const std::string& id,
+                                                  WorkerJoinChannel* channel) {
+  const int64_t end_ms = WallClockMs() + kJoinRetryMs;
+  for (;;) {
+    const int64_t left_ms = std::max<int64_t>(end_ms - WallClockMs(), 0);
+    WorkerJoinChannel::ReceivedSample answer = channel->Receive(static_cast<int>(left_ms));
+    if (!answer || StringOf(answer->id) == id) return answer;
+  }
+}
+
 }  // namespace
 
 Worker::Worker(WorkerOptions options) : options_(std::move(options)), bus_(options_.bus) {}
@@ -121,8 +133,8 @@ std::string Worker::RequestSession() {
     // Repeats the request, because the last request may have gone to a run that was ending and did
     // not answer.
     join_channel.Send(request);
-    const auto answer = join_channel.Receive(kJoinRetryMs);
-    if (!answer || StringOf(answer->id) != id) continue;
+    const auto answer = ReceiveAnswerTo(id, &join_channel);
+    if (!answer) continue;
     session_ = StringOf(answer->session);
     if (session_ == kTakenSession) {
       if (!options_.waits_for_predecessor) return StringOf(answer->refusal);

@@ -6,6 +6,7 @@
 #include "distribution/bus.h"
 #include "distribution/process_slot.h"
 #include "tests/distribution/same_run.h"
+#include "tests/distribution/wait_until.h"
 
 namespace openr_host {
 namespace {
@@ -125,6 +126,30 @@ TEST_F(ForgedMasterTest, ADesignOfARobotThatIsNotThere) {
   designs = arena_.Sequence<std::remove_reference_t<decltype(designs)>>(
       std::vector<openr_wire_DesignEntry>{{-1, Nothing(), Nothing()}});
   EXPECT_THAT(EndBy(to_worker), HasSubstr("something of a robot that is not there"));
+}
+
+// Other processes of the name ask, too, and all of them hear all answers.
+TEST(JoinAnswerTest, AnswersToOthersTakeNoTimeFromTheWait) {
+  BusOptions options;
+  options.run = "answers-" + std::to_string(getpid());
+  Bus bus(options);
+  MasterJoinChannel channel(&bus, "victim", ChannelEnd::kMaster, kJoinTopics);
+  ProgramRun join({"join", "--process", "victim", "--run-name", options.run, "--wait", "30s"});
+  const auto request = channel.Receive(60'000);
+  ASSERT_TRUE(static_cast<bool>(request)) << join.heard();
+  WaitUntil("the requester", [&channel] { return channel.IsConnected(); });
+  WireArena arena;
+  openr_wire_JoinAnswer answer{};
+  answer.id = arena.Text("another");
+  answer.session = arena.Text("");
+  answer.refusal = arena.Text("not for this one");
+  for (int i = 0; i < 100; ++i) channel.Send(answer);
+  answer.id = arena.Text(StringOf(request->id));
+  answer.refusal = arena.Text("the run is full");
+  channel.Send(answer);
+  const ProgramResult& result = join.Finish();
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("the run is full"));
 }
 
 }  // namespace
