@@ -67,6 +67,8 @@ public:
     // Returns whether there is a command vector to send.  This is so if a joint moves, or if the
     // gain of a joint is to be switched on together with the next vector.
     bool IsBusy() const;
+    // Returns whether the joint is not at its goal yet.  This is so for a joint that waits for its
+    // gain, too, if it has to move when the gain is on.
     bool IsMoving(int joint) const;
 
     // Advances all joints by one frame of 8 ms, and writes their positions at the end of the frame

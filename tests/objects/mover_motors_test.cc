@@ -1,6 +1,9 @@
 // Motors and gains in JointMover's logic: MOTOR_OFF, MOTOR_ON and GAINS of the remote control.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
+
 #include "mover_dog.h"
 
 namespace openr_host {
@@ -147,6 +150,36 @@ TEST_F(MoverMotorsTest, AJointSwitchedOnDuringAMotionWakesBehindIt) {
   dog_.Play();
   EXPECT_TRUE(dog_.gain[tilt_]);
   EXPECT_EQ(dog_.angle[tilt_], hangs);
+}
+
+// Returns the largest step of a set point of joint `joint` from one frame to the next.
+int32_t LargestStep(const StandingDog& dog, int joint) {
+  int32_t largest = 0;
+  for (size_t f = 1; f < dog.frames.size(); ++f)
+    largest = std::max(largest, std::abs(dog.frames[f].at(joint) - dog.frames[f - 1].at(joint)));
+  return largest;
+}
+
+// The gain comes with the end of a vector, and only then the joint can move to the first key frame.
+TEST_F(MoverMotorsTest, AMotionRightAfterMotorOnWaitsUntilTheJointsAreAtItsFirstKeyFrame) {
+  for (const bool is_vector_made : {false, true}) {
+    StandingDog dog;
+    dog.core.Do({moverkindMOTOR_OFF, MOVER_ALL_JOINTS, 0, {0}, 0, {}, {}});
+    dog.angle[tilt_] = -1000000;  // hangs far from the first key frame
+    dog.core.Do({moverkindMOTOR_ON, MOVER_ALL_JOINTS, 0, {0}, 0, {}, {}});
+    VectorPlan plan;
+    if (is_vector_made) {
+      ASSERT_TRUE(dog.core.NextVector(&plan));
+      dog.under_way.push_back(plan);
+    }
+    ASSERT_EQ(dog.Start(MtnBytes::OneJoint(kTiltJoint, {0, 1000, 2000})), "");
+    EXPECT_EQ(dog.core.State(), moverPREPARE_MTN) << is_vector_made;
+    dog.Play();
+    EXPECT_EQ(dog.core.State(), moverACCEPTING_COMMANDS);
+    EXPECT_EQ(dog.angle[tilt_], 2000);
+    EXPECT_EQ(dog.frames.front().at(tilt_), -1000000);
+    EXPECT_LT(LargestStep(dog, tilt_), 50000) << "2.9 degrees, more than any joint's speed limit";
+  }
 }
 
 TEST_F(MoverMotorsTest, AllMotorsOnWhileTheyAreOnIsNoReport) {
