@@ -70,6 +70,9 @@ bool
 MoverCore::NextVector(VectorPlan* plan)
 {
     if (robot_ == 0 || numUnderWay_ == MAX_VECTORS_UNDER_WAY) return false;
+    // Begins the motion here if the joints that were not at its first key frame were switched off:
+    // then no further vector is made, whose end would begin the motion.
+    if (state_ == moverPREPARE_MTN && numUnderWay_ == 0 && HasArrived()) BeginMotion();
     if (state_ == moverFILLING) {
         // Sends a single vector with the measured positions and waits for its end: the gains are
         // enabled only then, so that no joint jerks.

@@ -182,6 +182,18 @@ TEST_F(MoverMotorsTest, AMotionRightAfterMotorOnWaitsUntilTheJointsAreAtItsFirst
   }
 }
 
+// Nothing else moves, so no further vector would end the way to the first key frame.
+TEST_F(MoverMotorsTest, AJointSwitchedOffOnTheWayToTheFirstKeyFrameKeepsNoMotionWaiting) {
+  ASSERT_EQ(dog_.Start(MtnBytes::OneJoint(kTiltJoint, {-1000000, -900000})), "");
+  dog_.Play(10);
+  ASSERT_EQ(dog_.core.State(), moverPREPARE_MTN);
+  Switch(moverkindMOTOR_OFF, tilt_);
+  dog_.Play();
+  EXPECT_EQ(dog_.core.State(), moverACCEPTING_COMMANDS);
+  EXPECT_EQ(dog_.said, (std::vector<std::string>{"prepare-mtn", "mtn", "accepting-commands"}));
+  EXPECT_EQ(dog_.reports.back().isOver, 1);
+}
+
 TEST_F(MoverMotorsTest, AllMotorsOnWhileTheyAreOnIsNoReport) {
   Switch(moverkindMOTOR_ON, MOVER_ALL_JOINTS);
   EXPECT_TRUE(dog_.reports.empty());
