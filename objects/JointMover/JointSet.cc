@@ -69,6 +69,14 @@ JointSet::SetAcceleration(int joint, Sint32 cdeg)
 }
 
 void
+JointSet::Halt(int joint)
+{
+    // Drops the goal, because the joint would move to it when its gain is on.
+    if (gain_[joint] == gainWAITING) wakeGoal_[joint] = trajectory_[joint].Position();
+    trajectory_[joint].Halt();
+}
+
+void
 JointSet::TurnOff(int joint)
 {
     port_->DisableGain(joint);

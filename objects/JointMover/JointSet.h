@@ -40,7 +40,8 @@ public:
 
     // Puts the joint at rest at `urad`, because a motion has moved the joint to this position.
     void Place(int joint, Sint32 urad) { trajectory_[joint].Reset(urad); }
-    void Halt(int joint) { trajectory_[joint].Halt(); }
+    // Stops the joint where it can stop.  A joint that waits for its gain stays where it is.
+    void Halt(int joint);
 
     // Switches the gain of the joint off.  The joint becomes limp, and SetGoal() does not move it.
     void TurnOff(int joint);

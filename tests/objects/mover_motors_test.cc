@@ -182,6 +182,17 @@ TEST_F(MoverMotorsTest, AMotionRightAfterMotorOnWaitsUntilTheJointsAreAtItsFirst
   }
 }
 
+TEST_F(MoverMotorsTest, AJointThatWaitsForItsGainDoesNotMoveAfterAStop) {
+  Switch(moverkindMOTOR_OFF, MOVER_ALL_JOINTS);
+  dog_.angle[tilt_] = -1000000;
+  Switch(moverkindMOTOR_ON, MOVER_ALL_JOINTS);
+  ASSERT_EQ(dog_.Start(MtnBytes::OneJoint(kTiltJoint, {0, 1000, 2000})), "");
+  dog_.core.Stop();
+  dog_.Play();
+  EXPECT_TRUE(dog_.gain[tilt_]);
+  EXPECT_EQ(dog_.angle[tilt_], -1000000);
+}
+
 // Nothing else moves, so no further vector would end the way to the first key frame.
 TEST_F(MoverMotorsTest, AJointSwitchedOffOnTheWayToTheFirstKeyFrameKeepsNoMotionWaiting) {
   ASSERT_EQ(dog_.Start(MtnBytes::OneJoint(kTiltJoint, {-1000000, -900000})), "");
