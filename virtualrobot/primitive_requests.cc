@@ -3,6 +3,8 @@
 
 #include <cstring>
 
+#include "runtime/core/current.h"
+#include "runtime/core/object.h"
 #include "virtualrobot/virtual_robot.h"
 
 namespace openr_host {
@@ -93,6 +95,9 @@ OStatus PrimitiveRequests::GetSoundType(const RequestCall& call) {
 }
 
 OStatus PrimitiveRequests::SetJoint2(const RequestCall& call) {
+  // Names the caller as the commander of the joint, because SafePosture moves the joints of an
+  // object that has crashed.
+  call.parts.devices.set_commander(t_current.object == nullptr ? kNoObject : t_current.object->id);
   call.parts.devices.SetTarget(
       call.primitive.index, ParamOf(call, OPrimitiveControl_JointCommandValue2(0)).command.value);
   return oSUCCESS;

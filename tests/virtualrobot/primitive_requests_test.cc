@@ -104,6 +104,16 @@ TEST_F(PrimitiveRequestsTest, JointsAndLightsTakeDirectCommands) {
   });
 }
 
+// The joints of an object that crashes go to a safe posture, and those of others stay.
+TEST_F(PrimitiveRequestsTest, AJointBelongsToTheObjectThatHasCommandedIt) {
+  As([&] {
+    EXPECT_EQ(Ask(kPan, oprmreqJOINT2_SET_COMMAND, OPrimitiveControl_JointCommandValue2(1234)),
+              oSUCCESS);
+  });
+  const auto pan = static_cast<size_t>(model.FindJointByLocator(kPan));
+  EXPECT_EQ(devices().joints[pan].commander, mover->host().id);
+}
+
 TEST_F(PrimitiveRequestsTest, WrongIdsRequestsAndSizesAreRefused) {
   As([&] {
     OPrimitiveControl_SpeakerVolume volume(ospkvol18dB);
