@@ -191,6 +191,19 @@ TEST_F(RebootTest, APressOfThePauseButtonWhileTheRobotIsOffDoesNothing) {
   EXPECT_EQ(StateOf("JointMover"), "accepting-commands");
 }
 
+// A fault outlives a reboot, and a robot without a limb does not boot (field-notes.md 5.3).
+TEST_F(RebootTest, ALimbThatIsMissingAtALaterBootIsReported) {
+  Start();
+  for (const char* joint : {"LF_j1", "LF_j2", "LF_j3"})
+    EXPECT_EQ(system().inputs().Add(0, std::string("break ") + joint + " missing"), "");
+  system().RunFor(8'000);
+  const std::string text = "all joints of PRM:/r2 are missing (LF_j1, LF_j2, LF_j3)";
+  EXPECT_EQ(Findings().find(text), std::string::npos) << "the robot runs";
+  Reboot();
+  system().RunUntil(system().robot_table().off_robots().BootUs(0) + 1'000'000);
+  EXPECT_NE(Findings().find(text), std::string::npos) << Findings();
+}
+
 TEST_F(RebootTest, ARobotThatWaitsForItsTimerCanBeSwitchedOffForGood) {
   Start();
   Reboot(0, 30);

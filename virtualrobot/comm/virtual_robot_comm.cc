@@ -29,7 +29,7 @@ OVirtualRobotComm::OVirtualRobotComm(RobotParts* robot) : robot_(*robot) {
 OVirtualRobotComm::~OVirtualRobotComm() = default;
 
 OStatus OVirtualRobotComm::DoStart(const OSystemEvent&) {
-  if (!system().booted()) robot_.faults.ReportMissingLimbs();
+  robot_.faults.ReportMissingLimbs();
   running_ = true;
   effector_->AssertReady();
   PostNextFrame();
