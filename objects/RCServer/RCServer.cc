@@ -79,7 +79,7 @@ OStatus
 RCServer::DoStop(const OSystemEvent&)
 {
     for (int i = 0; i < NUM_CLIENTS; i++) {
-        if (client_[i].state != clientCLOSED && client_[i].state != clientCLOSING) Close(i);
+        if (client_[i].state == clientLISTENING || client_[i].state == clientOPEN) Close(i);
     }
     isStopped_ = true;
     DISABLE_ALL_SUBJECT;

@@ -64,7 +64,8 @@ private:
         clientCLOSED,
         clientLISTENING,
         clientOPEN,
-        clientCLOSING
+        clientCLOSING,
+        clientFAILED  // listening has failed, and the endpoint is being closed
     };
 
     struct Client {

@@ -170,7 +170,9 @@ RCServer::ListenCont(ANTENVMSG msg)
     if (listen->error != TCP_SUCCESS) {
         OSYSLOG1((osyslogERROR, "RCServer: cannot listen on TCP port %d, error %d", RC_PORT,
                   (int)listen->error));
-        client_[index].state = clientCLOSED;
+        // Gives the endpoint back, because RetryListening() makes a new one at each try.
+        Close(index);
+        client_[index].state = clientFAILED;
         return;
     }
     client_[index].lastFrame = sensors_.frame;
@@ -288,10 +290,12 @@ RCServer::Close(int index)
 }
 
 // Listens for the next client with a new endpoint, because an endpoint serves only one connection.
+// If listening has failed, RetryListening() tries again later.
 void
 RCServer::CloseCont(ANTENVMSG msg)
 {
     const int index = IndexOf(antEnvMsg::Receive(msg));
+    const bool hasFailed = client_[index].state == clientFAILED;
     client_[index].state = clientCLOSED;
-    if (!isStopped_) Listen(index);
+    if (!isStopped_ && !hasFailed) Listen(index);
 }
