@@ -207,6 +207,18 @@ void ReadSensor(const JsonReader& row, RobotModel* model) {
   model->sensors.push_back(sensor);
 }
 
+// Refuses a joint without a sensor, because programs open a joint by the primitive of its sensor.
+void CheckJointSensors(const JsonReader& root, const RobotModel& model) {
+  const std::vector<JsonReader> rows = Rows(root, "joints");
+  for (size_t j = 0; j < rows.size(); ++j) {
+    const auto sensor = static_cast<size_t>(model.joints[j].sensor);
+    if (sensor < model.sensors.size() && model.sensors[sensor].joint == static_cast<int>(j))
+      continue;
+    rows[j].At("sensor").Fail("is {}, but sensor {} of the list does not measure '{}'", sensor,
+                              sensor, model.joints[j].name);
+  }
+}
+
 void ReadPaws(const JsonReader& root, RobotModel* model) {
   for (const JsonReader& row : Rows(root, "paws")) {
     row.AllowOnly({"leg", "body", "centre", "radius", "sensor"});
@@ -349,6 +361,7 @@ RobotModel ParseRobotModel(const std::string& text, const std::string& name) {
   ReadBodies(root, &model);
   ReadJoints(root, &model);
   for (const JsonReader& row : Rows(root, "sensors")) ReadSensor(row, &model);
+  CheckJointSensors(root, model);
   ReadPaws(root, &model);
   if (root.At("paws").Has("force")) model.paw_force_n = root.At("paws").At("force").NumberAbove(0);
   if (root.Has("protection")) ReadProtection(root.At("protection"), &model);

@@ -187,6 +187,12 @@ TEST(RobotModelTest, JointThatDisagreesWithTheSensorListIsRefused) {
             "m.json: sensors.rows[6]: joint 'mouth' says it is sensor 7, the list says 6");
 }
 
+TEST(RobotModelTest, JointWithoutASensorIsRefused) {
+  EXPECT_EQ(ErrorWith("\"kind\": \"joint\"", "\"kind\": \"raw\""),
+            "m.json: joints.rows[0].sensor: is 0, but sensor 0 of the list does not measure "
+            "'neck_tilt'");
+}
+
 TEST(RobotModelTest, PostureBeyondAStopIsRefused) {
   EXPECT_EQ(ErrorWith("\"degrees\": [0, 0, 0, -3, -10, 0, 30, 0,",
                       "\"degrees\": [0, 0, 0, -3, -10, 0, 180, 0,"),
