@@ -16,6 +16,9 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kCameraPixelsMax = 4096;  // limit for the width and the height of a picture
+// Least width of a picture: the layer with the detected colours, a quarter as wide, begins its last
+// row with 16 bytes of other data.
+constexpr int kCameraWidthMin = 64;
 // Limits for speeds, accelerations and lengths in the model, far above those of every robot.
 // Programs convert these numbers to integers of 32 bits, in hundredths of a degree or in millionths
 // of a metre.
@@ -297,6 +300,8 @@ void ReadCamera(const JsonReader& camera, RobotModel* model) {
   c.fov_v_rad = Radians(fov[1]);
   if (c.width_px % 8 != 0 || c.height_px % 8 != 0)
     camera.At("pixels").Fail("{} x {} cannot be halved three times", c.width_px, c.height_px);
+  if (c.width_px < kCameraWidthMin)
+    camera.At("pixels").Fail("{} wide, must be {} or more", c.width_px, kCameraWidthMin);
   // Checks that the sizes of the image's layers in the file are equal to the computed sizes,
   // because the camera computes the size of each layer from the size of the layer before.
   const std::vector<JsonReader> layers = camera.At("layers").Elements();

@@ -228,6 +228,8 @@ TEST(RobotModelTest, CameraBeyondItsLimitsIsRefused) {
             "m.json: camera.pixels[1]: is 2147483648, must be 1 to 4096");
   EXPECT_EQ(ErrorWith("\"pixels\": [352, 288]", "\"pixels\": [352]"),
             "m.json: camera.pixels: must be [width, height]");
+  EXPECT_EQ(ErrorWith("\"pixels\": [352, 288]", "\"pixels\": [56, 288]"),
+            "m.json: camera.pixels: 56 wide, must be 64 or more");
   EXPECT_EQ(ErrorWith("[44, 36]]", "[44, 36], [22, 18]]"),
             "m.json: camera.layers: has 4 layers, at most 3");
 }
@@ -266,6 +268,8 @@ TEST(RobotModelTest, LastNumbersWithinTheLimitsAreAccepted) {
       {{"\"fov\": [57.6, 47.8]", "\"fov\": [179.9, 179.9]"}},
       {{"\"radius\": 12.4", "\"radius\": 1000"}},
       {{"[900, 900, 0]", "[100000, 100000, 1]"}},
+      {{"\"pixels\": [352, 288]", "\"pixels\": [64, 8]"},
+       {"[[176, 144], [88, 72], [44, 36]]", "[[32, 4], [16, 2], [8, 1]]"}},
       {{"\"pixels\": [352, 288]", "\"pixels\": [4096, 4096]"},
        {"[[176, 144], [88, 72], [44, 36]]", "[[2048, 2048], [1024, 1024], [512, 512]]"}}};
   for (const Changes& changes : accepted)
