@@ -143,10 +143,10 @@ Vector3d StiffRobot::CentreOfMass() const {
 
 // Returns the centre of mass.  PlaceOnFloor() looks for a support below this point: the triangle of
 // points on which the robot rests.  A robot whose centre of mass is not above its support tips
-// over.  For a model without boxes, returns the middle of the paws, because such a robot can rest
-// only on its paws.
+// over.  For a model without boxes or without masses, whose centre of mass is not known, returns
+// the middle of the paws, because a robot stands on its paws.
 Vector3d StiffRobot::SupportedPoint() const {
-  if (model_.bodies[0].has_box) return CentreOfMass();
+  if (model_.bodies[0].has_box && mass_kg_ > 0) return CentreOfMass();
   Vector3d sum = Vector3d::Zero();
   for (size_t paw = 0; paw < model_.paws.size(); ++paw) sum += hull_.PawCentre(paw);
   return sum / static_cast<double>(model_.paws.size());

@@ -40,6 +40,15 @@ TEST(KinematicsTest, BroadbaseLiesOnItsBellyWithThePawsOff) {
   EXPECT_EQ(pose.paws, std::vector<bool>(4, false));
 }
 
+TEST(KinematicsTest, ARobotWithoutMassesStandsOnItsPaws) {
+  RobotModel model = Ers210();
+  for (BodyPart& part : model.bodies) part.mass_kg = 0;
+  const RestingPose pose = PlaceOnFloor(model, model.PostureAngles("stand"));
+  EXPECT_NEAR(Degrees(RpyOf(pose.X_WB.linear()).y()), 2.6, 0.1);
+  EXPECT_NEAR(pose.X_WB.translation().z() * 1000, 137.2, 0.5);
+  EXPECT_EQ(pose.paws, std::vector<bool>(4, true));
+}
+
 TEST(KinematicsTest, NothingIsBelowTheFloorInAnyPosture) {
   for (const char* file : {"ers210.json", "ers220.json"}) {
     const RobotModel model = ModelNamed(file);
