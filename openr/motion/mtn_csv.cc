@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
@@ -112,7 +113,7 @@ class CsvReader {
   // Returns the number of interpolated frames between two key frames at the times `last_ms` and
   // `time_ms`.
   int GapOf(int last_ms, int time_ms) const {
-    const int gap_ms = time_ms - last_ms;
+    const int64_t gap_ms = int64_t{time_ms} - last_ms;
     if (gap_ms < MTN_FRAME_MS || gap_ms % MTN_FRAME_MS != 0) {
       Refuse(1,
              fmt::format("is {} ms after the key frame before, must be 16 ms or a multiple of it",
@@ -122,7 +123,7 @@ class CsvReader {
       Refuse(1, fmt::format("is {} ms after the key frame before, at most {} make sense", gap_ms,
                             (MTN_MAX_INTERPOLATION + 1) * MTN_FRAME_MS));
     }
-    return gap_ms / MTN_FRAME_MS - 1;
+    return static_cast<int>(gap_ms / MTN_FRAME_MS - 1);
   }
 
   int32_t JointValue(size_t joint) const {

@@ -81,6 +81,10 @@ TEST(MtnFromCsvTest, MistakesAreNamedWithLineAndColumn) {
       {"0,0,0,0,0,1,0\n1,20,0,0,0,1,0\n",
        "line 3, column time_ms: '20' is 20 ms after the key frame before, must be 16 ms or a "
        "multiple of it"},
+      {"0,0,0,0,0,1,0\n1,16,0,0,0,1,0\n2,-2147483648,0,0,0,1,0\n",
+       "line 4, column time_ms: '-2147483648' is -2147483664 ms after the key frame before, must "
+       "be "
+       "16 ms or a multiple of it"},
       {"0,0,0,0,0,x,0\n", "line 2, column PRM:/a-Joint2:j1: 'x' is no number of degrees"},
       {"0,0,0,0,0,361,0\n",
        "line 2, column PRM:/a-Joint2:j1: '361' beyond +-360 degrees no angle makes sense"},
