@@ -120,7 +120,7 @@ RequestHandler::Download(RcReader* in, RcWriter* out)
     Uint32 size = 0;
     const int count =
         StickStore::ReadPart(path, request.offset, part_, RC_MAX_DOWNLOAD_DATA, &size);
-    if (count < 0 && request.offset > size && size > 0) {
+    if (count < 0 && request.offset > size && StickStore::SizeOf(path) >= 0) {
         return Fail(rcerrorBAD_VALUE, TextFormat("%s: offset %u is behind its %u bytes", file.name,
                                                  (unsigned)request.offset, (unsigned)size));
     }

@@ -367,6 +367,13 @@ TEST_F(FilesTest, AFileIsDownloadedInParts) {
   EXPECT_EQ(payload_.size(), 4u);
   EXPECT_EQ(AskWith(rcDOWNLOAD, RcDownload{rcfileIMAGE, "CONTROLL.BIN", 3001}), rcerrorBAD_VALUE);
   EXPECT_EQ(AskWith(rcDOWNLOAD, RcDownload{rcfileMOTION, "NONE.MTN", 0}), rcerrorNO_SUCH_FILE);
+  EXPECT_EQ(AskWith(rcDOWNLOAD, RcDownload{rcfileMOTION, "NONE.MTN", 1}), rcerrorNO_SUCH_FILE);
+}
+
+TEST_F(FilesTest, AnOffsetBehindAnEmptyFileIsABadValue) {
+  Write(Motion("EMPTY.MTN"), {});
+  EXPECT_EQ(AskWith(rcDOWNLOAD, RcDownload{rcfileMOTION, "EMPTY.MTN", 0}), rcOK) << error_;
+  EXPECT_EQ(AskWith(rcDOWNLOAD, RcDownload{rcfileMOTION, "EMPTY.MTN", 1}), rcerrorBAD_VALUE);
 }
 
 TEST_F(FilesTest, AMotionIsDeletedAndAnImageIsNot) {
