@@ -46,8 +46,8 @@ std::vector<double> TimesOf(const LogFile& log) {
     const int before = i > 0 ? log.records[i - 1].key_frame : -1;
     if (now == before) {
       throw std::runtime_error(fmt::format(
-          "record {}: key frame {} again, so the motion has interpolated frames; name its file "
-          "(--motion FILE.MTN), which has their number",
+          "record {}: key frame {} again, so the motion has interpolated frames, or is short and "
+          "repeats; name its file (--motion FILE.MTN), from which the times follow",
           i, now));
     }
     // Refuses a second key frame 0 in the log.  Key frame 0 is logged only when a motion begins,

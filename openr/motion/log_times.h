@@ -13,7 +13,8 @@ namespace openr_host {
 // the motion.  Assumes that key frames are 16 ms apart, as in a motion without interpolated frames.
 // A key frame with a smaller number than the key frame before belongs to the next repetition of the
 // motion.  Throws std::runtime_error with the reason if the times cannot be known, for instance if
-// a key frame repeats, because then the motion has interpolated frames.
+// a key frame comes twice in a row: the motion has interpolated frames, or is so short that each
+// repetition makes only one record.
 std::vector<double> TimesOf(const LogFile& log);
 
 // Returns the time of each record of `log`, in ms after the first key frame of `motion`, the motion

@@ -155,6 +155,8 @@ TEST(MotionLogTimesTest, TheNextLoopBeginsWhereTheOneBeforeEnds) {
 
 TEST(MotionLogTimesTest, WithoutTheMotionInterpolatedFramesAreRefused) {
   EXPECT_EQ(TimesProblem(LogWithKeyFrames({0, 2, 2, 4})).find("record 2: key frame 2 again"), 0u);
+  EXPECT_NE(TimesProblem(LogWithKeyFrames({0, 2, 2, 2})).find("or is short and repeats"),
+            std::string::npos);
   EXPECT_EQ(TimesProblem(LogWithKeyFrames({0, 2, 4, 0, 2})),
             "record 3: another motion begins; a log to be read has one motion");
 }
