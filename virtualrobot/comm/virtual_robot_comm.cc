@@ -110,17 +110,17 @@ void OVirtualRobotComm::Frame() {
   if (running_) PostNextFrame();
 }
 
-// Checks whether the drive of a motor has been 78 % of its limit or more for 30 s
-// (JointWatch::NoteFrame()).  If so, adds an error finding about the robot's program, because a
-// real robot shuts down in this case.
+// Checks whether the drives of motors have been 78 % of their limits or more for 30 s
+// (JointWatch::NoteFrame()).  For each such motor, adds an error finding about the robot's program,
+// because a real robot shuts down in this case.
 void OVirtualRobotComm::ReportOverload() {
-  const int joint = robot_.watch.NoteFrame(robot_.body->state());
-  if (joint < 0) return;
-  Protect(
-      {fmt::format("PPM::PWM Limit Over!! Motor:{} ({}); MECHA_LOAD_HIGH. SHUTDOWN.: asked for 78 "
-                   "% of its drive or more for 30 s, the robot shuts down",
-                   joint, robot_.model.joints[static_cast<size_t>(joint)].locator),
-       fmt::format("motor {} was at its limit for 30 s", joint)});
+  for (const int joint : robot_.watch.NoteFrame(robot_.body->state())) {
+    Protect({fmt::format(
+                 "PPM::PWM Limit Over!! Motor:{} ({}); MECHA_LOAD_HIGH. SHUTDOWN.: asked for 78 "
+                 "% of its drive or more for 30 s, the robot shuts down",
+                 joint, robot_.model.joints[static_cast<size_t>(joint)].locator),
+             fmt::format("motor {} was at its limit for 30 s", joint)});
+  }
 }
 
 // Reports the reason for which the robot now protects itself, such as too much current.  A real

@@ -190,15 +190,15 @@ void JointWatch::VectorStarts(const std::vector<CommandElement>& elements, const
   }
 }
 
-int JointWatch::NoteFrame(const BodyState& body) {
+std::vector<int> JointWatch::NoteFrame(const BodyState& body) {
   NoteLimpJoints(body);
-  int overloaded = -1;
+  std::vector<int> overloaded;
   for (size_t j = 0; j < joints_.size(); ++j) {
     const double drive = body.joints[j].drive;
     int& frames = joints_[j].loaded_frames;
     frames = drive >= kLoad || drive <= -kLoad ? frames + 1 : 0;
     // Compares for equality, so that a long overload is reported only once.
-    if (frames == kLoadFrames) overloaded = static_cast<int>(j);
+    if (frames == kLoadFrames) overloaded.push_back(static_cast<int>(j));
   }
   return overloaded;
 }

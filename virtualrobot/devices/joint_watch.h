@@ -39,11 +39,11 @@ class JointWatch {
   void VectorStarts(const std::vector<CommandElement>& elements, const BodyState& body,
                     bool motor_power, bool motor_power_cut, std::vector<std::string>* problems);
 
-  // Records the drives and angles of the joints after a frame.  Returns the index of a motor whose
-  // drive has now been 78 % of its limit or more for exactly 30 s without a break; returns -1 when
-  // there is no such motor.  The limits are from Sony's support (BBS 1735); how the robot averages
-  // the drive is not known.  Called after every frame.
-  int NoteFrame(const BodyState& body);
+  // Records the drives and angles of the joints after a frame.  Returns the indices of the motors
+  // whose drive has now been 78 % of its limit or more for exactly 30 s without a break.  The
+  // limits are from Sony's support (BBS 1735); how the robot averages the drive is not known.
+  // Called after every frame.
+  std::vector<int> NoteFrame(const BodyState& body);
 
   // Forgets all that was recorded about the joints and which mistakes were reported, because the
   // robot is switched off.

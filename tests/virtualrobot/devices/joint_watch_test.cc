@@ -198,6 +198,14 @@ TEST_F(JointWatchTest, AMotorThatPushesForHalfAMinuteIsReported) {
   EXPECT_FALSE(system.powered_off());
 }
 
+TEST_F(JointWatchTest, EachOfTwoMotorsThatPushForTheSameTimeIsReported) {
+  body->mutable_state().joints[0].drive = 255;
+  body->mutable_state().joints[1].drive = -255;
+  RunToFrame(3760);
+  EXPECT_EQ(CountFindings("PPM::PWM Limit Over!! Motor:0 "), 1);
+  EXPECT_EQ(CountFindings("PPM::PWM Limit Over!! Motor:1 "), 1);
+}
+
 class StrictJointWatchTest : public JointWatchTest {
  protected:
   StrictJointWatchTest() : JointWatchTest({}, "ers210", {.strict = true}) {}
