@@ -40,6 +40,7 @@ class PlanRun {
       : prepared_(*prepared),
         system_(*prepared->system),
         plan_(plan),
+        for_us_(options.for_us),
         until_us_(plan.value("until_us", options.for_us)),
         slice_us_(plan.value("slice_us", kFrameUs)),
         tail_max_(plan.value("tail", size_t{0})),
@@ -64,7 +65,9 @@ class PlanRun {
   }
 
   Json Run() {
-    SetSchedule(&prepared_, plan_.at("seed").get<uint64_t>(), schedule_.get(), until_us_);
+    // Gives the schedule the length of all runs and not `until_us_`, because the first frame and
+    // the faults are drawn for this length.  So a run that ends earlier makes the same choices.
+    SetSchedule(&prepared_, plan_.at("seed").get<uint64_t>(), schedule_.get(), for_us_);
     const int sink = system_.trace().AddSink(
         [this](const TraceRecord& record, const Message& message) { OnDelivery(record, message); });
     system_.Boot();
@@ -195,6 +198,7 @@ class PlanRun {
   PreparedRun& prepared_;
   System& system_;
   const Json& plan_;
+  const int64_t for_us_;
   const int64_t until_us_;
   const int64_t slice_us_;
   const size_t tail_max_;

@@ -43,6 +43,20 @@ TEST(ExplorerTest, SeedsOnThePhysicalBodyRepeatThemselves) {
   EXPECT_EQ(VerifySeeds(plan)["differences"], 0);
 }
 
+// The second run of a seed ends when the first run has broken a property, but its first frame and
+// its faults are those of the first run.
+TEST(ExplorerTest, SeedsThatBreakAPropertyEarlyRepeatThemselves) {
+  ExplorePlan plan = StickPlan();
+  plan.run.for_us = 2'000'000;
+  plan.run.vary.faults = 3;
+  plan.run.properties.names = {"always messages < 300"};
+  plan.stop_at_first = false;
+  plan.shorten_runs = 0;
+  const Json result = VerifySeeds(plan);
+  EXPECT_EQ(result["broken"], 20);
+  EXPECT_EQ(result["differences"], 0) << result["different_seeds"];
+}
+
 TEST(ExplorerTest, OneProcessAndTwoComeToTheSame) {
   ExplorePlan plan = StickPlan();
   const Json one = ExploreSeeds(plan);
