@@ -59,9 +59,12 @@ void Recorder::Begin(Simulation* simulation, const SimulationOptions& options,
   // Records changes of the stick only if one robot uses the stick, because a stick that several
   // robots share is read-only.
   if (options.robots == 1) {
-    const std::string root = simulation->stick() + "/";
-    system.robot(0).stick->OnFirstChange([this, root](const MemoryStick::Location& location) {
-      writer_->AddStick(location.path.substr(root.size()), location.path);
+    auto* const stick = dynamic_cast<FolderStick*>(system.robot(0).stick.get());
+    ASSERT(stick != nullptr);
+    stick->OnFirstChange([this, stick](const MemoryStick::Location& location) {
+      // Asks for the folder of the stick at each change, because a view or a branch of this run
+      // (openr/rewind) has a copy of the stick in another folder.
+      writer_->AddStick(location.path.substr(stick->root().size() + 1), location.path);
     });
   }
   // Writes the last block when an object ends the process, so that the recording has the messages

@@ -309,6 +309,25 @@ TEST_F(RewindTest, AViewAndABranchLeaveTheFilesOfTheRunAlone) {
   EXPECT_FALSE(std::filesystem::exists(motion));
 }
 
+// The folder of the stick has a longer path than the copy of the stick that the branch has.
+TEST_F(RewindTest, TheRecordingOfABranchHasWhatTheBranchChangesOnItsStick) {
+  const std::string stick = folder_.path() + "/" + std::string(100, 'x') + "/stick";
+  const std::string file = folder_.path() + "/run.rec";
+  std::filesystem::create_directories(stick);
+  std::filesystem::copy(OPENR_STICK, stick, std::filesystem::copy_options::recursive);
+  Start({"--body", "ideal", "--stick", stick, "--record", file, "--for", "40s"});
+  RunTo(20);
+  const uint16_t port = Ask(R"({"do":"status"})").at("rc_ports").at(0);
+  GoTo(19.9);
+  Branch();
+  Ask(R"({"do":"clock","pause":false,"rate":1})");
+  ProgramRun remove({"rc", "127.0.0.1:" + std::to_string(port), "mtn", "delete", "BOW.MTN"});
+  EXPECT_EQ(remove.Finish().status, 0) << remove.Finish().err;
+  Ask(R"({"do":"clock","rate":0})");
+  EXPECT_EQ(run_->Finish().status, 0) << run_->Finish().err;
+  EXPECT_EQ(Replay(folder_.path() + "/run-2.rec"), 0);
+}
+
 TEST_F(RewindTest, RefusalsSayWhy) {
   Start({"--body", "ideal"});
   RunTo(10);
