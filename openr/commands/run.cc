@@ -29,6 +29,7 @@
 #include "openr/ending/ending.h"
 #include "openr/ending/watchdog.h"
 #include "openr/inspect/recorder.h"
+#include "openr/inspect/trace_file.h"
 #include "openr/live/console_log.h"
 #include "openr/live/couplings.h"
 #include "openr/live/live_answers.h"
@@ -40,6 +41,7 @@
 #include "openr/live/run_clock.h"
 #include "openr/panel/panel_process.h"
 #include "openr/rewind/rewind.h"
+#include "openr/rewind/saved_files.h"
 #include "openr/run/event_script.h"
 #include "openr/run/gdb_start.h"
 #include "openr/run/interrupt.h"
@@ -297,6 +299,25 @@ std::string CommandedRun::ReasonNotRewindable() const {
   return "";
 }
 
+// Returns the entries by which a replay restores the files `changed`, which the first run has
+// changed on its stick, before it replays the recording of a branch.  A replay undoes the last
+// entry first, so the entry of a file comes before the entry of the folder around it.
+std::vector<TraceEntry> EntriesOf(const SavedStick& changed) {
+  std::vector<TraceEntry> entries;
+  for (auto file = changed.files().rbegin(); file != changed.files().rend(); ++file) {
+    const SavedStick::SavedFile& saved = file->second;
+    TraceEntry entry;
+    entry.kind = TraceEntry::Kind::kStick;
+    entry.name = file->first;
+    entry.what = saved.is_folder ? TraceEntry::PathKind::kFolder
+                 : saved.content ? TraceEntry::PathKind::kFile
+                                 : TraceEntry::PathKind::kNothing;
+    entry.payload = saved.content.value_or("");
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
 // Sets up the run so that clients of its server can go back to earlier moments.
 void CommandedRun::BeginRewind(LiveServer* live, Runner* runner, Watchdog* watchdog) {
   RewindParts parts;
@@ -308,6 +329,9 @@ void CommandedRun::BeginRewind(LiveServer* live, Runner* runner, Watchdog* watch
   parts.become_copy = [this, live] {
     is_silent_ = true;
     if (live != nullptr) live->Forget();
+  };
+  parts.become_view = [this](const SavedStick& changed) {
+    if (records()) recorder_.AddStick(EntriesOf(changed));
   };
   parts.after_frame = [this, runner] {
     runner->SampleStanding();

@@ -29,8 +29,8 @@ class Recorder {
   void Begin(Simulation* simulation, const SimulationOptions& options, const std::string& stick,
              bool is_free = false, const std::string& schedule = "");
 
-  // Adds entries from an older recording, which this run continues: the content that files of the
-  // Memory Stick had at the beginning of the older recording.
+  // Adds entries with the content that files of the Memory Stick had at the beginning of an older
+  // run, which this run continues.
   void AddStick(const std::vector<TraceEntry>& entries);
 
   void NoteLoss(const std::string& process, int64_t time_us) { writer_->AddLoss(process, time_us); }

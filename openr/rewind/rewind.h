@@ -54,6 +54,10 @@ struct RewindParts {
   // A function that is called in the process of a new checkpoint.  It makes this process print
   // nothing, and leave the sockets of the original process alone.
   std::function<void()> become_copy;
+  // A function that is called in a new view, the process that shows a past moment.  It gets the
+  // files of the stick that objects have changed in the original run, with the content from before
+  // the first change.
+  std::function<void(const SavedStick& changed)> become_view;
   // A function that is called after each frame that a view, the process that shows a past moment,
   // runs.
   std::function<void()> after_frame;

@@ -118,11 +118,13 @@ void Rewind::Prepare(const SavedStick& stick, ProcessFiles* files, const PlainJs
   // Gives the files in the copy the content from before the run.  The stick also has changes from
   // after the checkpoint, which must not be in the copy, because the view has not made these
   // changes yet.
-  SavedStick::Of(request.at("files")).CopyTo(copy);
+  const SavedStick changed = SavedStick::Of(request.at("files"));
+  changed.CopyTo(copy);
   stick.CopyTo(copy);  // restores the files that objects had changed before the checkpoint
   files->OpenAgain(root, copy, temporary);
   for (int robot = 0; robot < system().robot_count(); ++robot)
     dynamic_cast<FolderStick*>(system().robot(robot).stick.get())->set_root(copy);
+  if (parts_.become_view) parts_.become_view(changed);
   std::vector<std::deque<LoggedInput>> network_inputs(networks_.size());
   for (LoggedInput& input : LoggedInputsOf(request.at("inputs"))) {
     if (input.poll == 0) {

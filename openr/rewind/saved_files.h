@@ -18,6 +18,11 @@ class FolderStick;
 // Files and folders of a Memory Stick, with their content at some moment.
 class SavedStick {
  public:
+  struct SavedFile {
+    bool is_folder = false;
+    std::optional<std::string> content;  // content of the file; nullopt: the file did not exist
+  };
+
   // Saves the file or folder `path` of the host under `name`, its path below the folder of the
   // stick.  Does nothing if this name was saved before.
   void Save(const std::string& name, const std::string& path);
@@ -27,6 +32,8 @@ class SavedStick {
   void CopyTo(const std::string& folder) const;
 
   size_t bytes() const;
+  // Returns the saved files; key: path below the folder of the stick.
+  const std::map<std::string, SavedFile>& files() const { return files_; }
 
   // Converts these saved files to JSON with binary values, to send them to another process.
   nlohmann::json ToJson() const;
@@ -34,11 +41,6 @@ class SavedStick {
   static SavedStick Of(const nlohmann::json& json);
 
  private:
-  struct SavedFile {
-    bool is_folder = false;
-    std::optional<std::string> content;  // content of the file; nullopt: the file did not exist
-  };
-  // The saved files; key: path below the folder of the stick.
   std::map<std::string, SavedFile> files_;
 };
 

@@ -328,6 +328,26 @@ TEST_F(RewindTest, TheRecordingOfABranchHasWhatTheBranchChangesOnItsStick) {
   EXPECT_EQ(Replay(folder_.path() + "/run-2.rec"), 0);
 }
 
+// The first run has deleted a motion after the moment at which the branch begins, so the stick has
+// other files than the branch.
+TEST_F(RewindTest, TheRecordingOfABranchHasTheStickOfTheBranch) {
+  const std::string stick = folder_.path() + "/stick", file = folder_.path() + "/run.rec";
+  std::filesystem::copy(OPENR_STICK, stick, std::filesystem::copy_options::recursive);
+  Start({"--body", "ideal", "--stick", stick, "--record", file, "--for", "40s"});
+  RunTo(20);
+  const uint16_t port = Ask(R"({"do":"status"})").at("rc_ports").at(0);
+  const double before_s = Hashes().at("time_s");
+  Ask(R"({"do":"clock","pause":false,"rate":1})");
+  ProgramRun remove({"rc", "127.0.0.1:" + std::to_string(port), "mtn", "delete", "BOW.MTN"});
+  EXPECT_EQ(remove.Finish().status, 0) << remove.Finish().err;
+  GoTo(before_s);
+  Branch();
+  Ask(R"({"do":"clock","rate":0})");
+  EXPECT_EQ(run_->Finish().status, 0) << run_->Finish().err;
+  EXPECT_EQ(Replay(file), 0);
+  EXPECT_EQ(Replay(folder_.path() + "/run-2.rec"), 0);
+}
+
 TEST_F(RewindTest, RefusalsSayWhy) {
   Start({"--body", "ideal"});
   RunTo(10);
