@@ -120,6 +120,7 @@ void BranchNetwork::ResolveAddress(NetHandle handle, uint32_t ip) {
 
 void BranchNetwork::Drop(NetHandle handle, bool reset) {
   sockets_.erase(handle);
+  for (auto& [listener, socket] : sockets_) std::erase(socket.accepts, handle);
   std::erase_if(broken_, [handle](const NetworkEvent& event) { return event.handle == handle; });
   if (!repeats_) PassingNetwork::Drop(handle, reset);
 }
