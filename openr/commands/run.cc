@@ -322,7 +322,7 @@ std::vector<TraceEntry> EntriesOf(const SavedStick& changed) {
 void CommandedRun::BeginRewind(LiveServer* live, Runner* runner, Watchdog* watchdog) {
   RewindParts parts;
   parts.simulation = &simulation_;
-  parts.no_rewind_reason = ReasonNotRewindable();
+  parts.no_rewind_reason = live == nullptr ? "no client can reach it" : ReasonNotRewindable();
   parts.answer = [this](const nlohmann::json& request) {
     return AnswerLive(live_context_, request);
   };

@@ -56,8 +56,14 @@ size_t InputLog::BytesOf(const LoggedInput& input) {
 }
 
 void InputLog::Add(LoggedInput input) {
+  if (is_disabled_) return;
   bytes_ += BytesOf(input);
   inputs_.push_back(std::move(input));
+}
+
+void InputLog::Disable() {
+  DropBefore(end());
+  is_disabled_ = true;
 }
 
 std::vector<LoggedInput> InputLog::From(uint64_t begin) const {

@@ -31,7 +31,10 @@ class InputLog {
   // The largest number of bytes that the inputs in an InputLog may have together; see is_full().
   static constexpr size_t kBytesMax = size_t{64} << 20;
 
+  // Adds an input.  Does nothing after Disable().
   void Add(LoggedInput input);
+  // Drops all inputs, and keeps none from now on.
+  void Disable();
 
   // Returns the number of inputs that were added to this InputLog so far.
   uint64_t end() const { return first_ + inputs_.size(); }
@@ -49,6 +52,7 @@ class InputLog {
   std::deque<LoggedInput> inputs_;
   uint64_t first_ = 0;  // number of the oldest input in the log, inputs_.front()
   size_t bytes_ = 0;
+  bool is_disabled_ = false;
 };
 
 // Converts inputs to JSON with binary values, to send them to another process.

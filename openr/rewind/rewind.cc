@@ -78,8 +78,11 @@ std::unique_ptr<Network> Rewind::WrapNetwork(int robot, std::unique_ptr<Network>
 
 void Rewind::Begin(RewindParts parts) {
   parts_ = std::move(parts);
+  // Keeps no inputs of a run that cannot be rewound, because nothing would drop them, and they
+  // would take more and more memory.
+  if (!parts_.no_rewind_reason.empty()) return log_.Disable();
   auto* const stick = dynamic_cast<FolderStick*>(system().robot(0).stick.get());
-  if (parts_.no_rewind_reason.empty() && stick != nullptr) {
+  if (stick != nullptr) {
     stick->OnFirstChange([this, stick](const MemoryStick::Location& location) {
       original_files_.Save(std::filesystem::path(location.path).lexically_relative(stick->root()),
                            location.path);

@@ -81,7 +81,8 @@ class Rewind {
   std::unique_ptr<Network> WrapNetwork(int robot, std::unique_ptr<Network> inner);
 
   // Begins to log the inputs of the run that `parts` describes, and to save files of its stick
-  // before their first change.  REQUIRES: System::Boot() has not been called.
+  // before their first change.  Does neither if this run cannot be rewound.  REQUIRES:
+  // System::Boot() has not been called.
   void Begin(RewindParts parts);
 
   // Makes a checkpoint if the last checkpoint is old enough, and drops old checkpoints.  Drops all
@@ -96,6 +97,9 @@ class Rewind {
   // Returns the state of Rewind for clients: whether and how far the run can be rewound, the number
   // and memory of the checkpoints, and the moment that is shown.
   nlohmann::ordered_json Status();
+
+  // Returns the inputs that are kept to be repeated.
+  const InputLog& log() const { return log_; }
 
   bool shows_past() const { return shown_ != nullptr; }
   // Shows clients the run as it was at the virtual time `time_us`.  Returns "", or the reason why

@@ -2,12 +2,16 @@
 #include <gmock/gmock.h>
 
 #include <memory>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "openr/inspect/recorded_network.h"
 #include "openr/rewind/branch_network.h"
 #include "openr/rewind/input_log.h"
+#include "openr/rewind/rewind.h"
+#include "openr/simulation/simulation.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {
@@ -36,6 +40,32 @@ TEST(BranchNetworkTest, ASocketThatWasDroppedWaitsForNoConnectionOfTheBranch) {
   network.Forget();
   network.GoOn();
   EXPECT_THAT(sockets.accepts, ElementsAre(3));
+}
+
+// Returns the number of inputs that are kept of a run to which somebody gives an input, and which
+// cannot be rewound for the reason `why`.
+uint64_t InputsKept(const std::string& why) {
+  Rewind rewind;
+  SimulationOptions options;
+  options.stick = OPENR_STICK;
+  options.body = "ideal";
+  options.host_network = false;
+  options.console = [](std::string_view) {};
+  options.network_filter = [&rewind](int robot, std::unique_ptr<Network> inner) {
+    return rewind.WrapNetwork(robot, std::move(inner));
+  };
+  Simulation simulation(options);
+  RewindParts parts;
+  parts.simulation = &simulation;
+  parts.no_rewind_reason = why;
+  rewind.Begin(std::move(parts));
+  EXPECT_EQ(simulation.system().inputs().Add(0, "press chin"), "");
+  return rewind.log().end();
+}
+
+TEST(RewindPartsTest, ARunThatCannotBeRewoundKeepsNoInputs) {
+  EXPECT_EQ(InputsKept(""), 1u);
+  EXPECT_EQ(InputsKept("it is connected to ROS 2 (--ros2)"), 0u);
 }
 
 }  // namespace
