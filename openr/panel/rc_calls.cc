@@ -42,6 +42,14 @@ std::string UpperCase(std::string text) {
   return text;
 }
 
+// Returns how many times `request` plays a motion.  Throws std::runtime_error if the number is not
+// allowed.
+int LoopsOf(const nlohmann::json& request) {
+  const int64_t loops = request.value("loops", int64_t{1});
+  if (loops < 1 || loops > 65535) throw std::runtime_error("'loops' must be from 1 to 65535");
+  return static_cast<int>(loops);
+}
+
 Json JointJson(const remote::Description& joint, const remote::JointState& state) {
   const auto limit = [&joint](RcJointValue which) {
     return static_cast<size_t>(which) < joint.values.size() ? Degrees(joint.values[which]) : 0;
@@ -189,10 +197,9 @@ Json RcCalls::Motions(const Request&, const Progress&) {
 }
 
 Json RcCalls::Play(const Request& request, const Progress&) {
-  const int64_t loops = request.value("loops", int64_t{1});
-  if (loops < 1 || loops > 65535) throw std::runtime_error("'loops' must be from 1 to 65535");
+  const int loops = LoopsOf(request);
   const remote::PlayAnswer answer =
-      robot_->PlayMotion(request.at("name").get<std::string>(), static_cast<int>(loops));
+      robot_->PlayMotion(request.at("name").get<std::string>(), loops);
   return {{"duration_s", answer.durationMs / 1000.0},
           {"key_frames", answer.keyFrames},
           {"loops", answer.loops}};
@@ -223,7 +230,7 @@ Json RcCalls::Upload(const Request& request, const Progress& progress) {
   const bool plays = file_kind == rcfileMOTION && request.contains("loops");
   // Checks `loops`, how often the motion plays, before the upload, so that no file is left on the
   // stick when the motion cannot play.
-  if (plays && request["loops"].get<int>() < 1) throw std::runtime_error("'loops' is 1 or more");
+  if (plays) LoopsOf(request);
   if (plays) name = FreeName();
   robot_->Upload(file_kind, name, *bytes, [&progress](size_t sent, size_t whole) {
     if (sent > 0) progress(sent, whole);

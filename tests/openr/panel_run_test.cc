@@ -143,6 +143,14 @@ TEST_F(PanelRunTest, APageMovesFilesAndEndsTheRun) {
                                {"name", "mine.mtn"},
                                {"data", "AAAA"}});
   EXPECT_THAT(wrong.at("error"), HasSubstr("MINE.MTN: "));
+  const Json too_often = page.Ask({{"do", "rc"},
+                                   {"call", "upload"},
+                                   {"kind", "motion"},
+                                   {"name", "mine.mtn"},
+                                   {"data", walk},
+                                   {"loops", 65536}});
+  EXPECT_EQ(too_often, Json({{"error", "'loops' must be from 1 to 65535"}}));
+  EXPECT_EQ(page.Ask({{"do", "rc"}, {"call", "motions"}}).at("motions"), motions);
   EXPECT_EQ(page.Ask({{"do", "rc"}, {"call", "delete"}, {"name", "MINE.MTN"}}), Json::object());
   EXPECT_EQ(page.Ask({{"do", "rc"}, {"call", "delete"}, {"name", "MINE.MTN"}}).at("status"), 8);
   EXPECT_EQ(page.Ask({{"do", "rc"}, {"call", "shutdown"}}), Json::object());
