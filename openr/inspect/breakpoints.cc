@@ -112,8 +112,8 @@ bool Breakpoints::HoldsText(const std::string& text) const {
     return reader.EntryName(record.target, record.selector).find(wanted) != std::string::npos;
   }
   if (words.kind == "state") {
-    const Object* const object = replayer_->system().FindObject(0, words.name);
-    return object != nullptr && object->state == words.rest && object->id == record.target;
+    const Object* const target = replayer_->system().object(record.target);
+    return target != nullptr && target->name == words.name && target->state == words.rest;
   }
   const auto& findings = replayer_->system().findings().all();
   return !findings.empty() && findings.back().message == record.number;
