@@ -22,9 +22,12 @@ FailingRun::FailingRun(const PrepareRun& prepare, const nlohmann::ordered_json& 
   for (const auto& line : script) deviations.push_back(DeviationFromJson(line, *prepared_.system));
   schedule_ = std::make_unique<ScriptedSchedule>(*prepared_.system, deviations);
   if (const auto& broken = answer.at("broken"); !broken.is_null()) {
-    length_us_ = broken.at("time_us").get<int64_t>();
+    // Goes on for the length of all runs if the time is null, as for a run that was killed because
+    // it did not end.
+    const bool has_time = !broken.at("time_us").is_null();
+    if (has_time) length_us_ = broken["time_us"].get<int64_t>();
     why_ =
-        fmt::format("here the property '{}' is broken: {}",
+        fmt::format("{} the property '{}' is broken: {}", has_time ? "here" : "the run is over;",
                     broken.at("property").get<std::string>(), broken.at("text").get<std::string>());
   }
   SetSchedule(&prepared_, seed, schedule_.get(), for_us);

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "openr/explore/explore_cost.h"
+#include "openr/explore/failing_run.h"
 #include "tests/planted/planted.h"
 
 namespace openr_host {
@@ -115,6 +116,21 @@ TEST(ExplorerTest, ARandomRunIsRepeatedByItsDeviations) {
     EXPECT_EQ(scripted["trace"], random["trace"]) << seed;
     EXPECT_EQ(scripted["state"], random["state"]) << seed;
   }
+}
+
+// The run was killed because it did not end in time, so nobody knows the time of its failure.
+TEST(ExplorerTest, AFailureWithoutATimeIsRepeatedForTheWholeLength) {
+  const Json answer = {{"broken",
+                        {{"property", kHandlersReturn},
+                         {"time_us", nullptr},
+                         {"message", nullptr},
+                         {"text", "the run did not end within 120 s of real time"}}}};
+  FailingRun run(StickPlan().prepare_run, Json::array(), 1, 16'000, answer);
+  EXPECT_EQ(run.length_us(), 16'000);
+  run.RunUntil(run.length_us());
+  EXPECT_EQ(run.EndReason(),
+            "the run is over; the property 'handlers-return' is broken: the run did not end within "
+            "120 s of real time");
 }
 
 TEST(ExplorerTest, AStickThatDoesNotBootIsAnError) {
