@@ -49,8 +49,12 @@ std::string Access::Url(const std::string& token) const {
 }
 
 bool Access::IsPanelAddress(std::string_view host) const {
-  if (!host.ends_with(port_)) return false;
-  const std::string name(host.substr(0, host.size() - port_.size()));
+  if (host.ends_with(port_)) {
+    host.remove_suffix(port_.size());
+  } else if (port_ != ":80") {  // browsers leave out the port of HTTP, 80
+    return false;
+  }
+  const std::string name(host);
   // Accepts "localhost" and no other name, because the name of another site can be made to lead to
   // this computer.
   if (name == "localhost") return address_ == kLoopback || address_ == kAnyAddress;

@@ -107,6 +107,23 @@ TEST(AccessTest, ThePanelIsKnownByItsAddressOnly) {
     EXPECT_FALSE(is_known("0.0.0.0", host)) << host;
 }
 
+// Browsers leave out the port of HTTP.
+TEST(AccessTest, ThePanelAtPort80IsKnownWithoutThePort) {
+  const Access access(kToken, "127.0.0.1", 80);
+  WebRequest request;
+  request.protocol = access.protocol();
+  for (const char* const host : {"127.0.0.1", "localhost", "127.0.0.1:80"}) {
+    request.host = host;
+    request.origin = std::string("http://") + host;
+    EXPECT_EQ(access.SocketRefusal(request), "") << host;
+    EXPECT_EQ(access.SocketSource(host), std::string("ws://") + host);
+  }
+  for (const char* const host : {"127.0.0.1:81", "evil.example", ""}) {
+    request.host = host;
+    EXPECT_NE(access.FileRefusal(request), "") << host;
+  }
+}
+
 TEST(AccessTest, AForeignHostGetsNoSourceOfWebSockets) {
   const Access access(kToken, "0.0.0.0", 8210);
   EXPECT_EQ(access.SocketSource("10.0.0.7:8210"), "ws://10.0.0.7:8210");
