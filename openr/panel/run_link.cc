@@ -97,7 +97,10 @@ void RunLink::PassOnLines() {
 bool RunLink::OnWritable() {
   const bool was_full = to_send_.size() > kWaitingMax;
   const ssize_t count = send(descriptor_, to_send_.data(), to_send_.size(), MSG_NOSIGNAL);
-  if (count < 0 && errno != EAGAIN && errno != EINTR) return false;
+  if (count < 0 && errno != EAGAIN && errno != EINTR) {
+    PassOnRest();  // the run has ended, but its last answers may not have been read yet
+    return false;
+  }
   if (count > 0) to_send_.erase(0, static_cast<size_t>(count));
   if (!to_send_.empty()) loop_->WantWrite(watched_);
   if (was_full && to_send_.size() <= kWaitingMax) owner_.resume();
