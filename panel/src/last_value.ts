@@ -30,6 +30,11 @@ export class LastValue<T> {
     this.pump();
   }
 
+  // Drops the value that waits, if there is one.
+  drop(): void {
+    this.pending = null;
+  }
+
   private pump(): void {
     if (this.isWaiting || this.pending === null) return;
     const wait = this.sentAt + this.periodMs - this.timers.now();

@@ -57,7 +57,7 @@ class TimeBar {
       title: 'Shows the moment five seconds ago. Key: B',
       'aria-label': 'Back five seconds',
     });
-    this.present = button('Present', () => void session.rewind({ present: true }), {
+    this.present = button('Present', () => this.showPresent(), {
       title: 'Shows the newest moment again',
     });
     this.goOn = button('Go on from here', () => void this.branch(), {
@@ -128,7 +128,15 @@ class TimeBar {
     }
   }
 
+  // Drops the moment of the slider that waits here and in the functions below, because it would be
+  // shown after what the person has chosen later.
+  private showPresent(): void {
+    this.seek.drop();
+    void this.session.rewind({ present: true });
+  }
+
   private goBack(): void {
+    this.seek.drop();
     if (!this.session.canRewind) {
       this.session.bad(`Cannot go back: ${whyNoRewind(this.session.clock)}`);
       return;
@@ -141,6 +149,7 @@ class TimeBar {
   }
 
   private async branch(): Promise<void> {
+    this.seek.drop();
     const answer = await this.session.tell<{ run: string }>({ do: 'branch' }, 'Going on from here');
     if (answer === null) return;
     if (!this.session.isRecording) this.session.good(`The new run ${answer.run} goes on from here.`);

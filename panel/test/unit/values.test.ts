@@ -74,6 +74,17 @@ describe('LastValue', () => {
     expect(sent).toEqual([1, 4]);
   });
 
+  it('does not send a value that was dropped', () => {
+    const { value, sent, goTo } = setUp();
+    for (const i of [1, 2]) value.set(i);
+    value.drop();
+    goTo(50);
+    expect(sent).toEqual([1]);
+    value.set(3);
+    goTo(100);
+    expect(sent).toEqual([1, 3]);
+  });
+
   it('waits for the answer to a value before it sends the next one', async () => {
     let answer: () => void = () => undefined;
     const sent: number[] = [];
