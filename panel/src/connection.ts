@@ -12,6 +12,8 @@ export interface ConnectionOwner {
 // Codes with which the server closes a connection that must not be opened again.
 const CLOSE_RUN_ENDED = 4001;
 const CLOSE_NO_RUN = 4002;
+// Codes with which the server refuses a message of the page (1003, 1009) or the page (1013).
+const REFUSALS = [1003, 1009, 1013];
 
 // Returns the wait before attempt number `attempt` to connect again: 0.5 s, then twice as long each
 // time, at most 8 s.
@@ -87,6 +89,10 @@ export class Connection {
   private onClose(event: CloseEvent, wasOpen: boolean): void {
     this.rejectAll('the connection to the run was lost');
     if (this.isClosed) return;
+    if (this.hasEnded && REFUSALS.includes(event.code)) {
+      this.owner.onState('refused', event.reason);
+      return;
+    }
     if (this.hasEnded || event.code === CLOSE_RUN_ENDED || event.code === CLOSE_NO_RUN) {
       this.owner.onState('ended', event.reason || 'the run has ended');
       return;
