@@ -15,9 +15,28 @@ export function matches(text: string, filter: string): boolean {
   return words.every((word) => (word.startsWith('-') && word.length > 1 ? !lower.includes(word.slice(1)) : lower.includes(word)));
 }
 
+// Returns the lines that objects have printed. Calls `changed` when the lines have changed.
+export function keepLines(session: Session, changed: () => void): Ring<LogLine> {
+  const lines = new Ring<LogLine>(LINES_KEPT);
+  const clear = () => {
+    lines.clear();
+    changed();
+  };
+  session.on('log', (event) => {
+    for (const line of event.lines ?? []) lines.push(line);
+    changed();
+  });
+  session.on('newRun', clear);
+  // Forgets the lines at each new connection, because the run sends its last lines again.
+  session.on('link', ({ state }) => {
+    if (state === 'open') clear();
+  });
+  return lines;
+}
+
 class LogView {
   readonly element: HTMLElement;
-  private readonly lines = new Ring<LogLine>(LINES_KEPT);
+  private readonly lines: Ring<LogLine>;
   private readonly filter = el('input', {
     type: 'search',
     placeholder: 'Filter: words, -word leaves out',
@@ -30,14 +49,7 @@ class LogView {
   constructor(session: Session) {
     this.filter.addEventListener('input', () => this.changed());
     this.element = el('div', { class: 'log' }, el('div', { class: 'bar' }, this.filter, this.count), this.list);
-    session.on('log', (event) => {
-      for (const line of event.lines ?? []) this.lines.push(line);
-      this.changed();
-    });
-    session.on('newRun', () => {
-      this.lines.clear();
-      this.changed();
-    });
+    this.lines = keepLines(session, () => this.changed());
     window.addEventListener('panel-shown', () => this.changed());
   }
 

@@ -3,9 +3,10 @@ import { clockTime, costText, degrees, fixed, rateText, sensorText } from '../..
 import { LastValue } from '../../src/last_value';
 import { Ring } from '../../src/ring';
 import { byError, errorOf, JointGoal } from '../../src/panels/joint_goal';
-import { handledText, matches } from '../../src/panels/log';
+import { handledText, keepLines, matches } from '../../src/panels/log';
 import { Touch } from '../../src/panels/touch';
 import { waitBeforeAttemptMs } from '../../src/connection';
+import type { Session } from '../../src/session';
 
 describe('numbers', () => {
   it('are unknown where the run sends none', () => {
@@ -142,6 +143,21 @@ describe('the filter of the log', () => {
     expect(matches('state: standing', 'stand -state')).toBe(false);
     expect(matches('anything', '')).toBe(true);
     expect(matches('a - b', '-')).toBe(true);
+  });
+});
+
+describe('the lines of the log', () => {
+  it('come once, also if the run sends them again after the connection was lost', () => {
+    const listeners = new Map<string, (value: unknown) => void>();
+    const session = { on: (topic: string, listener: (value: unknown) => void) => listeners.set(topic, listener) };
+    const lines = keepLines(session as unknown as Session, () => undefined);
+    const line = { time_s: 1, text: 'state: running' };
+    for (let connection = 0; connection < 2; ++connection) {
+      listeners.get('link')?.({ state: 'open', why: '' });
+      listeners.get('log')?.({ event: 'log', lines: [line] });
+      listeners.get('link')?.({ state: 'lost', why: '' });
+    }
+    expect(lines.toArray()).toEqual([line]);
   });
 });
 
