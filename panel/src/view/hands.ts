@@ -215,7 +215,7 @@ export class Hands {
 
   private push(drag: Drag, length: number): void {
     if (drag.hit === null) return;
-    const { right, up } = this.stage.pixelAt(drag.hit.point);
+    const { right, up } = this.stage.pixelAt(drag.hit);
     const force = right
       .multiplyScalar((drag.x - drag.startX) / length)
       .addScaledVector(up, (drag.startY - drag.y) / length)
@@ -226,7 +226,7 @@ export class Hands {
 
   private liftOf(drag: Drag): number {
     if (drag.hit === null) return 0;
-    return liftOfDrag(drag.startY - drag.y, this.stage.pixelAt(drag.hit.point).metres);
+    return liftOfDrag(drag.startY - drag.y, this.stage.pixelAt(drag.hit).metres);
   }
 
   private showArrow(drag: Drag): void {

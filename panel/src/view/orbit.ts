@@ -1,5 +1,6 @@
 // Orbit: the place of the camera around a point that follows the dog. Angles are in radians, z is
 // up.
+import type { PerspectiveCamera, Vector3 } from 'three';
 
 export interface Point {
   x: number;
@@ -83,4 +84,11 @@ export function tiles(
     width: width / used,
     height: height / rows,
   }));
+}
+
+// Returns the width in metres of a pixel at `point`, in a picture of `camera` that has `rows` rows of
+// pixels.
+export function metresPerPixel(camera: PerspectiveCamera, point: Vector3, rows: number): number {
+  const depth = -point.clone().applyMatrix4(camera.matrixWorldInverse).z;
+  return (2 * depth * Math.tan((camera.fov * Math.PI) / 360)) / rows;
 }

@@ -7,7 +7,7 @@ import type { PoseEvent, Scene } from '../protocol';
 import { colourOf, isDark, onTheme } from '../theme';
 import { DogFigure } from './dog_figure';
 import { DogScene, type Hit } from './dog_scene';
-import { Orbit, tiles, type ViewName } from './orbit';
+import { metresPerPixel, Orbit, tiles, type ViewName } from './orbit';
 
 const FOV_DEG = 26;
 
@@ -140,17 +140,18 @@ export class Stage {
     return { robot, hit: hit === null ? null : { ...hit, robot } };
   }
 
-  // Returns the width of a pixel in metres at `point`, and the right and up directions of the
-  // picture.
-  pixelAt(point: THREE.Vector3): { metres: number; right: THREE.Vector3; up: THREE.Vector3 } {
+  // Returns the width of a pixel in metres at the place of `hit`, and the right and up directions of
+  // the picture.
+  pixelAt(hit: StageHit): { metres: number; right: THREE.Vector3; up: THREE.Vector3 } {
+    const tile = tiles(this.dogs.length, this.canvas.clientWidth, this.canvas.clientHeight)[hit.robot];
+    const dog = this.dogs[hit.robot];
+    // Aims again, because the last picture was that of the last dog.
+    if (tile !== undefined && dog !== undefined) this.aim(dog, tile.width / tile.height);
     const right = new THREE.Vector3();
     const up = new THREE.Vector3();
     const back = new THREE.Vector3();
     this.camera.matrixWorld.extractBasis(right, up, back);
-    const depth = -point.clone().applyMatrix4(this.camera.matrixWorldInverse).z;
-    const rows = tiles(this.dogs.length, this.canvas.clientWidth, this.canvas.clientHeight)[0];
-    const height = 2 * depth * Math.tan((FOV_DEG * Math.PI) / 360);
-    return { metres: height / (rows?.height ?? 1), right, up };
+    return { metres: metresPerPixel(this.camera, hit.point, tile?.height ?? 1), right, up };
   }
 
   trunkOf(robot: number): [number, number, number, number] {

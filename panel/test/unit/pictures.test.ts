@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { forceOfDrag, intoBody, liftLine, liftOfDrag, pushLine } from '../../src/view/force';
-import { Orbit, tiles } from '../../src/view/orbit';
+import { PerspectiveCamera, Vector3 } from 'three';
+import { metresPerPixel, Orbit, tiles } from '../../src/view/orbit';
 import { csvOf, History, pathOf, rangeAround, seriesOf, ticks } from '../../src/panels/plot_data';
 import { curveThrough, layOut, serviceName } from '../../src/panels/graph_layout';
 import type { GraphConnection, GraphObject, Scene, ValuesEvent } from '../../src/protocol';
@@ -74,6 +75,20 @@ describe('Orbit', () => {
     const two = tiles(2, 800, 400);
     expect(two.map((each) => each.x)).toEqual([0, 400]);
     expect(tiles(4, 800, 800).every((each) => each.width === 400 && each.height === 400)).toBe(true);
+  });
+});
+
+describe('metresPerPixel', () => {
+  it('is the width of a pixel, also in a narrow picture with a larger angle of view', () => {
+    const rows = 600;
+    for (const fov of [26, 52]) {
+      const camera = new PerspectiveCamera(fov, 0.5, 0.02, 60);
+      camera.updateMatrixWorld();
+      const point = new Vector3(0.1, 0.2, -1.5);
+      const above = point.clone().add(new Vector3(0, metresPerPixel(camera, point, rows), 0));
+      const row = (at: Vector3) => (at.clone().project(camera).y * rows) / 2;
+      expect(row(above) - row(point)).toBeCloseTo(1, 6);
+    }
   });
 });
 
