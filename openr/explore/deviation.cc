@@ -67,9 +67,10 @@ Deviation FaultFromJson(const Json& json, const System& system) {
   fault.nth = json.at("nth").get<uint64_t>();
   fault.selector = json.at("robot").get<uint32_t>();
   fault.us = json.at("us").get<int64_t>();
-  if (static_cast<int>(fault.selector) >= system.robot_count())
-    throw std::runtime_error(
-        fmt::format("no robot {}; the schedule is of another run", fault.selector));
+  if (fault.time_us < 0) throw std::runtime_error("a fault before the run, at a time below 0");
+  const int64_t robot = json["robot"].get<int64_t>();
+  if (robot < 0 || robot >= system.robot_count())
+    throw std::runtime_error(fmt::format("no robot {}; the schedule is of another run", robot));
   return fault;
 }
 

@@ -43,7 +43,9 @@ std::string DescribeDeviation(const Json& deviation) {
   if (kind == "tie")
     return fmt::format("{}: {} is first (tie {} of this instant)", time, object, nth);
   const int64_t us = deviation["us"].get<int64_t>();
-  const std::string entry = deviation["entry"].get<std::string>();
+  // Takes the number of the entry if the file, which a person may have edited, has no name of it.
+  const std::string entry =
+      deviation.value("entry", fmt::format("entry {}", deviation["selector"].get<uint32_t>()));
   if (kind == "cost") {
     return fmt::format("{}: {}, call {} of {}, takes {} us {}", time, object, nth, entry,
                        us < 0 ? -us : us, us < 0 ? "less" : "more");

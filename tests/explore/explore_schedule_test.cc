@@ -132,6 +132,19 @@ TEST(ExploreScheduleTest, DeviationsSurviveJson) {
   EXPECT_FALSE(talk.deviations.empty());
 }
 
+TEST(ExploreScheduleTest, AFaultOfNoRobotOrBeforeTheRunIsRefused) {
+  const Talk talk(1);
+  const Json fault = {{"kind", "fault"}, {"time_us", 8000}, {"nth", 0}, {"robot", 0}, {"us", 57}};
+  EXPECT_EQ(DeviationFromJson(fault, talk.system).us, 57);
+  const std::pair<const char*, int64_t> wrongs[] = {
+      {"robot", -1}, {"robot", talk.system.robot_count()}, {"time_us", -8000}};
+  for (const auto& [field, value] : wrongs) {
+    Json wrong = fault;
+    wrong[field] = value;
+    EXPECT_THROW(DeviationFromJson(wrong, talk.system), std::runtime_error) << wrong;
+  }
+}
+
 TEST(ExploreScheduleTest, AScheduleOfAnotherGraphIsRefused) {
   const Talk talk(1);
   const Json json = {{"kind", "tie"}, {"time_us", 8}, {"nth", 0}, {"robot", 0}, {"object", "z"}};

@@ -73,6 +73,23 @@ TEST(ExploreCommandTest, AReplayThatHoldsNowSaysSoAndEndsWithZero) {
   EXPECT_FALSE(json::parse(replayed.out)["same"].get<bool>());
 }
 
+// The names of entries in a schedule file are for people, who may leave them out.
+TEST(ExploreCommandTest, AnEditedScheduleNeedsNoNamesOfEntries) {
+  const ScratchFolder folder;
+  const std::string file = folder.File("failure.json");
+  Explore({"--runs", "1", "--property", kNever, "-o", file});
+  json schedule = json::parse(folder.Read("failure.json"));
+  const json delay = {
+      {"kind", "delay"},      {"time_us", 0},           {"nth", 0},       {"robot", 0},
+      {"object", "RCServer"}, {"sender", "Controller"}, {"selector", 10}, {"us", 1000}};
+  schedule["deviations"] = json::array({delay});
+  folder.Write("failure.json", schedule.dump());
+  const ProgramResult replayed = RunProgram({"explore", "--replay", file});
+  EXPECT_EQ(replayed.status, 1) << replayed.err;
+  EXPECT_THAT(replayed.out,
+              HasSubstr("message 1 from Controller to RCServer, entry 10, comes 1000 us later"));
+}
+
 TEST(ExploreCommandTest, ACrashNamesTheHandlerAndDoesNotEndTheProgram) {
   const ScratchFolder stick;
   stick.MakeTrouble("crash");
