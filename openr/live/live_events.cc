@@ -114,6 +114,9 @@ std::string LiveEvents::Line(std::string_view name, EventCursor* cursor) {
   if (name == "findings") {
     const uint64_t count = context_.simulation->system().findings().all().size();
     if (std::exchange(cursor->findings, count) == count) return "";
+    // Forgets the past moment whose findings were sent last, so that the client gets them again
+    // when the same moment is shown again.
+    cursor->versions.erase(std::string(name));
     return line(FindingsJson(context_));
   }
   uint64_t& shown = cursor->versions[std::string(name)];

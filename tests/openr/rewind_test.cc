@@ -179,6 +179,24 @@ TEST_F(RewindTest, TheEventsAreThoseOfTheMoment) {
                    .is_null());
 }
 
+TEST_F(RewindTest, TheFindingsOfAMomentAreSentEachTimeThatItIsShown) {
+  Start({"--body", "ideal"});
+  RunTo(5);
+  Ask(R"({"do":"watch","events":["clock","findings"]})");
+  const double first_s = Ask(R"({"do":"clock"})").at("rewind").at("from_s");
+  for (int i = 0; i < 2; ++i) {
+    GoTo(first_s);
+    EXPECT_FALSE(
+        watcher_
+            ->WaitFor("findings", [&](const Json& event) { return event.at("time_s") == first_s; })
+            .is_null());
+    Ask(R"({"do":"rewind","present":true})");
+    EXPECT_FALSE(
+        watcher_->WaitFor("findings", [](const Json& event) { return event.at("time_s") > 4; })
+            .is_null());
+  }
+}
+
 TEST_F(RewindTest, ABranchIsARunOfItsOwnWithItsOwnRecording) {
   const std::string file = folder_.path() + "/run.rec";
   Start({"--body", "ode", "--record", file, "--for", "30s"});
