@@ -56,9 +56,11 @@ class Message(NamedTuple):
 class State:
     """A state of a run that `Run.save` has kept.  A process holds the state until `drop()`."""
 
-    def __init__(self, channel: Channel, time_s: float) -> None:
+    def __init__(self, channel: Channel, run: "Run") -> None:
         self._channel = channel
-        self.time_s = time_s
+        self._about = run._about
+        self._actuators, self._observed = run.actuators, run.observed
+        self.time_s = run.time_s
 
     def drop(self) -> None:
         self._channel.close()
@@ -107,7 +109,7 @@ class Run:
             self.close()
             raise
         self._learn(about)
-        self.time_s = 0.0
+        self.time_s: float = 0.0
         if boot:
             self.boot()
 
@@ -310,10 +312,13 @@ class Run:
 
     def save(self) -> State:
         """Keeps the present state, for `go_back`."""
-        return State(self._channel.fork(""), self.time_s)
+        return State(self._channel.fork(""), self)
 
     def go_back(self, state: State, record: Union[str, "os.PathLike[str]"] = "") -> None:
         """Goes back to `state`, or forward to a state of another run.  All that this run did since is lost.
+
+        `act` moves the same joints and returns the same values as before, unless `state` is of a robot of
+        another model: then what `act` does is as in `state`.
 
         The recording of this run ends here.  `record` names the file of a new recording, which has the
         run from its begin to `state`, and all that follows.
@@ -322,10 +327,15 @@ class Run:
         self._channel.close()
         self._take(channel)
         self.record = os.fspath(record)
-        if self.actuators != self.joint_names:
-            self.actuate(*self.actuators)
-        if self.observed:
-            self.observe(*self.observed)
+        actuators, observed = state._actuators, state._observed
+        if state._about == self._about:
+            actuators, observed = self.actuators, self.observed or observed
+        self._learn(state._about)
+        self.actuators, self.observed = state._actuators, state._observed
+        if actuators != self.actuators:
+            self.actuate(*actuators)
+        if observed != self.observed:
+            self.observe(*observed)
         self.time_s = state.time_s
 
     # ---- Methods that read values

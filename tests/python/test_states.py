@@ -119,6 +119,25 @@ class ForkTest(unittest.TestCase):
             run.go_back(state)
             self.assertEqual(len(run.act([10], frames=2)), 1)
 
+    def test_goes_back_with_the_joints_that_it_moves(self):
+        with standing() as run:
+            run.actuate("neck_pan")
+            with run.save() as state:
+                run.actuate()
+                run.go_back(state)
+            self.assertEqual(run.actuators, run.joint_names)
+            run.act([0.0] * len(run.joint_names), frames=2)
+
+    def test_goes_to_a_state_of_another_model(self):
+        with standing() as run, openr_host.Run(body="ideal", robot="ers7") as other:
+            run.actuate("neck_pan")
+            other.observe("joints")
+            with other.save() as state:
+                run.go_back(state)
+            self.assertEqual((run.model, run.joint_names), (other.model, other.joint_names))
+            values = run.act([0.0] * len(other.joint_names), frames=2)
+            self.assertEqual(len(values), len(run.observed))
+
     def test_a_dropped_state_is_gone(self):
         with standing() as run:
             state = run.save()
