@@ -56,14 +56,15 @@ LEG_JOINTS = tuple(f"{leg}_j{number}" for leg in LEGS for number in (1, 2, 3))
 
 
 def _shares(action: Sequence[float]) -> list[float]:
-    """Returns the numbers of `action`.  Raises ValueError if they are not 12 finite numbers."""
+    """Returns the numbers of `action`, limited to -1 to 1.  Raises ValueError if they are not 12 finite
+    numbers."""
     shares = [float(share) for share in action]
     if len(shares) != len(LEG_JOINTS):
         raise ValueError(f"an action has {len(LEG_JOINTS)} numbers, one for each leg joint; this one has {len(shares)}")
     for name, share in zip(LEG_JOINTS, shares):
         if not math.isfinite(share):
             raise ValueError(f"the action for {name} is {share}; it must be a finite number, from -1 to 1")
-    return shares
+    return [min(1.0, max(-1.0, share)) for share in shares]
 
 
 class AiboEnv(_Base):  # type: ignore[misc]
@@ -146,7 +147,7 @@ class AiboEnv(_Base):  # type: ignore[misc]
         """
         shares = _shares(action)
         for i, share in enumerate(shares):
-            wanted = self._stance[i] + self._reach * min(1.0, max(-1.0, share))
+            wanted = self._stance[i] + self._reach * share
             wanted = min(self._high[i], max(self._low[i], wanted))
             way = wanted - self._targets[i]
             self._targets[i] += min(self._step_deg[i], max(-self._step_deg[i], way))

@@ -68,6 +68,13 @@ class EnvTest(unittest.TestCase):
             low, high, _ = self.env.run.limits[name]
             self.assertTrue(low <= targets[name] <= high, name)
 
+    def test_an_action_outside_of_the_space_costs_no_more_effort(self):
+        costly = openr_host.AiboEnv(body="ideal", effort=1.0)
+        self.addCleanup(costly.close)
+        for size in (1.0, 3.0, 1e200):
+            costly.reset(seed=1)
+            self.assertAlmostEqual(costly.step([size] * 12)[1], -1, msg=size)
+
     def test_an_action_of_a_wrong_length_is_refused(self):
         self.env.reset(seed=1)
         before = self.env.run.time_s
