@@ -39,14 +39,22 @@ class Remote:
     def __init__(self, run: Run, robot: int = 0) -> None:
         self._run = run
         self._connection = run.connect(PORT, robot)
+        self._tag = 0  # number of the requests since an answer did not come in time, and of their answers
 
     def ask(self, command: int, payload: bytes = b"", version: int = 2) -> bytes:
         """Sends a request and returns the payload of its answer."""
         size = _REQUEST.size + len(payload)
-        self._connection.send(_REQUEST.pack(b"RC", size, version, command, 0) + payload)
-        head = _ANSWER.unpack(self._connection.receive(_ANSWER.size))
-        rest = head[1] - _ANSWER.size
-        answer = self._connection.receive(rest) if rest > 0 else b""
+        self._connection.send(_REQUEST.pack(b"RC", size, version, command, self._tag) + payload)
+        try:
+            while True:
+                head = _ANSWER.unpack(self._connection.receive(_ANSWER.size))
+                rest = head[1] - _ANSWER.size
+                answer = self._connection.receive(rest) if rest > 0 else b""
+                if head[4] == self._tag:
+                    break
+        except NotMet:
+            self._tag = self._tag % 0xffff + 1  # another number, because the answer may still come
+            raise
         if head[6] != 0:
             raise RemoteError(head[6], answer[1:].decode("ascii", "replace"))
         return answer

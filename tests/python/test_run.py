@@ -4,6 +4,7 @@ import pathlib
 import struct
 import tempfile
 import unittest
+import unittest.mock
 
 import openr_host
 from standing import close_all, standing
@@ -187,6 +188,16 @@ class RunTest(unittest.TestCase):
         self.assertEqual(remote.sensors().key_frame, -1)
         with self.assertRaisesRegex(openr_host.RemoteError, "NONE"):
             remote.play("NONE.MTN")
+
+    def test_an_answer_that_comes_late_is_not_that_of_the_next_request(self):
+        remote = openr_host.Remote(self.run_)
+        connection = remote._connection
+        with unittest.mock.patch.object(connection, "receive", lambda count: type(connection).receive(
+                connection, count, within_s=0)):
+            with self.assertRaises(openr_host.NotMet):
+                remote.motions()
+        self.assertEqual(len(remote.sensors().joints), len(self.run_.joint_names))
+        self.assertIn("WALK.MTN", remote.motions())
 
     def test_a_port_where_nobody_listens_is_refused(self):
         with self.assertRaisesRegex(openr_host.Refused, "port 4711: no object listens"):
