@@ -205,8 +205,9 @@ class Run:
 
     def observe(self, *names: str) -> tuple[str, ...]:
         """Chooses the values that `act` and `observation` return: quantities such as "x_m",
-        "joint.LF_j1" or "sensor.chin", and groups such as "joints".  Returns their full names."""
-        self.observed = tuple(self._commands.observe(names=names)[0]["names"])
+        "joint.LF_j1" or "sensor.chin", and groups such as "joints".  Without `names`, keeps the values
+        that were chosen before.  Returns their full names."""
+        self.observed = tuple(self._commands.observe(names=names)[0].get("names", self.observed))
         return self.observed
 
     def observation(self) -> "array.array[float]":

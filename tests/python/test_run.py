@@ -86,7 +86,9 @@ class RunTest(unittest.TestCase):
             self.run_.read("robots[7].joints")
 
     def test_observes_numbers_in_the_order_of_their_names(self):
+        self.assertEqual(self.run_.observe(), ())
         names = self.run_.observe("joint.neck_pan", "paws", "height_mm")
+        self.assertEqual(self.run_.observe(), names)
         self.assertEqual(names[0], "robots[0].joint.neck_pan")
         values = self.run_.observation()
         self.assertEqual(list(values[1:5]), [1, 1, 1, 1])
