@@ -16,6 +16,7 @@ from .finding import findings_of
 
 PROGRAM = "OPENR_HOST_PROGRAM"  # environment variable with the path of the program openr
 _SIZES = struct.Struct("<II")
+_REQUEST_MAX = 64 << 20  # largest request that the process takes (openr/serve/request_pipe.h)
 _RECEIVE = 1 << 16  # bytes; recv() would ask the system for new memory each time for a larger buffer
 
 # Processes of runs that were closed while copies of these runs still ran.  Such a process ends with its
@@ -83,6 +84,9 @@ class Channel:
         """Sends a request, which is JSON text and `data`.  Returns the answer and its bytes."""
         if self._socket is None:
             raise ProcessError("this run is closed")
+        if len(request) + len(data) > _REQUEST_MAX:
+            # Not sent, because the process ends after a request that is too long.
+            raise Refused(f"a request has {len(request) + len(data)} bytes, at most {_REQUEST_MAX} are allowed")
         message = _SIZES.pack(len(request), len(data)) + request + data
         try:
             if descriptors:

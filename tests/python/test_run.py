@@ -216,6 +216,12 @@ class RunTest(unittest.TestCase):
             self.run_.run(0.016)
         self.assertIn("WALK.MTN", openr_host.Remote(self.run_).motions())
 
+    def test_a_request_that_is_too_long_is_refused_and_the_run_goes_on(self):
+        connection = self.run_.connect(54000)
+        with self.assertRaisesRegex(openr_host.Refused, "at most 67108864 are allowed"):
+            connection.send(bytes(64 << 20))
+        self.run_.step()
+
     def test_descriptors_of_a_refused_request_are_closed(self):
         folder = f"/proc/{self.run_._channel.process}/fd"
         before = len(os.listdir(folder))
