@@ -105,9 +105,10 @@ void LoopbackNetwork::Push(NetHandle handle, Connection* connection) {
   if (pipe.gone && !connection->out.empty()) connection->link->reset = true;
   if (connection->link->reset) return;
   const size_t room = kWindowBytes - std::min(kWindowBytes, pipe.bytes.size());
-  const size_t count = std::min(room, connection->out.size());
+  const size_t count =
+      pipe.discards ? connection->out.size() : std::min(room, connection->out.size());
   if (count > 0) {
-    pipe.bytes.append(connection->out, 0, count);
+    if (!pipe.discards) pipe.bytes.append(connection->out, 0, count);
     connection->out.erase(0, count);
     Add(NetworkEvent::Kind::kSent, handle);
     events_.back().count = count;
@@ -124,6 +125,10 @@ void LoopbackNetwork::Close(NetHandle handle) {
   const auto found = connections_.find(handle);
   if (found == connections_.end()) return;
   found->second.closing = true;
+  // Discards the bytes now and not in the next Poll(), because a client of a test may never call
+  // Poll() again.  A robot whose bytes fill the window would then wait for ever.
+  found->second.in().discards = true;
+  found->second.in().bytes.clear();
   Push(handle, &found->second);
 }
 
@@ -191,7 +196,6 @@ bool LoopbackNetwork::PollConnection(NetHandle handle, Connection* connection) {
   }
   Pipe& in = connection->in();
   if (connection->closing) {
-    in.bytes.clear();
     if (!in.ended || !connection->out.empty()) return true;
     Add(NetworkEvent::Kind::kClosed, handle);
     return false;

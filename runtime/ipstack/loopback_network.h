@@ -76,6 +76,8 @@ class LoopbackNetwork : public Network {
     std::string bytes;
     bool ended = false;  // whether the writer has ended the stream
     bool gone = false;   // whether the reader has dropped the connection
+    // Whether the reader has closed its side, so that the bytes that come are not kept.
+    bool discards = false;
   };
   struct Link {
     Pipe to[2];

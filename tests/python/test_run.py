@@ -222,6 +222,17 @@ class RunTest(unittest.TestCase):
             connection.send(bytes(64 << 20))
         self.run_.step()
 
+    def test_closed_connections_free_their_places_also_with_unread_answers(self):
+        sensors = struct.pack("<2sHBBH", b"RC", 8, 1, 0x30, 0)
+        for _ in range(8):
+            connection = self.run_.connect(54000)
+            self.run_.run(0.016)
+            connection.send(sensors * 1000)  # the answers do not fit into the window of 64 KiB
+            self.run_.run(1)
+            connection.close()
+        self.run_.run(5)
+        self.assertIn("WALK.MTN", openr_host.Remote(self.run_).motions())
+
     def test_descriptors_of_a_refused_request_are_closed(self):
         folder = f"/proc/{self.run_._channel.process}/fd"
         before = len(os.listdir(folder))

@@ -77,6 +77,17 @@ TEST_F(LoopbackNetworkTest, ClosingBothSidesClosesBoth) {
   EXPECT_EQ(KindsOf(a.Poll()), std::vector<Kind>{Kind::kClosed});
 }
 
+TEST_F(LoopbackNetworkTest, WhatComesAfterCloseIsDiscardedWithoutPoll) {
+  Connect();
+  const std::string bytes(2 * LoopbackNetwork::kWindowBytes, 'x');
+  b.Send(20, bytes.data(), bytes.size());
+  size_t sent = b.Poll().at(0).count;
+  EXPECT_EQ(sent, LoopbackNetwork::kWindowBytes);
+  a.Close(10);
+  sent += b.Poll().at(0).count;
+  EXPECT_EQ(sent, bytes.size());
+}
+
 TEST_F(LoopbackNetworkTest, SendingToAPeerThatHasGoneIsAReset) {
   Connect();
   b.Drop(20, false);
