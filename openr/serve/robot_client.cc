@@ -93,13 +93,14 @@ void RobotClients::Poll(Client* client) {
 RobotClients::State RobotClients::StateOf(int connection) {
   Client& client = Find(connection);
   Poll(&client);
-  return {client.is_connected && !client.has_ended, client.has_ended, client.problem,
-          client.received.size()};
+  return {client.is_connected && !client.has_ended, client.has_ended, client.is_closed,
+          client.problem, client.received.size()};
 }
 
 void RobotClients::Send(int connection, std::string_view bytes) {
   Client& client = Find(connection);
   Poll(&client);
+  if (client.is_closed) throw std::runtime_error("the connection is closed");
   if (client.has_ended)
     throw std::runtime_error(client.problem.empty() ? "the robot has ended the connection"
                                                     : client.problem);
@@ -116,10 +117,12 @@ std::string RobotClients::Take(int connection, size_t size_max) {
 }
 
 void RobotClients::Close(int connection) {
-  Find(connection).network->Close(kHandle);
+  Client& client = Find(connection);
+  client.network->Close(kHandle);
   // Does not delete the client's network object yet, because the robot may still read bytes that
   // were sent before.
-  Find(connection).has_ended = true;
+  client.has_ended = true;
+  client.is_closed = true;
 }
 
 }  // namespace openr_host

@@ -28,13 +28,14 @@ class RobotClients {
 
   struct State {
     bool is_open = false;  // true: the robot has accepted the connection, and has not ended it
-    // True: the robot has ended the connection, or the connection has failed.
+    // True: the robot or the program has ended the connection, or the connection has failed.
     bool has_ended = false;
-    std::string problem;  // the reason why the connection failed; "": it has not failed
-    size_t waiting = 0;   // number of bytes that have arrived and that Take() has not returned yet
+    bool is_closed = false;  // true: the program has closed the connection by Close()
+    std::string problem;     // the reason why the connection failed; "": it has not failed
+    size_t waiting = 0;  // number of bytes that have arrived and that Take() has not returned yet
   };
   // StateOf(), Send(), Take() and Close() throw std::runtime_error if the connection does not
-  // exist.
+  // exist.  Send() also throws it if the connection has ended.
   State StateOf(int connection);
   void Send(int connection, std::string_view bytes);
   // Returns bytes that the robot has sent, at most `size_max`, and removes them from the waiting
@@ -49,6 +50,7 @@ class RobotClients {
     uint32_t ip = 0;  // the address of the program, as the robot sees it
     bool is_connected = false;
     bool has_ended = false;
+    bool is_closed = false;
     std::string problem;
     std::string received;
   };

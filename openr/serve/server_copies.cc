@@ -95,6 +95,9 @@ RunServer::Answer RunServer::DoReceive(const Request& request) {
     const RobotClients::State state = clients.StateOf(connection);
     return state.waiting >= count || state.has_ended;
   };
+  if (const RobotClients::State state = clients.StateOf(connection);
+      state.is_closed && state.waiting < count)
+    throw std::runtime_error("the connection is closed");
   if (!is_there()) run_->RunUntilHolds(is_there, LimitOf(request));
   Answer answer = Time();
   // Takes no bytes when fewer than the wanted number have come, so that a later request gets the

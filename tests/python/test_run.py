@@ -207,6 +207,13 @@ class RunTest(unittest.TestCase):
         with self.assertRaisesRegex(openr_host.NotMet, "has not sent 5 bytes"):
             self.run_.connect(54000).receive(5, within_s=0.1)
 
+    def test_what_is_asked_of_a_closed_connection_is_refused(self):
+        connection = self.run_.connect(54000)
+        connection.close()
+        for ask in (lambda: connection.send(b"x"), lambda: connection.receive(5)):
+            with self.assertRaisesRegex(openr_host.Refused, "the connection is closed"):
+                ask()
+
     def test_a_hundred_connections_in_a_row_are_served(self):
         # The robot has the address 10.0.1.100, which no connection may take from it.
         for _ in range(100):
