@@ -12,6 +12,7 @@ from __future__ import annotations
 import array
 import base64
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -343,9 +344,10 @@ class Run:
 
     def read(self, *names: str) -> dict[str, Value]:
         """Reads values, which have the names that `observe` takes.  Values may be texts, too.  The keys of
-        the result are the full names."""
-        values: dict[str, Value] = self._commands.read(names=names)[0]["values"]
-        return values
+        the result are the full names.  A number that is not known, such as `command.neck_pan` before the
+        first command, is NaN."""
+        values: dict[str, Optional[Value]] = self._commands.read(names=names)[0]["values"]
+        return {name: math.nan if value is None else value for name, value in values.items()}  # JSON has no NaN
 
     @overload
     def value(self, name: str) -> Any: ...

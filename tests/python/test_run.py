@@ -1,4 +1,5 @@
 """Runs: going on, looking, inputs, messages."""
+import math
 import os
 import pathlib
 import struct
@@ -281,6 +282,7 @@ class LifeTest(unittest.TestCase):
         with openr_host.Run(body="ideal", boot=False) as run:
             with self.assertRaisesRegex(openr_host.Refused, "not booted"):
                 run.step()
+            self.assertTrue(math.isnan(run.value("command.neck_pan", float)))  # no object has set it yet
             run.boot()
             run.run(0.1)
             with self.assertRaisesRegex(openr_host.Refused, "booted already"):
