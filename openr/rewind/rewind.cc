@@ -285,6 +285,7 @@ nlohmann::ordered_json Rewind::Forward(const PlainJson& request) {
   if (SendMessage(shown_->socket, {{"answer", request}}))
     answer = ReceiveMessage(shown_->socket, kViewTimeoutMs);
   if (!answer) return {{"error", "the process that shows the past has ended or hangs"}};
+  if (answer->contains("error")) return {{"error", answer->at("error")}};
   return ParseJson<nlohmann::ordered_json>(answer->at("line").get<std::string>());
 }
 
