@@ -42,12 +42,17 @@ void RequestPipe::DropDescriptors() {
 }
 
 void RequestPipe::Move(int socket) {
-  // Makes the descriptors of the original process's pipe lead to /dev/null in this fork, which uses
-  // `socket` instead.  Then the program that drives the run, at the other end, sees when the
-  // original process ends, although the fork goes on.
-  const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
-  for (const int descriptor : {input_, output_}) dup2(nowhere, descriptor);
-  close(nowhere);
+  // Gives up the descriptors of the original process's pipe in this fork, which uses `socket`
+  // instead.  Then the program that drives the run, at the other end, sees when the original
+  // process ends, although the fork goes on.
+  if (input_ == output_) {
+    close(input_);  // the socket of a fork; nothing but its RequestPipe uses the socket
+  } else {
+    // Makes standard input and standard output lead to /dev/null, because they must stay open.
+    const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
+    for (const int descriptor : {input_, output_}) dup2(nowhere, descriptor);
+    close(nowhere);
+  }
   input_ = output_ = socket;
   is_socket_ = true;
   used_ = end_ = 0;

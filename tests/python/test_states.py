@@ -152,6 +152,15 @@ class ForkTest(unittest.TestCase):
                 run.go_back(state)
                 run.step()
 
+    def test_a_chain_of_states_leaves_no_descriptors(self):
+        with standing() as run:
+            counts = set()
+            for _ in range(4):
+                with run.save() as state:
+                    run.go_back(state)
+                counts.add(len(os.listdir(f"/proc/{run._channel.process}/fd")))
+            self.assertEqual(len(counts), 1, counts)
+
     def test_runs_in_parallel_are_those_in_turn(self):
         with standing() as run:
             def pan_at(degrees):
