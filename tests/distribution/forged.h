@@ -150,7 +150,7 @@ class ForgedTest : public ::testing::Test {
       const CurrentScope scope(&system_, &sender_->host());
       system_.Post(system_.NewMessage(remote_->id, kEntry));
     }
-    system_.RunFor(1'000'000);
+    system_.RunFor(run_us_);
     arena_.Clear();
   }
   // Returns the reason of the loss after the worker has sent `to_master` in a handler; "" without a
@@ -218,6 +218,7 @@ class ForgedTest : public ::testing::Test {
   std::unique_ptr<WorkerChannel> channel_;
   WireArena arena_;
   std::vector<std::string> losses_;
+  int64_t run_us_ = 1'000'000;  // virtual time for which Deliver() runs the master
   uint32_t region_here_ = 0, region_there_ = 0;
 };
 
