@@ -20,7 +20,7 @@ namespace openr_host {
 namespace {
 
 using ::testing::HasSubstr;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 // Returns the names of what is in a folder.
 std::set<std::string> NamesIn(const std::string& folder) {
@@ -51,16 +51,16 @@ class RewindTest : public ::testing::Test {
     watcher_->Ask(R"({"do":"watch","period_ms":16,"events":["clock","pose","values","graph"]})");
   }
 
-  Json Ask(const std::string& request) { return watcher_->Ask(request); }
+  OrderedJson Ask(const std::string& request) { return watcher_->Ask(request); }
   // Goes on from the moment shown, and watches the new run.  Returns the answer.
-  Json Branch() {
-    const Json answer = Ask(R"({"do":"branch"})");
+  OrderedJson Branch() {
+    const OrderedJson answer = Ask(R"({"do":"branch"})");
     EXPECT_TRUE(answer.contains("run")) << answer;
     Watch(LiveFolder() + "/" + answer.value("run", "none"));
     return answer;
   }
 
-  Json Hashes() { return Ask(R"({"do":"hashes"})"); }
+  OrderedJson Hashes() { return Ask(R"({"do":"hashes"})"); }
   std::string Error(const std::string& request) { return Ask(request).value("error", "none"); }
   void Input(const std::string& line) {
     EXPECT_EQ(Error(R"({"do":"input","robot":0,"line":")" + line + "\"}"), "none");
@@ -70,13 +70,13 @@ class RewindTest : public ::testing::Test {
   // on for minutes of virtual time until the pause comes.
   void RunTo(double time_s, const std::string& rate = "20") {
     Ask(R"({"do":"clock","pause":false,"rate":)" + rate + "}");
-    const Json clock =
-        watcher_->WaitFor("clock", [&](const Json& event) { return event.at("time_s") >= time_s; });
+    const OrderedJson clock = watcher_->WaitFor(
+        "clock", [&](const OrderedJson& event) { return event.at("time_s") >= time_s; });
     ASSERT_FALSE(clock.is_null());
     Ask(R"({"do":"clock","pause":true})");
   }
 
-  Json GoTo(double time_s) {
+  OrderedJson GoTo(double time_s) {
     return Ask(R"({"do":"rewind","to_s":)" + std::to_string(time_s) + "}");
   }
 
@@ -111,23 +111,24 @@ TEST_F(RewindTest, WhatASecondRobotHasChangedEndsWithTheConnectionOfItsClient) {
     Watcher second(LiveRuns().at(0).socket);
     EXPECT_EQ(second.Ask(R"({"do":"couple","robot":0,"with":"dog:54000"})").at("rate"), 1);
   }
-  EXPECT_FALSE(watcher_->WaitFor("clock", [](const Json& event) { return event.at("rate") == 4; })
-                   .is_null());
+  EXPECT_FALSE(
+      watcher_->WaitFor("clock", [](const OrderedJson& event) { return event.at("rate") == 4; })
+          .is_null());
 }
 
 TEST_F(RewindTest, TheMomentShownIsTheOneThatWas) {
   Start({"--body", "ode"});
   RunTo(6, "8");
-  const Json then = Hashes();
+  const OrderedJson then = Hashes();
   Input("press chin for 300ms");
   Input("push 0 4 0");
   RunTo(9, "8");
-  const Json now = Hashes();
-  const Json clock = GoTo(then.at("time_s"));
+  const OrderedJson now = Hashes();
+  const OrderedJson clock = GoTo(then.at("time_s"));
   EXPECT_EQ(clock.at("rewind").at("shows_s"), then.at("time_s"));
   EXPECT_EQ(clock.at("paused"), true);
   // The inputs were added at this very instant, so they are in the queue of inputs.
-  const Json shown = Hashes();
+  const OrderedJson shown = Hashes();
   EXPECT_EQ(shown.at("trace_hash"), then.at("trace_hash"));
   GoTo(now.at("time_s"));
   EXPECT_EQ(Hashes(), now);
@@ -160,8 +161,8 @@ TEST_F(RewindTest, TheEventsAreThoseOfTheMoment) {
   Input("press chin");
   RunTo(8);
   const auto chin = [&] {
-    const Json answer = Ask(R"({"do":"sensors","robot":0})");
-    for (const Json& sensor : answer.at("sensors")) {
+    const OrderedJson answer = Ask(R"({"do":"sensors","robot":0})");
+    for (const OrderedJson& sensor : answer.at("sensors")) {
       if (sensor.at("name") == "chin") return sensor.at("value").get<int>();
     }
     return -1;
@@ -171,12 +172,13 @@ TEST_F(RewindTest, TheEventsAreThoseOfTheMoment) {
   const double first_s = Ask(R"({"do":"clock"})").at("rewind").at("from_s");
   GoTo(first_s);
   EXPECT_EQ(chin(), 0);
-  const Json pose =
-      watcher_->WaitFor("pose", [](const Json& event) { return event.at("time_s") < 2; });
+  const OrderedJson pose =
+      watcher_->WaitFor("pose", [](const OrderedJson& event) { return event.at("time_s") < 2; });
   EXPECT_EQ(pose.at("time_s"), first_s);
   Ask(R"({"do":"rewind","present":true})");
-  EXPECT_FALSE(watcher_->WaitFor("pose", [](const Json& event) { return event.at("time_s") > 7; })
-                   .is_null());
+  EXPECT_FALSE(
+      watcher_->WaitFor("pose", [](const OrderedJson& event) { return event.at("time_s") > 7; })
+          .is_null());
 }
 
 TEST_F(RewindTest, TheFindingsOfAMomentAreSentEachTimeThatItIsShown) {
@@ -188,11 +190,13 @@ TEST_F(RewindTest, TheFindingsOfAMomentAreSentEachTimeThatItIsShown) {
     GoTo(first_s);
     EXPECT_FALSE(
         watcher_
-            ->WaitFor("findings", [&](const Json& event) { return event.at("time_s") == first_s; })
+            ->WaitFor("findings",
+                      [&](const OrderedJson& event) { return event.at("time_s") == first_s; })
             .is_null());
     Ask(R"({"do":"rewind","present":true})");
     EXPECT_FALSE(
-        watcher_->WaitFor("findings", [](const Json& event) { return event.at("time_s") > 4; })
+        watcher_
+            ->WaitFor("findings", [](const OrderedJson& event) { return event.at("time_s") > 4; })
             .is_null());
   }
 }
@@ -201,10 +205,10 @@ TEST_F(RewindTest, ABranchIsARunOfItsOwnWithItsOwnRecording) {
   const std::string file = folder_.path() + "/run.rec";
   Start({"--body", "ode", "--record", file, "--for", "30s"});
   RunTo(4);
-  const Json then = Hashes();
+  const OrderedJson then = Hashes();
   RunTo(12);
   GoTo(then.at("time_s"));
-  EXPECT_EQ(Branch().at("files"), Json::array({folder_.path() + "/run-2.rec"}));
+  EXPECT_EQ(Branch().at("files"), OrderedJson::array({folder_.path() + "/run-2.rec"}));
   EXPECT_LT(Ask(R"({"do":"clock"})").at("time_s"), 12);
   Input("press back for 100ms");
   Ask(R"({"do":"clock","rate":0})");
@@ -221,7 +225,7 @@ TEST_F(RewindTest, ABranchHasATimelineOfItsOwn) {
   Start({"--body", "ideal", "--timeline", trace, "--for", "10s"});
   RunTo(4);
   EXPECT_EQ(Error(R"({"do":"rewind","back_s":1})"), "none");
-  EXPECT_EQ(Branch().at("files"), Json::array({branch}));
+  EXPECT_EQ(Branch().at("files"), OrderedJson::array({branch}));
   Ask(R"({"do":"clock","rate":0})");
   EXPECT_EQ(run_->Finish().status, 0);
   // Readers take all files of a folder together, so the branch must not add any to the first one.
@@ -238,8 +242,8 @@ TEST_F(RewindTest, ABranchOfABranchGoesOn) {
     EXPECT_EQ(Error(R"({"do":"rewind","back_s":0})"), "none");
     Ask(R"({"do":"clock","rate":1})");
     Branch();
-    watcher_->WaitFor("clock",
-                      [](const Json& clock) { return clock.at("rewind").at("checkpoints") > 0; });
+    watcher_->WaitFor(
+        "clock", [](const OrderedJson& clock) { return clock.at("rewind").at("checkpoints") > 0; });
   }
   Input("press pause");
   EXPECT_EQ(run_->Finish().status, 0);
@@ -272,7 +276,7 @@ TEST_F(RewindTest, WhatARemoteClientDidIsRepeated) {
     client.Request(rcSENSORS);
   }
   RunTo(24);
-  const Json now = Hashes();
+  const OrderedJson now = Hashes();
   GoTo(21);
   GoTo(now.at("time_s"));
   EXPECT_EQ(Hashes(), now);
@@ -285,14 +289,14 @@ TEST_F(RewindTest, ABootIsRepeated) {
   Ask(R"({"do":"clock","pause":false,"rate":1})");
   const double before_s = Hashes().at("time_s");
   openr::remote::Connection({"127.0.0.1", port}, {.timeout = std::chrono::seconds(10)}).Reboot();
-  watcher_->WaitFor("values", [](const Json& values) {
+  watcher_->WaitFor("values", [](const OrderedJson& values) {
     return values.at("robots").at(0).at("boots_at_s").is_number();
   });
-  watcher_->WaitFor("values", [](const Json& values) {
+  watcher_->WaitFor("values", [](const OrderedJson& values) {
     return values.at("robots").at(0).at("state") == "broadbase";
   });
   Ask(R"({"do":"clock","pause":true})");
-  const Json now = Hashes();
+  const OrderedJson now = Hashes();
   GoTo(before_s);
   GoTo(now.at("time_s"));
   EXPECT_EQ(Hashes(), now);
@@ -313,7 +317,7 @@ TEST_F(RewindTest, AViewAndABranchLeaveTheFilesOfTheRunAlone) {
   EXPECT_EQ(remove.Finish().status, 0) << remove.Finish().err;
   EXPECT_FALSE(std::filesystem::exists(motion));
   RunTo(24);
-  const Json now = Hashes();
+  const OrderedJson now = Hashes();
   // The view of the moment before has the file, and deletes it again on the way to the present.
   GoTo(20.5);
   GoTo(now.at("time_s"));
@@ -382,7 +386,7 @@ TEST_F(RewindTest, RefusalsSayWhy) {
 
 TEST_F(RewindTest, ARunInSeveralProcessesCannotBeRewound) {
   Start({"--body", "ideal", "--isolate", "PowerMonitor"});
-  const Json clock = Ask(R"({"do":"clock"})");
+  const OrderedJson clock = Ask(R"({"do":"clock"})");
   EXPECT_EQ(clock.at("rewind").at("possible"), false);
   EXPECT_EQ(Error(R"({"do":"rewind","back_s":1})"),
             "this run cannot be rewound: its objects are in several processes");
@@ -394,7 +398,7 @@ TEST_F(RewindTest, NoCheckpointsAreLeftWhenNobodyWatches) {
   watcher_.reset();
   Watcher other(LiveRuns().at(0).socket);
   other.Ask(R"({"do":"clock","pause":false,"rate":0})");
-  Json clock;
+  OrderedJson clock;
   do {
     clock = other.Ask(R"({"do":"clock"})");
     ASSERT_FALSE(clock.is_null());
