@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <regex>
@@ -20,16 +19,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns `body`, the inside of a struct or class, with bodies of functions and text in round
-// brackets blanked out.  The text that is left declares the members of the type.
-std::string MembersOf(std::string body) {
+// Returns the text that declares the members of a type: `body`, the inside of a struct or class,
+// without bodies of functions and without text in round brackets.  Keeps each opening round
+// bracket, so that SendProblem() does not take a function such as char* Name() for a pointer.  Puts
+// no blanks in place of what is left out, because std::regex_search() calls itself for each blank,
+// and the blanks of a long body would overflow the stack.
+std::string MembersOf(const std::string& body) {
+  std::string members;
   for (size_t at = 0; at < body.size(); ++at) {
-    if (body[at] != '{' && body[at] != '(') continue;
-    const size_t close = std::min(ClosingOf(body, at), body.size() - 1);
-    std::fill(body.begin() + static_cast<std::ptrdiff_t>(at),
-              body.begin() + static_cast<std::ptrdiff_t>(close) + 1, ' ');
+    members += body[at] == '{' ? ' ' : body[at];
+    if (body[at] == '{' || body[at] == '(') at = std::min(ClosingOf(body, at), body.size() - 1);
   }
-  return body;
+  return members;
 }
 
 // Returns the reason why values of a type cannot be sent as bytes; "" if such values can be sent.

@@ -83,6 +83,22 @@ TEST(CheckTest, DataThatDoNotSurviveBeingCopiedAsBytes) {
   EXPECT_THAT(check("    // Named data; SetData(&data, sizeof(data));"), HasSubstr("0 warnings"));
 }
 
+// Only data members are sent.
+TEST(CheckTest, AFunctionThatReturnsAPointerIsNoPointerInTheData) {
+  const KitFolder folder("makefile");
+  const std::string send =
+      "void More() { Named data; subject[0]->SetData(&data, sizeof(data)); }\n";
+  for (const char* member :
+       {"char* Text();", "std::string Text();", "char* Text() { return 0; };"}) {
+    folder.Write("Sender/More.cc",
+                 std::string("struct Named { int a; ") + member + " int b; };\n" + send);
+    EXPECT_THAT(Checked(folder, 0), HasSubstr("0 warnings")) << member;
+  }
+  folder.Write("Sender/More.cc",
+               "struct Named { int Size() { return 0; } struct { int a; } *next; };\n" + send);
+  EXPECT_THAT(Checked(folder, 0), HasSubstr("Named has a pointer"));
+}
+
 // field-notes.md, 2.7.
 TEST(CheckTest, AVirtualFunctionCalledInAReceivedRegionIsFound) {
   const KitFolder folder("makefile");
