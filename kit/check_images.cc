@@ -327,8 +327,9 @@ void ImageCheck::AddServices(const ObjectFolder& object, const std::string& sect
     return;
   }
   // Searches the sources of an object without stub.cfg for strings that look like names of
-  // services.
-  static const std::regex kService("\"(\\w+\\.\\w+\\.\\w+\\.[SO])\"");
+  // services.  The length of each word is limited, because std::regex_search() calls itself for
+  // each character that a repetition matches, so a long string could overflow the stack.
+  static const std::regex kService("\"(\\w{1,100}\\.\\w{1,100}\\.\\w{1,100}\\.[SO])\"");
   for (const fs::path& file : parts_.CodeOf(object)) {
     const std::string& text = parts_.TextOf(file);
     for (std::sregex_iterator it(text.begin(), text.end(), kService), end; it != end; ++it)

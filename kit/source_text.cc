@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
-#include <regex>
 
 namespace openr_host {
 namespace {
@@ -32,6 +31,15 @@ size_t EndOfString(std::string_view text, size_t at) {
   return text.size();
 }
 
+// Returns the name of the directive in `line`, such as "if" for "# if X"; "" if `line` is no
+// directive.
+std::string_view DirectiveOf(std::string_view line) {
+  const size_t sign = line.find_first_not_of(" \t");
+  if (sign == kNone || line[sign] != '#') return "";
+  const size_t word = line.find_first_not_of(" \t", sign + 1);
+  return word == kNone ? "" : WordAt(line, word);
+}
+
 bool IsBlank(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 
 }  // namespace
@@ -48,17 +56,19 @@ std::string WithoutComments(std::string_view text) {
   return result;
 }
 
+// Uses no std::regex_search(), which calls itself for each blank: a long string or comment, which
+// became blanks (WithoutComments()), would overflow the stack.
 std::string WithoutConditionalCode(std::string code) {
-  static const std::regex kDirective("^[ \t]*#[ \t]*(if|endif)");
   int depth = 0;
   for (size_t at = 0; at < code.size();) {
     const size_t end = std::min(code.find('\n', at), code.size());
-    const auto begin = code.begin() + static_cast<std::ptrdiff_t>(at);
-    const auto line_end = code.begin() + static_cast<std::ptrdiff_t>(end);
-    std::smatch match;
-    const std::string line(begin, line_end);
-    if (std::regex_search(line, match, kDirective)) depth += match[1] == "if" ? 1 : -1;
-    if (depth > 0) std::fill(begin, line_end, ' ');
+    const std::string_view word = DirectiveOf(std::string_view(code).substr(at, end - at));
+    if (word.starts_with("if")) ++depth;
+    if (word.starts_with("endif")) --depth;
+    if (depth > 0) {
+      std::fill(code.begin() + static_cast<std::ptrdiff_t>(at),
+                code.begin() + static_cast<std::ptrdiff_t>(end), ' ');
+    }
     at = end + 1;
   }
   return code;

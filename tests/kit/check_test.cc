@@ -99,6 +99,19 @@ TEST(CheckTest, AFunctionThatReturnsAPointerIsNoPointerInTheData) {
   EXPECT_THAT(Checked(folder, 0), HasSubstr("Named has a pointer"));
 }
 
+TEST(CheckTest, ALongLineAndALongFunctionInAStructAreChecked) {
+  const KitFolder folder("makefile");
+  const std::string text(200'000, 'x');
+  folder.Write("Sender/More.cc", "const char* const text =\n\"" + text + "\";\n");
+  EXPECT_THAT(Checked(folder, 0), HasSubstr("0 warnings"));
+  folder.Write("Sender/More.cc",
+               "struct Named { int a; int Size() const { return sizeof(\"" + text + "\"); } };\n");
+  EXPECT_THAT(Checked(folder, 0), HasSubstr("0 warnings"));
+  const KitFolder without_stub("handmade");
+  without_stub.Write("Greeter/Text.cc", "const char* const text = \"" + text + "\";\n");
+  EXPECT_THAT(Checked(without_stub, 0), HasSubstr("0 warnings"));
+}
+
 // field-notes.md, 2.7.
 TEST(CheckTest, AVirtualFunctionCalledInAReceivedRegionIsFound) {
   const KitFolder folder("makefile");
