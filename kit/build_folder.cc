@@ -247,14 +247,28 @@ bool IsOutOfDate(const KitLog::Image& image, const std::vector<KitLog::Failure>&
   });
 }
 
-// Returns whether `image` is older than a source or header in the folder of its .ocf file.
-bool IsOlderThanSources(const KitLog::Image& image) {
+// Returns the sources and headers that lie in no object's folder, so that any object may use them.
+std::vector<fs::path> SharedFiles(const Project& project) {
+  std::vector<fs::path> files = project.shared_sources;
+  for (const fs::path& folder : project.header_folders) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error))
+      if (IsHeaderName(entry.path())) files.push_back(entry.path());
+  }
+  return files;
+}
+
+// Returns whether `image` is older than a source or header in the folder of its .ocf file, or than
+// one of the files `shared`.
+bool IsOlderThanSources(const KitLog::Image& image, const std::vector<fs::path>& shared) {
   std::error_code error;
   const fs::file_time_type time = fs::last_write_time(image.file, error);
-  const std::vector<fs::path> files = FilesBelow(fs::path(image.ocf).parent_path());
-  return std::any_of(files.begin(), files.end(), [&](const fs::path& file) {
-    return (IsSourceName(file) || IsHeaderName(file)) && fs::last_write_time(file, error) > time;
-  });
+  std::vector<fs::path> files = FilesBelow(fs::path(image.ocf).parent_path());
+  std::erase_if(files,
+                [](const fs::path& file) { return !IsSourceName(file) && !IsHeaderName(file); });
+  files.insert(files.end(), shared.begin(), shared.end());
+  return std::any_of(files.begin(), files.end(),
+                     [&](const fs::path& file) { return fs::last_write_time(file, error) > time; });
 }
 
 // Removes the images of earlier builds that this build could not make again, because they would
@@ -263,8 +277,13 @@ void FolderBuild::RemoveOldImages(bool is_made) {
   KitLog log = ReadKitLog(make_.log);
   // Compares the times of images and sources only if make has failed.  If make succeeds, all images
   // are newer than their sources, because make has made the older images again.
+  // Counts only files that the user's folder has as well, because make may have made other headers
+  // after the images.
+  std::vector<fs::path> shared = SharedFiles(project_);
+  std::erase_if(shared,
+                [&](const fs::path& file) { return !fs::exists(OriginalOf(file, copies_)); });
   const auto is_old = [&](const KitLog::Image& image) {
-    return IsOutOfDate(image, log.failures) || (!is_made && IsOlderThanSources(image));
+    return IsOutOfDate(image, log.failures) || (!is_made && IsOlderThanSources(image, shared));
   };
   std::vector<KitLog::Image> old;
   std::copy_if(log.images.begin(), log.images.end(), std::back_inserter(old), is_old);

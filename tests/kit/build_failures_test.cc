@@ -97,6 +97,36 @@ TEST_F(OneBrokenOfThree, AnObjectThatCompiledBeforeAndNowDoesNotIsMissing) {
   EXPECT_THAT(result.err, HasSubstr("OBJECT.CFG:2: /MS/OPEN-R/MW/OBJS/MIDDLE.BIN was not built"));
 }
 
+// Two objects that each compile common/Util.cc.  First comes first.
+class OneSourceOfTwo : public ::testing::Test {
+ protected:
+  OneSourceOfTwo() {
+    for (const std::string name : {"First", "Last"}) {
+      folder_.AddObject(name, name, "const char* Util();\n",
+                        "    OSYSPRINT((\"" + name + " has %s\\n\", Util()));");
+      folder_.AddMakefile(name, name, "", "Util.o");
+      folder_.Write(name + "/Makefile", folder_.Read(name + "/Makefile") +
+                                            "\nUtil.o: ../common/Util.cc\n"
+                                            "\t$(CXX) $(CXXFLAGS) -o $@ -c $<\n");
+    }
+    folder_.Write("common/Util.cc", "const char* Util() { return \"one\"; }\n");
+    folder_.Write("Makefile", std::string("DIRS = First Last\n") + kLoop);
+  }
+
+  KitFolder folder_{""};
+};
+
+// The loop ends at the first object, before make looks at the second one.
+TEST_F(OneSourceOfTwo, AnImageOlderThanASourceOutsideOfItsFolderIsMadeAgain) {
+  folder_.AddStick("MS", {"LAST.BIN"});
+  ASSERT_EQ(folder_.Build().status, 0);
+  folder_.Write("common/Util.cc", "const char* Util() { return \"two\"; }\n");
+  folder_.Write("First/First.cc", "int broken(\n");
+  const ProgramResult result = folder_.Build();
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(folder_.Say(), "Last has two\n");
+}
+
 // make lacks a tool; the sources need what their Makefile defines, and the right of two headers.
 TEST(BuildFailuresTest, WithoutTheMakefileItsFlagsHold) {
   const KitFolder folder("");
