@@ -46,7 +46,11 @@ void BuildReport::AddFailures(BuildOutcome* outcome) const {
   const bool is_complete = outcome->missing.empty() && outcome->problems.empty() &&
                            !(outcome->wants_all && HasFailed(*outcome));
   std::vector<std::string>* const where = is_complete ? &outcome->notes : &outcome->problems;
-  for (const KitLog::Failure& failure : log.failures) where->push_back(Described(failure));
+  for (const KitLog::Failure& failure : log.failures) {
+    const std::string text = Described(failure);
+    // Reports a source once, because several objects may fail to compile it.
+    if (std::find(where->begin(), where->end(), text) == where->end()) where->push_back(text);
+  }
   where->insert(where->end(), outcome->hurdles.begin(), outcome->hurdles.end());
   outcome->problems.insert(outcome->problems.end(), outcome->missing.begin(),
                            outcome->missing.end());

@@ -129,7 +129,7 @@ KitLog ReadKitLog(const std::string& file) {
       EraseFailuresOf(words[1], &log);
     } else if (words.size() == 4 && words[0] == "failure") {
       std::erase_if(log.failures, [&](const KitLog::Failure& other) {
-        return other.file == words[1] && other.why == words[2];
+        return other.file == words[1] && other.why == words[2] && other.output == words[3];
       });
       log.failures.push_back({words[1], words[2], words[3]});
     } else if (words.size() >= 3 && words[0] == "compile") {

@@ -127,6 +127,21 @@ TEST_F(OneSourceOfTwo, AnImageOlderThanASourceOutsideOfItsFolderIsMadeAgain) {
   EXPECT_EQ(folder_.Say(), "Last has two\n");
 }
 
+// The Makefile ignores that the source compiles for no object.
+TEST_F(OneSourceOfTwo, ASourceThatFailsForBothLeavesNoOldImage) {
+  folder_.AddStick("MS", {"FIRST.BIN"});
+  folder_.Write("Makefile",
+                "all install:\n\t-for d in First Last; do (cd $$d && $(MAKE) $@); done\n");
+  ASSERT_EQ(folder_.Build().status, 0);
+  folder_.Write("common/Util.cc", "int broken(\n");
+  const ProgramResult result = folder_.Build();
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.out, Not(HasSubstr("FIRST.BIN")));
+  EXPECT_THAT(result.err, HasSubstr("OBJECT.CFG:1: /MS/OPEN-R/MW/OBJS/FIRST.BIN was not built"));
+  EXPECT_EQ(result.err.find("Util.cc does not compile"),
+            result.err.rfind("Util.cc does not compile"));
+}
+
 // make lacks a tool; the sources need what their Makefile defines, and the right of two headers.
 TEST(BuildFailuresTest, WithoutTheMakefileItsFlagsHold) {
   const KitFolder folder("");
