@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -43,7 +44,7 @@ struct LogFlags {
   std::string file, other;
   std::string motion;  // motion file that was played for the log; "": not named
   // Names of the groups of values (commanded, measured or simulated) on the two sides of a
-  // comparison; "": GroupOf() or OtherGroupOf() chooses a group that the log of the motion has.
+  // comparison; "": GroupOf() or GroupWithin() chooses a group that the log of the motion has.
   std::string group, other_group;
   std::string output;  // file for the chart of the log; "": no chart
   bool json = false;
@@ -201,9 +202,9 @@ void LogPlot(const LogFlags& flags) {
   WriteChartFile(ChartOf(timed.log, timed.times_ms, timed.name), flags.output);
 }
 
-// Returns the group of values (commanded, measured or simulated) for one side of a comparison.
-// This is the group that the flag names.  Without the flag, it is the values of the real robot if
-// the log of the motion has them, else the simulated values.
+// Returns the group of values (commanded, measured or simulated) for one side of a comparison of
+// two logs.  This is the group that the flag names.  Without the flag, it is the values of the real
+// robot if the log of the motion has them, else the simulated values.
 LogGroup GroupOf(const std::string& flag, const LogFile& log) {
   for (const LogGroup group : kGroups) {
     if (flag == NameOf(group)) return group;
@@ -211,12 +212,18 @@ LogGroup GroupOf(const std::string& flag, const LogFile& log) {
   return CountOf(log, LogGroup::kMeasured) > 0 ? LogGroup::kMeasured : LogGroup::kSimulated;
 }
 
-// Returns the second group of values for a comparison within one log of a motion.  This is the
-// group that the flag names.  Without the flag, it is the simulated values if the log has them,
-// else the values of the real robot.
-LogGroup OtherGroupOf(const std::string& flag, const LogFile& log) {
+// Returns the group of values for one side of a comparison within one log of a motion.  This is the
+// group that the flag `flag` names.  Without the flag, it is the first of `groups` that the log has
+// and that is not `other`, the group of the other side, because a comparison of a group with itself
+// says nothing.  If the log has no such group, returns the commanded values, or the measured values
+// if `other` is the commanded values.
+LogGroup GroupWithin(const std::string& flag, const std::string& other, const LogFile& log,
+                     std::initializer_list<LogGroup> groups) {
   if (!flag.empty()) return GroupOf(flag, log);
-  return CountOf(log, LogGroup::kSimulated) > 0 ? LogGroup::kSimulated : LogGroup::kMeasured;
+  for (const LogGroup group : groups) {
+    if (other != NameOf(group) && CountOf(log, group) > 0) return group;
+  }
+  return other == NameOf(LogGroup::kCommanded) ? LogGroup::kMeasured : LogGroup::kCommanded;
 }
 
 ComparedSide SideOf(const TimedLog& timed, LogGroup group, const std::string& label) {
@@ -232,11 +239,10 @@ ComparedSide SideOf(const TimedLog& timed, LogGroup group, const std::string& la
 // commanded positions.
 Comparison CompareWithin(const LogFlags& flags) {
   const TimedLog timed = ReadTimedLog(flags.file, flags.motion);
-  const bool both =
-      CountOf(timed.log, LogGroup::kMeasured) > 0 && CountOf(timed.log, LogGroup::kSimulated) > 0;
-  const LogGroup first =
-      flags.group.empty() && !both ? LogGroup::kCommanded : GroupOf(flags.group, timed.log);
-  const LogGroup second = OtherGroupOf(flags.other_group, timed.log);
+  const LogGroup second = GroupWithin(flags.other_group, flags.group, timed.log,
+                                      {LogGroup::kSimulated, LogGroup::kMeasured});
+  const LogGroup first = GroupWithin(flags.group, NameOf(second), timed.log,
+                                     {LogGroup::kMeasured, LogGroup::kSimulated});
   Comparison comparison;
   comparison.title = timed.name;
   comparison.a = SideOf(timed, first, NameOf(first));

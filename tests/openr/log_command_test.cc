@@ -70,6 +70,23 @@ TEST(LogCommandTest, ALogIsComparedWithWhatWasCommanded) {
   EXPECT_TRUE(json["joints"][1]["lag_ms"].is_null()) << "the head does not move";
 }
 
+TEST(LogCommandTest, AGroupIsNotComparedWithItself) {
+  const struct {
+    const char *flag, *group, *a, *b;
+  } cases[] = {{"--group", "measured", "measured", "commanded"},
+               {"--other-group", "measured", "commanded", "measured"},
+               {"--group", "commanded", "commanded", "measured"},
+               {"--other-group", "commanded", "measured", "commanded"}};
+  for (const auto& c : cases) {
+    const ProgramResult result =
+        RunProgram({"log", "compare", "--json", kData + "/walk.log", c.flag, c.group});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const auto json = nlohmann::json::parse(result.out);
+    EXPECT_EQ(json["a"], c.a) << c.flag << " " << c.group;
+    EXPECT_EQ(json["b"], c.b) << c.flag << " " << c.group;
+  }
+}
+
 TEST(LogCommandTest, ALogEqualsItself) {
   const std::string log = kData + "/walk.log";
   const auto json = nlohmann::json::parse(RunProgram({"log", "compare", "--json", log, log}).out);
