@@ -61,8 +61,10 @@ Table ReadWithProgress(TableReader* read, const std::string& file, const std::st
   return read(file, bytes, [&progress](size_t count) { progress.Show(count / kMegabyte); });
 }
 
-// Replays the recording and returns the values of its quantities over time.
-Table TableOfRecording(const PlotFlags& flags) {
+// Replays the recording and returns the values of its quantities over time.  If the replay cannot
+// go to the end of the recording, for example because the file is cut off, returns the values up to
+// there and stores the reasons in `problems`.
+Table TableOfRecording(const PlotFlags& flags, std::vector<std::string>* problems) {
   const ReplayOptions replay = {
       .file = flags.file, .stick = flags.stick, .console = [](std::string_view) {}};
   StartWithSanitizerOfRecording(replay);
@@ -81,6 +83,8 @@ Table TableOfRecording(const PlotFlags& flags) {
   }
   Table table = ReadWithProgress(ReadCsvTable, log.file, BytesOf(log.file));
   table.note = replayer.reader().note();
+  *problems = replayer.problems();
+  if (!replayer.loss().empty()) problems->push_back(replayer.loss());
   return table;
 }
 
@@ -108,11 +112,12 @@ Table TableOfMotionLog(const PlotFlags& flags, const std::string& bytes) {
 
 // Reads the file as a table.  The first bytes of the file tell its format.  If they do not tell a
 // format, the name of the file decides: a file with the ending .mcap is read as MCAP, so that the
-// error message is about MCAP, and any other file is read as CSV.
-Table ReadTable(const PlotFlags& flags) {
+// error message is about MCAP, and any other file is read as CSV.  Stores in `problems` why the
+// table of a recording ends before the end of the recording.
+Table ReadTable(const PlotFlags& flags, std::vector<std::string>* problems) {
   const std::string bytes = BytesOf(flags.file);
   if (bytes.starts_with(kMcapMagic)) return ReadWithProgress(ReadMcapTable, flags.file, bytes);
-  if (bytes.starts_with("OPENRTRC")) return TableOfRecording(flags);
+  if (bytes.starts_with("OPENRTRC")) return TableOfRecording(flags, problems);
   if (!bytes.starts_with("AIBO_")) {
     const bool is_mcap = flags.file.ends_with(".mcap");
     return ReadWithProgress(is_mcap ? ReadMcapTable : ReadCsvTable, flags.file, bytes);
@@ -138,12 +143,15 @@ std::vector<std::string> NamesIn(const std::vector<std::string>& words) {
 int Plot(const PlotFlags& flags) {
   if (flags.output.empty() && !flags.lists)
     throw CLI::RequiredError("-o CHART, the .svg or .png file to write,");
-  const Table table = ReadTable(flags);
+  std::vector<std::string> problems;
+  const Table table = ReadTable(flags, &problems);
+  for (const std::string& problem : problems) fmt::print(stderr, "openr: {}\n", problem);
+  const int exit_code = problems.empty() ? kExitGood : kExitWrong;
   if (!table.note.empty()) fmt::print(stderr, "openr: note: {}\n", table.note);
   if (flags.lists) {
     for (const Series& series : table.series) PrintAnswer(series.name + "\n");
   }
-  if (flags.output.empty()) return kExitGood;
+  if (flags.output.empty()) return exit_code;
   PlotRequest request;
   request.wanted = NamesIn(flags.wanted);
   request.from_s = static_cast<double>(flags.from_us) / 1e6;
@@ -157,7 +165,7 @@ int Plot(const PlotFlags& flags) {
   }
   const std::string problem = chart::WriteChart(chart, flags.output);
   if (!problem.empty()) throw std::runtime_error(problem);
-  return kExitGood;
+  return exit_code;
 }
 
 }  // namespace

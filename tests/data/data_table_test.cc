@@ -394,6 +394,16 @@ TEST_F(PlotCommandTest, LogsAndTheRecordingOfARunGiveOneChart) {
   EXPECT_EQ(csv.series.size(), mcap.series.size());
 }
 
+TEST_F(PlotCommandTest, ARecordingThatIsCutOffIsReadUpToThereAndNamed) {
+  ASSERT_EQ(Run({"--record", At("run.rec")}).status, 0);
+  const std::string whole = Content(At("run.rec"));
+  std::ofstream(At("cut.rec"), std::ios::binary) << whole.substr(0, whole.size() - 100);
+  const ProgramResult result = Openr({"plot", At("cut.rec"), "--list"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.out, HasSubstr("joint.LF_j1\n"));
+  EXPECT_THAT(result.err, HasSubstr("is cut off"));
+}
+
 TEST_F(PlotCommandTest, ChartIsAPngWhenItsNameSaysSo) {
   ASSERT_EQ(Run({"--log-data", At("run.csv")}).status, 0);
   ASSERT_EQ(Openr({"plot", At("run.csv"), "sensor.*", "-o", At("a.png")}).status, 0);
