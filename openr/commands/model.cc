@@ -208,10 +208,12 @@ void AddModelCommand(CLI::App* app, int* exit_code) {
       "measure", "Measures steps of the joints and the distance sensor; prints JSON");
   measure->add_option("MODEL", flags->model, "Name of a model")->required();
   measure->add_option("--servo", flags->servo_chart, "File for a chart of the steps: .svg or .png")
+      ->check(CLI::Validator(&chart::ChartNameProblem, ""))
       ->check(IsWritable());
   measure
       ->add_option("--distance", flags->distance_chart,
                    "File for a chart of the distance sensor: .svg or .png")
+      ->check(CLI::Validator(&chart::ChartNameProblem, ""))
       ->check(IsWritable());
   measure->callback([flags, exit_code] { *exit_code = Measure(*flags); });
   CLI::App* const show = command->add_subcommand(

@@ -56,6 +56,15 @@ TEST(ModelCommandTest, AnUnknownModelIsRefused) {
   EXPECT_NE(result.err.find("ers999"), std::string::npos) << result.err;
 }
 
+TEST(ModelCommandTest, AChartOfAnotherKindIsRefusedBeforeTheMeasurement) {
+  for (const char* const flag : {"--servo", "--distance"}) {
+    const ProgramResult result =
+        RunProgram({"model", "measure", "ers210", flag, testing::TempDir() + "chart.pdf"});
+    EXPECT_EQ(result.status, 2) << flag;
+    EXPECT_NE(result.err.find("ends in .svg or .png"), std::string::npos) << result.err;
+  }
+}
+
 TEST(ModelCommandTest, TextSaysTheSame) {
   const ProgramResult result = RunProgram({"model", "check", "ers210"});
   EXPECT_EQ(result.status, 0);
