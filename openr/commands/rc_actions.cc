@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "MoverState.h"
 #include "MtnPlayer.h"
@@ -136,7 +138,8 @@ void RcSensorsAction(remote::Connection* robot, const RcFlags& flags) {
     const remote::Sensors sensors = robot->GetSensors();
     Say(flags, robot->frame(), format.ToJson(sensors), format.ToText(sensors));
     if (!flags.watch) return;
-    usleep(static_cast<useconds_t>(flags.every_us));
+    // Does not call usleep(), whose 32 bits hold no more than 71 minutes.
+    std::this_thread::sleep_for(std::chrono::microseconds(flags.every_us));
   }
 }
 

@@ -149,6 +149,16 @@ class RemoteControlTest : public testing::Test {
 ProgramRun* RemoteControlTest::robot_ = nullptr;
 bool RemoteControlTest::ready_ = false;
 
+TEST_F(RemoteControlTest, SensorsAreWatchedAlsoWithMoreThanAnHourBetweenTwo) {
+  // 2^32 us, which are 0 in an integer of 32 bits.
+  ProgramRun watch({"rc", Address(), "--json", "sensors", "--watch", "--every", "4294967296us"});
+  ASSERT_TRUE(watch.WaitForOutput("\n"));
+  Answer({"info"});  // gives a wrong `watch` time for more lines
+  watch.Signal(SIGINT);
+  const std::string& out = watch.Finish().out;
+  EXPECT_EQ(std::count(out.begin(), out.end(), '\n'), 1);
+}
+
 TEST_F(RemoteControlTest, InfoTellsRobotStateAndFrame) {
   const json info = Answer({"info"});
   EXPECT_EQ(info["design"], "ERS-210");
