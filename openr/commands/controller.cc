@@ -113,8 +113,8 @@ int Run(const ControllerFlags& flags) {
   const std::string folder = FolderOfController(flags.source);
   const std::string token =
       flags.token_file.empty() ? "" : openr::remote::ReadTokenFile(flags.token_file);
-  return run({flags.address.c_str(), static_cast<int>(flags.timeout_us / 1000), token.c_str(),
-              folder.c_str(), controller_main});
+  return run({flags.address.c_str(), flags.timeout_us / 1000, token.c_str(), folder.c_str(),
+              controller_main});
 }
 
 }  // namespace

@@ -5,11 +5,13 @@
 // shared library, linked with this one (kit/controller_library.h).
 #pragma once
 
+#include <cstdint>
+
 namespace openr_host {
 
 struct ControllerRun {
   const char* address;       // address of the robot's remote control: "HOST[:PORT]"
-  int timeout_ms;            // time limit for each answer of the robot
+  int64_t timeout_ms;        // time limit for each answer of the robot
   const char* token;         // token, the secret that the robot's server asks for; "": no token
   const char* folder;        // folder of the controller, which has its motion files (*.MTN)
   int (*controller_main)();  // a function that calls main() of the controller

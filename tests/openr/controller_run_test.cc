@@ -111,6 +111,12 @@ TEST_F(ControllerRunTest, AJointMovesASensorIsReadAndCommandsGoOutOnlyWhenTheyCh
       (List{{rcINFO, -1}, {rcSUBSCRIBE, rcstreamSENSORS}, {rcMOVE, 1}, {rcSPEED, 1}, {rcLED, 7}}));
 }
 
+TEST_F(ControllerRunTest, TheLongestTimeLimitIsNotOverAtOnce) {
+  const ProgramResult result = Start(kTurnsTheHead, "1000h")->Finish();
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.out, "turned, distance 1\ndied\n");
+}
+
 TEST_F(ControllerRunTest, AnEndlessLoopDoesTheSame) {
   const ProgramResult result = Run(R"(
 int main(void) {
