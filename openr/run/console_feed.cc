@@ -15,6 +15,17 @@
 #include "runtime/core/system_inputs.h"
 
 namespace openr_host {
+namespace {
+
+// Returns whether standard input is the terminal of this process, but the process is in the
+// background there.  Such a process must not read from the terminal, because the system would stop
+// it (SIGTTIN).
+bool IsInBackground() {
+  const pid_t foreground = tcgetpgrp(STDIN_FILENO);
+  return foreground != -1 && foreground != getpgrp();
+}
+
+}  // namespace
 
 ConsoleFeed::ConsoleFeed(const std::string& file)
     : is_open_(file == "-" || (file.empty() && isatty(STDIN_FILENO) != 0)) {
@@ -33,7 +44,7 @@ ConsoleFeed::ConsoleFeed(const std::string& file)
 // well.
 std::string ConsoleFeed::TakeLines() {
   pollfd input = {STDIN_FILENO, POLLIN, 0};
-  while (is_open_ && poll(&input, 1, 0) > 0) {
+  while (is_open_ && poll(&input, 1, 0) > 0 && !IsInBackground()) {
     char buffer[4096];
     const ssize_t count = read(STDIN_FILENO, buffer, sizeof buffer);
     if (count <= 0) {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "tests/openr/program_run.h"
+#include "tests/openr/terminal_run.h"
 
 namespace openr_host {
 namespace {
@@ -90,6 +91,16 @@ TEST(RobotJobsTest, CtrlCPausesTheRobotsThatRunAndStartsNoOthers) {
   ASSERT_EQ(report["robots"].size(), 2u);
   for (const json& robot : report["robots"]) EXPECT_EQ(robot["ended_by"], "pause");
   EXPECT_THAT(result.err, HasSubstr("openr: 1 robot not started, because Ctrl-C or SIGTERM came"));
+}
+
+TEST(RobotJobsTest, AKeyAtTheTerminalDoesNotStopTheRobots) {
+  TerminalRun run({"run", "--rate", "max", "--body", "ideal", "--battery", "100%", "--for", "200s",
+                   "--robots", "2", "--jobs", "2"},
+                  "(");
+  ASSERT_TRUE(run.WaitFor("robot 1: "));
+  run.Type("\n");
+  EXPECT_TRUE(run.WaitFor("200.000 s of virtual time each")) << run.shown();
+  EXPECT_EQ(run.Finish(), 0);
 }
 
 TEST(RobotJobsTest, RobotsThatDoNotBootAreReported) {
