@@ -40,6 +40,8 @@ struct Partner {
   std::unique_ptr<remote::Connection> connection;
   std::string problem;
   Json refusal;  // answer for --json if the robot has refused the request; else null
+  // True: nobody reads standard output any more, so the robot's answer is lost.
+  bool is_answer_lost = false;
 };
 
 void PerformOne(Partner* robot, const RcFlags& flags, const RcAction& action) {
@@ -55,6 +57,8 @@ void PerformOne(Partner* robot, const RcFlags& flags, const RcAction& action) {
                       {"frame", FrameJson(error.frame())},
                       {"error", error.text()},
                       {"status", error.status()}};
+  } catch (const ReaderGone&) {
+    robot->is_answer_lost = true;
   } catch (const std::exception& error) {
     robot->problem = error.what();
   }
@@ -103,7 +107,9 @@ void PrintFollowing(const RcFlags& flags, const std::vector<RcDescription>& join
 }  // namespace
 
 int PerformAtBoth(const RcFlags& flags, const RcAction& action) {
-  Partner robots[2] = {{flags.address, nullptr, "", {}}, {flags.with, nullptr, "", {}}};
+  Partner robots[2];
+  robots[0].address = flags.address;
+  robots[1].address = flags.with;
   // Connects to both robots before the action begins, so that no robot does anything if one of the
   // two cannot be reached.
   for (Partner& robot : robots) {
@@ -114,6 +120,9 @@ int PerformAtBoth(const RcFlags& flags, const RcAction& action) {
   PerformOne(&robots[0], flags, action);
   second.join();
   int exit_code = kExitGood;
+  for (const Partner& robot : robots) {
+    if (robot.is_answer_lost) exit_code = kExitReaderGone;
+  }
   for (const Partner& robot : robots) {
     if (robot.problem.empty()) continue;
     fmt::print(stderr, "openr: {}\n", robot.problem);

@@ -179,6 +179,10 @@ TEST(LostOutputTest, AnAnswerWithoutAnEndEndsWhenNobodyReadsIt) {
                                       "exit ${PIPESTATUS[0]}");
   EXPECT_EQ(result.status, 141);
   EXPECT_EQ(result.err, "");
+  const ProgramResult two =
+      ScriptWithoutReader("$openr rc " + address + " --with " + address + " info >&9");
+  EXPECT_EQ(two.status, 141);
+  EXPECT_EQ(two.err, "");
 }
 
 // Commands that write a file, up to its name.
