@@ -83,6 +83,12 @@ Json LostReport(const std::string& model, int status) {
           {"findings", Json::array({finding})}};
 }
 
+RunPlan PlanOfJobs(const RunFlags& flags) {
+  RunPlan plan = PlanOf(flags);
+  plan.has_ports = false;
+  return plan;
+}
+
 // A finding, and all robots that have it.
 struct SharedFinding {
   std::string severity, text;  // `text` begins with the name of the object
@@ -165,7 +171,7 @@ void RefuseFlagsBesideJobs(const RunFlags& flags) {
 
 RobotJobs::RobotJobs(const RunFlags& flags)
     : flags_(flags),
-      plan_(PlanOf(flags)),
+      plan_(PlanOfJobs(flags)),
       stick_(flags.simulation.stick, false),
       console_(flags.console_file),
       interrupts_(plan_.for_us || plan_.until_idle ? HangUp::kIgnored : HangUp::kCounts),
@@ -327,6 +333,7 @@ Json RobotJobs::Merge(double wall_time_s) {
     Json robot = report["robots"][0];
     robot["number"] = i;
     robot["ended_by"] = report["ended_by"];
+    robot["rc_port"] = 0;  // the robot's port is only in the robot's own network
     for (const char* const key : {"messages", "state_hash", "trace_hash"}) robot[key] = report[key];
     state.AddText(report["state_hash"].get<std::string>());
     trace.AddText(report["trace_hash"].get<std::string>());

@@ -127,6 +127,7 @@ void Runner::WritePictureOf(const PictureRequest& snapshot) {
 }
 
 void Runner::AnnouncePorts() {
+  if (!plan_.has_ports) return;
   for (size_t i = 0; i < announced_.size(); ++i) {
     const uint16_t port = simulation_->RcPort(static_cast<int>(i));
     if (port == 0 || announced_[i].port == port) continue;

@@ -43,6 +43,8 @@ struct RunPlan {
   Rewind* rewind = nullptr;  // goes back to earlier moments; null: the run cannot be rewound
   // A function that prints a message for the user.
   std::function<void(const std::string& line)> say;
+  // False: the robots have no ports of this computer, so the runner names none to the user.
+  bool has_ports = true;
   Recorder* recorder = nullptr;  // records lost processes; null: none
   // A function for a free run, in which virtual time goes on while handlers run in worker
   // processes; null in other runs.  It waits at most `timeout_us` for results of these handlers and

@@ -14,6 +14,7 @@ namespace {
 using nlohmann::json;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 using Words = std::vector<std::string>;
 
@@ -115,6 +116,8 @@ TEST(RobotJobsTest, TheLastLineSaysWhatEndedTheRun) {
   const ProgramResult result = RunProgram(JobWords("2", "2", {}));
   EXPECT_THAT(result.err, HasSubstr("\n2 robots, "));
   EXPECT_THAT(result.err, EndsWith("\nended by time: --for 1s is over\n"));
+  EXPECT_THAT(result.err, Not(HasSubstr("remote control: "))) << "nobody can reach the robots";
+  EXPECT_EQ(json::parse(result.out)["robots"][1]["rc_port"], 0);
 }
 
 TEST(RobotJobsTest, FlagsThatMakeNoSenseBesideItAreRefusedWithTheReason) {
