@@ -17,6 +17,7 @@
 #include "openr/simulation/assemble_robot.h"
 #include "runtime/base/spelling.h"
 #include "runtime/config/connect_config.h"
+#include "runtime/config/ocf.h"
 #include "runtime/config/service_name.h"
 #include "runtime/core/code_object.h"
 #include "runtime/core/dispatcher.h"
@@ -139,9 +140,13 @@ void Bench::LoadStick() {
   for (const StandIn& stand_in : options_.replace) {
     const std::string& name = stand_in.object;
     used[name] = false;
-    stand_ins[name] = [this, &stand_in, &name, &used](const std::string&) {
+    stand_ins[name] = [this, &stand_in, &name, &used](const std::string& path) {
       used[name] = true;
-      stand_in.make ? stand_in.make(*this) : void(AddProbe(name, ServicesOf(name)));
+      if (stand_in.make) return stand_in.make(*this);
+      // Takes the object's name from its image, because `name` may be the name of the image's file.
+      const std::string in_image = NameInImage(path);
+      const std::string& object = in_image.empty() ? name : in_image;
+      AddProbe(object, ServicesOf(object));
     };
   }
   openr_host::LoadStick(system_.get(), 0, stand_ins, {openr_host::GatewayImage(system_.get(), 0)});
@@ -154,6 +159,15 @@ void Bench::LoadStick() {
     throw std::invalid_argument(fmt::format("replace: there is no object '{}' on the stick{}", name,
                                             openr_host::DidYouMean(name, known)));
   }
+}
+
+std::string Bench::NameInImage(const std::string& path) {
+  const BenchStick::Location location = stick_->Locate(path);
+  if (location.error != 0 || !location.exists) return "";
+  const openr_host::ImageFile image = openr_host::ReadImageFile(location.path);
+  if (!image.problem.empty()) return "";
+  const auto ocf = openr_host::ParseOcf(path, openr_host::OcfTextOf(image.bytes)).ocf;
+  return ocf ? ocf->name : "";
 }
 
 std::vector<std::string> Bench::ServicesOf(const std::string& object) {

@@ -379,6 +379,8 @@ class Bench {
 
   void AddDog();
   void LoadStick();
+  // Returns the name of the object in the image `path` of the stick; "" if the file is no image.
+  std::string NameInImage(const std::string& path);
   std::vector<std::string> ServicesOf(const std::string& object);
   // Returns the full names of all services of the objects on the bench.
   std::vector<std::string> KnownServices();

@@ -217,6 +217,13 @@ TEST(ReplaceTest, AProbeStandsInWithTheSameServicesAtTheSamePlace) {
   EXPECT_EQ(bench.Findings(), "");
 }
 
+TEST(ReplaceTest, AProbeForAFileHasNameAndServicesOfTheObject) {
+  Bench bench({.stick = OPENR_STICK, .replace = {"JOINTMOV.BIN"}, .body = "ideal"});
+  bench.probe("JointMover").observer("Mover");
+  EXPECT_TRUE(bench.Boot());
+  EXPECT_EQ(bench.Findings(), "");
+}
+
 TEST(ReplaceTest, AnythingMayStandIn) {
   Bench bench(
       {.stick = OPENR_STICK,
