@@ -14,6 +14,7 @@
 #include "cli/exit_code.h"
 #include "cli/json_text.h"
 #include "kit/shell_words.h"
+#include "openr/commands/common_flags.h"
 #include "openr/commands/explore_setup.h"
 #include "openr/ending/crash_log.h"
 #include "openr/ending/ending.h"
@@ -83,6 +84,9 @@ int ReplayFailure(ExploreFlags flags) {
   const ScheduleFile schedule = ReadScheduleFile(flags.replay_file, &deviations);
   ExploredStick stick = schedule.stick;
   if (!flags.stick.simulation.stick.empty()) stick.simulation.stick = flags.stick.simulation.stick;
+  if (!flags.stick.simulation.more_sticks.empty())
+    stick.simulation.more_sticks = flags.stick.simulation.more_sticks;
+  CheckRobots(stick.simulation);
   StartWithSanitizersOf(stick.simulation);
   const SharedConsole console(flags.console_file);
   SetStick(stick, console, &flags.plan);

@@ -61,6 +61,19 @@ TEST(ExploreCommandTest, AFailureIsWrittenAndReplaysTheSame) {
   EXPECT_THAT(replayed.out, HasSubstr("the same as in the file"));
 }
 
+TEST(ExploreCommandTest, AReplayTakesTheSticksThatTheUserNames) {
+  const ScratchFolder folder, calm, wild;
+  calm.MakeTrouble("nothing");
+  wild.MakeTrouble("crash");
+  const std::string file = folder.File("failure.json");
+  Explore(
+      {"--runs", "1", "--robots", "2", "--stick", calm.path(), "--stick", wild.path(), "-o", file});
+  EXPECT_EQ(RunProgram({"explore", "--replay", file}).status, 1);
+  const ProgramResult mended =
+      RunProgram({"explore", "--replay", file, "--stick", calm.path(), "--stick", calm.path()});
+  EXPECT_EQ(mended.status, 0) << mended.out << mended.err;
+}
+
 TEST(ExploreCommandTest, AReplayThatHoldsNowSaysSoAndEndsWithZero) {
   const ScratchFolder folder;
   Explore({"--runs", "1", "--property", kNever, "-o", folder.File("failure.json")});
