@@ -182,9 +182,15 @@ void Draw(const chart::Chart& chart, const std::string& file) {
 int Measure(const ModelFlags& flags) {
   constexpr double kStepDeg = 20, kBright = 1, kDark = 0.05;
   const RobotModel model = LoadRobotModel(ModelFile(flags.model));
-  const std::vector<StepResponse> steps = MeasureSteps(model, kStepDeg);
   std::vector<DistanceReading> readings = MeasureDistances(model, kBright);
   for (const DistanceReading& reading : MeasureDistances(model, kDark)) readings.push_back(reading);
+  if (readings.empty() && !flags.distance_chart.empty()) {
+    throw std::runtime_error(fmt::format(
+        "--distance: the model of the {} does not say where on the body a distance sensor is, so "
+        "no distance can be measured",
+        model.name));
+  }
+  const std::vector<StepResponse> steps = MeasureSteps(model, kStepDeg);
   Draw(ChartOf(model, steps), flags.servo_chart);
   Draw(ChartOf(model, readings), flags.distance_chart);
   const Json answer = {

@@ -65,6 +65,15 @@ TEST(ModelCommandTest, AChartOfAnotherKindIsRefusedBeforeTheMeasurement) {
   }
 }
 
+TEST(ModelCommandTest, NoChartIsDrawnOfADistanceSensorWithoutAPlace) {
+  const std::string file = testing::TempDir() + "model_command_test_distance.svg";
+  const ProgramResult result = RunProgram({"model", "measure", "ers220", "--distance", file});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("the model of the ERS-220 does not say where"), std::string::npos)
+      << result.err;
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
 TEST(ModelCommandTest, TextSaysTheSame) {
   const ProgramResult result = RunProgram({"model", "check", "ers210"});
   EXPECT_EQ(result.status, 0);
