@@ -1,11 +1,11 @@
 #include "openr/graph/graph_view.h"
 
-#include <algorithm>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "runtime/base/assert.h"
+#include "runtime/core/api.h"
 #include "runtime/core/connection_state.h"
+#include "runtime/core/post_as_object.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {
@@ -19,13 +19,15 @@ std::vector<GraphService> ServicesOf(const Robot& robot, ObjectId id) {
   return services;
 }
 
-const SubjectState* FindSubject(const System& system, const Robot& robot,
-                                const std::string& service) {
-  const auto found = robot.directory.find(service);
-  if (found == robot.directory.end()) return nullptr;
-  const Object* const object = system.object(found->second.first);
-  for (const auto& subject : object->subjects) {
-    if (subject->service == service) return subject.get();
+// Returns the subject's record of the connection `wire`; null if the connection was not made.
+const ObserverLink* FindLink(const System& system, const Connection& wire) {
+  const Robot& robot = system.robot(wire.robot);
+  const auto found = robot.directory.find(wire.subject);
+  const auto observer = FindService(system, wire.robot, wire.observer, ServiceSide::kObserver);
+  if (found == robot.directory.end() || !observer) return nullptr;
+  const OServiceEntry observer_id(OidOf(observer->object), observer->selector);
+  for (const auto& subject : system.object(found->second.first)->subjects) {
+    if (subject->service == wire.subject) return subject->Find(observer_id);
   }
   return nullptr;
 }
@@ -48,18 +50,11 @@ GraphView CollectGraph(System* system_pointer) {
     seen.services = ServicesOf(system.robot(object->robot), object->id);
     if (!seen.services.empty() || object->is_image) graph.objects.push_back(std::move(seen));
   }
-  std::map<std::pair<int, std::string>, size_t> links_used;
   for (const Connection& wire : system.connections()) {
-    const Robot& robot = system.robot(wire.robot);
     GraphConnection seen{wire.robot, wire.subject, wire.observer, wire.where, false, 0};
-    const SubjectState* const subject = FindSubject(system, robot, wire.subject);
-    // Finds the ObserverLink of this connection by its index: the subject has one link for each of
-    // its connections, in the order of the lines in CONNECT.CFG.  Does not count a line that names
-    // an unknown observer, because such a line makes no link.
-    if (subject != nullptr && robot.directory.contains(wire.observer)) {
-      const size_t link = links_used[{wire.robot, wire.subject}]++;
-      seen.connected = link < subject->links.size();
-      if (seen.connected) seen.events = subject->links[link].sent;
+    if (const ObserverLink* const link = FindLink(system, wire); link != nullptr) {
+      seen.connected = true;
+      seen.events = link->sent;
     }
     graph.connections.push_back(std::move(seen));
   }
