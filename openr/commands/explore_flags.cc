@@ -104,7 +104,8 @@ void AddSearchOptions(CLI::App* command, ExploreFlags* flags) {
       ->add_option("--record", flags->record_file,
                    "File for the recording of the failing run, if there is one, for openr replay "
                    "--step")
-      ->check(IsWritable());
+      ->check(IsWritable())
+      ->excludes(panel);
   command->add_flag("--json", flags->json, "Print the result, and nothing else, as JSON");
 }
 

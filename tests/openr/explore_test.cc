@@ -59,6 +59,10 @@ TEST(ExploreCommandTest, AFailureIsWrittenAndReplaysTheSame) {
   const ProgramResult replayed = RunProgram({"explore", "--replay", file});
   EXPECT_EQ(replayed.status, 1);
   EXPECT_THAT(replayed.out, HasSubstr("the same as in the file"));
+  const ProgramResult both =
+      RunProgram({"explore", "--replay", file, "--panel", "--record", folder.File("failure.rec")});
+  EXPECT_EQ(both.status, 2) << "the panel shows the run and records nothing";
+  EXPECT_THAT(both.err, HasSubstr("--panel excludes --record"));
 }
 
 TEST(ExploreCommandTest, AReplayTakesTheSticksThatTheUserNames) {
