@@ -28,7 +28,7 @@ TEST(BreakpointsTest, AStateOfAnObjectOfTheSecondRobotStopsTheReplay) {
   Replayer replayer({.file = file, .stick = "", .console = [](std::string_view) {}});
   const SimulationView view(&replayer.simulation());
   Breakpoints breaks(&replayer, &view);
-  ASSERT_EQ(breaks.Add("state JointMover gains"), "");
+  ASSERT_EQ(breaks.Add("state JointMover broadbase"), "");
   breaks.Arm();
   bool is_hit = false;
   while (!is_hit && replayer.Step()) is_hit = breaks.FindHit() == 1;
