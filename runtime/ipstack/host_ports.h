@@ -37,10 +37,6 @@ class HostPorts {
   int Bind(uint16_t port, const std::function<int(uint16_t)>& take,
            const std::function<uint16_t()>& bound, std::string* note);
 
-  // Forgets the host's port of the robot's `port`.  Called when a socket is closed whose port
-  // nobody has asked for, because another program of the host may get the host's port now.
-  void Forget(uint16_t port) { chosen_.erase(port); }
-
   // Returns the host's port for the robot's `port`, or 0 if `port` is not bound yet.
   uint16_t HostPort(uint16_t port) const;
 

@@ -27,17 +27,8 @@ int HostUdp::Bind(NetHandle handle, NetAddress local, bool any_port,
       local.port, take, [&] { return PortOf(fd); }, &note);
   if (error != 0) events->push_back(FailedEvent(handle, NetErrorOf(error)));
   if (!note.empty()) events->push_back(NoteEvent(note));
-  if (error != 0) return error;
-  sockets_[handle].fd = std::move(fd);
-  if (any_port) sockets_[handle].any_port = local.port;
-  return 0;
-}
-
-void HostUdp::Drop(NetHandle handle) {
-  const auto found = sockets_.find(handle);
-  if (found == sockets_.end()) return;
-  if (found->second.any_port != 0) ports_.Forget(found->second.any_port);
-  sockets_.erase(found);
+  if (error == 0) sockets_[handle].fd = std::move(fd);
+  return error;
 }
 
 void HostUdp::SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size,

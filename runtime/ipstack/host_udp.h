@@ -28,7 +28,7 @@ class HostUdp {
   void SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size,
               std::vector<NetworkEvent>* events);
   void ReceiveFrom(NetHandle handle, size_t count_max);
-  void Drop(NetHandle handle);
+  void Drop(NetHandle handle) { sockets_.erase(handle); }
   void Forget() { sockets_.clear(); }
   void Poll(std::vector<NetworkEvent>* events);
 
@@ -37,7 +37,6 @@ class HostUdp {
  private:
   struct Socket {
     Fd fd;
-    uint16_t any_port = 0;  // the robot's port if its number does not matter, else 0
     // The largest number of datagrams that the pending ReceiveFrom() of this UDP socket may return;
     // 0 if no ReceiveFrom() is pending.
     size_t want = 0;

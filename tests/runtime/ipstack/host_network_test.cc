@@ -272,23 +272,6 @@ TEST_F(HostNetworkTest, UdpBetweenObjectsShowsTheRobotsOwnAddress) {
   EXPECT_EQ(origin, (NetAddress{kRobotIp, 1024}));
 }
 
-TEST_F(HostNetworkTest, ProgramWithTheHostPortOfAClosedSocketIsNotTheRobot) {
-  HostNetwork network(AnyPort());
-  network.Attach(kRobotIp);
-  network.Bind(1, 1024, true);
-  const uint16_t host_port = network.HostPort(NetProtocol::kUdp, 1024);
-  network.Drop(1, false);
-  HostPeer peer(NetProtocol::kUdp);
-  ASSERT_EQ(BindSocket(peer.fd, {kLocal, host_port}), 0);
-  network.Bind(2, kPort, false);
-  network.ReceiveFrom(2, 1);
-  SendDatagram(peer.fd, {kLocal, network.HostPort(NetProtocol::kUdp, kPort)}, "x", 1);
-  std::vector<NetworkEvent> events;
-  for (int i = 0; i < kTriesMax && events.empty(); ++i) events = network.Poll();
-  ASSERT_EQ(events.size(), 1u);
-  EXPECT_EQ(events[0].remote, (NetAddress{kLocal, host_port}));
-}
-
 TEST_F(HostNetworkTest, NamesOfTheTableAreAnsweredWithoutAskingAnybody) {
   HostNetworkOptions options;
   options.names["clock.example.net"] = {"clock.example.net", {}, {7}};
