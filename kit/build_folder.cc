@@ -84,7 +84,7 @@ class FolderBuild {
   void TryConvention(const std::vector<ObjectFolder>& objects, const MakePlan& plan);
   bool HasFailure(const ObjectFolder& object) const;
   std::vector<ObjectFolder> NotBuilt() const;
-  void RemoveOldImages(bool is_made);
+  std::vector<KitLog::Image> RemoveOldImages(bool is_made);
   bool SomeImageIsMissing() const;
   void Deliver();
   std::string OriginalName(const std::string& file) const;
@@ -206,7 +206,7 @@ void FolderBuild::Build() {
         return planned == 0 ? CountByConvention(project_, project_.objects) : planned;
       },
       [&] { outcome = RunMake(plan, make_); });
-  RemoveOldImages(outcome.is_good);
+  const std::vector<KitLog::Image> removed = RemoveOldImages(outcome.is_good);
   // Runs make also in the folder of each object that has no image yet.  A Makefile in a parent
   // folder often runs make in the folders of all objects, and ends at the first object that fails.
   if (!outcome.is_good) {
@@ -217,7 +217,13 @@ void FolderBuild::Build() {
           });
       const bool is_top =
           std::find(plan.folders.begin(), plan.folders.end(), object.folder) != plan.folders.end();
-      if (has_makefile && !is_top)
+      // Lets make link an image again that RemoveOldImages() has removed, also in a folder in which
+      // make ran before.
+      const bool was_removed =
+          std::any_of(removed.begin(), removed.end(), [&](const KitLog::Image& image) {
+            return IsBelow(image.ocf, object.folder) || IsBelow(image.file, object.folder);
+          });
+      if (has_makefile && (!is_top || was_removed))
         outcome.output += RunMakeTargets(object.folder, plan, make_).output;
     }
     outcome_.make_cause = InTermsOfOriginals(CauseOf(outcome.output), copies_);
@@ -272,16 +278,16 @@ bool IsOlderThanSources(const KitLog::Image& image, const std::vector<fs::path>&
 }
 
 // Removes the images of earlier builds that this build could not make again, because they would
-// look like images of this build.
-void FolderBuild::RemoveOldImages(bool is_made) {
+// look like images of this build.  Returns the removed images.
+std::vector<KitLog::Image> FolderBuild::RemoveOldImages(bool is_made) {
   KitLog log = ReadKitLog(make_.log);
-  // Compares the times of images and sources only if make has failed.  If make succeeds, all images
-  // are newer than their sources, because make has made the older images again.
   // Counts only files that the user's folder has as well, because make may have made other headers
   // after the images.
   std::vector<fs::path> shared = SharedFiles(project_);
   std::erase_if(shared,
                 [&](const fs::path& file) { return !fs::exists(OriginalOf(file, copies_)); });
+  // Compares the times of images and sources only if make has failed.  If make succeeds, all images
+  // are newer than their sources, because make has made the older images again.
   const auto is_old = [&](const KitLog::Image& image) {
     return IsOutOfDate(image, log.failures) || (!is_made && IsOlderThanSources(image, shared));
   };
@@ -290,6 +296,7 @@ void FolderBuild::RemoveOldImages(bool is_made) {
   RemoveImages(old, project_);
   std::erase_if(log.images, is_old);
   WriteKitLog(make_.log, log);
+  return old;
 }
 
 // Returns whether the build lacks an image that an OBJECT.CFG names.  If no stick has an

@@ -33,13 +33,31 @@ std::string MembersOf(const std::string& body) {
   return members;
 }
 
+// Returns `code` with one character in place of each run of blanks and line ends, because
+// std::regex_search() calls itself for each blank, and the blanks that WithoutComments() puts in
+// place of a long comment would overflow the stack.
+std::string WithShortBlanks(const std::string& code) {
+  std::string result;
+  bool is_in_run = false;
+  for (const char c : code) {
+    const bool is_blank = c == ' ' || c == '\t' || c == '\r' || c == '\n';
+    if (!is_blank || !is_in_run) {
+      result += is_blank && c != '\n' ? ' ' : c;
+    } else if (c == '\n') {
+      result.back() = '\n';  // a pattern for one line must not match beyond the end of the line
+    }
+    is_in_run = is_blank;
+  }
+  return result;
+}
+
 // Returns the reason why values of a type cannot be sent as bytes; "" if such values can be sent.
 // `members` is the text of the type's members.
 std::string SendProblem(const std::string& members) {
   static const std::regex kContainer(
       "\\b(string|vector|list|deque|map|multimap|set|multiset|queue|stack)\\b[ \t]*(<[^;]*>)?"
-      "[ \t]+\\w+[ \t]*[;,\\[]");
-  static const std::regex kPointer("\\b\\w+[ \t]*\\*[ \t*]*\\w+[ \t]*[;\\[]");
+      "[ \t]+(?!operator\\b)\\w+[ \t]*[;,\\[]");
+  static const std::regex kPointer("\\b\\w+[ \t]*\\*[ \t*]*(?!operator\\b)\\w+[ \t]*[;\\[]");
   static const std::regex kVirtual("\\bvirtual\\b");
   std::smatch match;
   if (std::regex_search(members, match, kVirtual)) return "has virtual functions";
@@ -87,7 +105,7 @@ class DataCheck {
       if (!IsSourceName(file) && !IsHeaderName(file)) continue;
       const std::string text = ReadText(file).value_or("");
       if (!files_.emplace(file, File{text, WithoutComments(text)}).second) continue;
-      FindTypes(files_[file].code);
+      FindTypes(WithShortBlanks(files_[file].code));
     }
   }
 

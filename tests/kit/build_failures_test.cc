@@ -138,6 +138,7 @@ TEST_F(OneSourceOfTwo, ASourceThatFailsForBothLeavesNoOldImage) {
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.out, Not(HasSubstr("FIRST.BIN")));
   EXPECT_THAT(result.err, HasSubstr("OBJECT.CFG:1: /MS/OPEN-R/MW/OBJS/FIRST.BIN was not built"));
+  EXPECT_THAT(result.err, HasSubstr("Util.cc does not compile"));
   EXPECT_EQ(result.err.find("Util.cc does not compile"),
             result.err.rfind("Util.cc does not compile"));
 }

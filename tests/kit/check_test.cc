@@ -88,8 +88,8 @@ TEST(CheckTest, AFunctionThatReturnsAPointerIsNoPointerInTheData) {
   const KitFolder folder("makefile");
   const std::string send =
       "void More() { Named data; subject[0]->SetData(&data, sizeof(data)); }\n";
-  for (const char* member :
-       {"char* Text();", "std::string Text();", "char* Text() { return 0; };"}) {
+  for (const char* member : {"char* Text();", "std::string Text();", "char* Text() { return 0; };",
+                             "char* operator[](int i);"}) {
     folder.Write("Sender/More.cc",
                  std::string("struct Named { int a; ") + member + " int b; };\n" + send);
     EXPECT_THAT(Checked(folder, 0), HasSubstr("0 warnings")) << member;
@@ -107,6 +107,12 @@ TEST(CheckTest, ALongLineAndALongFunctionInAStructAreChecked) {
   folder.Write("Sender/More.cc",
                "struct Named { int a; int Size() const { return sizeof(\"" + text + "\"); } };\n");
   EXPECT_THAT(Checked(folder, 0), HasSubstr("0 warnings"));
+  for (const std::string& type :
+       {"struct Named  // " + text + "\n{ int a; };\n",
+        "struct Named { int a;\n  int Size() const { return 0; }  // " + text + "\n};\n"}) {
+    folder.Write("Sender/More.cc", type);
+    EXPECT_THAT(Checked(folder, 0), HasSubstr("0 warnings"));
+  }
   const KitFolder without_stub("handmade");
   without_stub.Write("Greeter/Text.cc", "const char* const text = \"" + text + "\";\n");
   EXPECT_THAT(Checked(without_stub, 0), HasSubstr("0 warnings"));
