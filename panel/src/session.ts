@@ -30,6 +30,7 @@ export interface Topics {
   runs: Runs;
   robot: number;
   newRun: string;
+  rewind: Record<string, unknown>;
   branched: string;
   notice: { text: string; kind: 'good' | 'bad' };
   pair: Pair;
@@ -154,6 +155,7 @@ export class Session {
   }
 
   async rewind(change: Record<string, unknown>): Promise<boolean> {
+    this.emit('rewind', change);
     const clock = await this.tell<Clock & Answer>({ do: 'rewind', ...change }, 'Going back');
     if (clock !== null) this.takeClock(clock);
     return clock !== null;

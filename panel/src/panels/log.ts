@@ -15,21 +15,34 @@ export function matches(text: string, filter: string): boolean {
   return words.every((word) => (word.startsWith('-') && word.length > 1 ? !lower.includes(word.slice(1)) : lower.includes(word)));
 }
 
+// Returns how many of the first lines of `sent` are also the last lines of `kept`.
+function countKnown(kept: LogLine[], sent: LogLine[]): number {
+  for (let count = Math.min(kept.length, sent.length); count > 0; --count) {
+    const last = kept.slice(-count);
+    if (last.every((line, i) => line.time_s === sent[i]?.time_s && line.text === sent[i]?.text)) return count;
+  }
+  return 0;
+}
+
 // Returns the lines that objects have printed. Calls `changed` when the lines have changed.
 export function keepLines(session: Session, changed: () => void): Ring<LogLine> {
   const lines = new Ring<LogLine>(LINES_KEPT);
-  const clear = () => {
-    lines.clear();
-    changed();
-  };
+  let isFirst = true; // no lines have come through the present connection
   session.on('log', (event) => {
-    for (const line of event.lines ?? []) lines.push(line);
+    const sent = event.lines ?? [];
+    // Leaves out the lines that the page has, because the run sends its last lines again through
+    // each new connection.
+    const known = isFirst ? countKnown(lines.toArray(), sent) : 0;
+    isFirst = false;
+    for (const line of sent.slice(known)) lines.push(line);
     changed();
   });
-  session.on('newRun', clear);
-  // Forgets the lines at each new connection, because the run sends its last lines again.
+  session.on('newRun', () => {
+    lines.clear();
+    changed();
+  });
   session.on('link', ({ state }) => {
-    if (state === 'open') clear();
+    if (state === 'open') isFirst = true;
   });
   return lines;
 }

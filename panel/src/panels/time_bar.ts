@@ -57,7 +57,7 @@ class TimeBar {
       title: 'Shows the moment five seconds ago. Key: B',
       'aria-label': 'Back five seconds',
     });
-    this.present = button('Present', () => this.showPresent(), {
+    this.present = button('Present', () => void session.rewind({ present: true }), {
       title: 'Shows the newest moment again',
     });
     this.goOn = button('Go on from here', () => void this.branch(), {
@@ -69,7 +69,13 @@ class TimeBar {
     this.build();
     session.on('clock', (clock) => this.show(clock));
     session.on('link', () => this.show(session.clock));
-    session.on('newRun', () => this.show(null));
+    // Drops the moment of the slider that waits, because it would be shown after what the person
+    // has chosen later.
+    session.on('rewind', () => this.seek.drop());
+    session.on('newRun', () => {
+      this.seek.drop();
+      this.show(null);
+    });
     this.show(null);
     document.addEventListener('keydown', (event) => this.onKey(event));
   }
@@ -128,15 +134,7 @@ class TimeBar {
     }
   }
 
-  // Drops the moment of the slider that waits here and in the functions below, because it would be
-  // shown after what the person has chosen later.
-  private showPresent(): void {
-    this.seek.drop();
-    void this.session.rewind({ present: true });
-  }
-
   private goBack(): void {
-    this.seek.drop();
     if (!this.session.canRewind) {
       this.session.bad(`Cannot go back: ${whyNoRewind(this.session.clock)}`);
       return;

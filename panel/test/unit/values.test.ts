@@ -158,6 +158,13 @@ describe('the lines of the log', () => {
       listeners.get('link')?.({ state: 'lost', why: '' });
     }
     expect(lines.toArray()).toEqual([line]);
+    const next = { time_s: 2, text: 'state: waiting' };
+    const last = { time_s: 3, text: 'state: running' };
+    listeners.get('log')?.({ event: 'log', lines: [next] });
+    // The run sends its newest lines again, which are fewer than the page has.
+    listeners.get('link')?.({ state: 'open', why: '' });
+    listeners.get('log')?.({ event: 'log', lines: [next, last] });
+    expect(lines.toArray()).toEqual([line, next, last]);
   });
 });
 
