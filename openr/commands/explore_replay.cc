@@ -20,6 +20,7 @@
 #include "openr/ending/ending.h"
 #include "openr/ending/watchdog.h"
 #include "openr/explore/failing_run.h"
+#include "openr/explore/fork_server.h"
 #include "openr/inspect/recorder.h"
 #include "openr/simulation/pacing.h"
 #include "runtime/core/system.h"
@@ -48,6 +49,13 @@ int ShowFailure(const ExploreFlags& flags, const ExploredStick& stick, uint64_t 
 
 bool RecordFailure(const ExploreFlags& flags, const ExploredStick& stick, uint64_t seed,
                    const Json& deviations, const Json& answer) {
+  // Does not repeat a run that was killed because it did not end: here it might not end, either,
+  // and its recording would fill the disk.
+  if (answer.contains(kNotEnded)) {
+    fmt::print(stderr, "openr explore: no recording: {}\n",
+               answer["broken"]["text"].get<std::string>());
+    return false;
+  }
   const EndingAnswer ending_answer(-1);
   const CrashLog crash_log({});
   const Watchdog watchdog(flags.plan.limits.handler_us);
@@ -86,7 +94,12 @@ int ReplayFailure(ExploreFlags flags) {
   if (!flags.stick.simulation.stick.empty()) stick.simulation.stick = flags.stick.simulation.stick;
   if (!flags.stick.simulation.more_sticks.empty())
     stick.simulation.more_sticks = flags.stick.simulation.more_sticks;
-  CheckRobots(stick.simulation);
+  const size_t sticks = stick.simulation.more_sticks.size() + 1;
+  if (sticks > static_cast<size_t>(stick.simulation.robots)) {
+    throw CLI::ValidationError(
+        "--stick", fmt::format("{} sticks, but the failing run has {}", sticks,
+                               Counted(static_cast<size_t>(stick.simulation.robots), "robot")));
+  }
   StartWithSanitizersOf(stick.simulation);
   const SharedConsole console(flags.console_file);
   SetStick(stick, console, &flags.plan);
