@@ -48,7 +48,8 @@ void RequestPipe::Move(int socket) {
   if (input_ == output_) {
     close(input_);  // the socket of a fork; nothing but its RequestPipe uses the socket
   } else {
-    // Makes standard input and standard output lead to /dev/null, because they must stay open.
+    // Makes both descriptors lead to /dev/null and does not close them, because standard input must
+    // stay open.
     const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
     for (const int descriptor : {input_, output_}) dup2(nowhere, descriptor);
     close(nowhere);

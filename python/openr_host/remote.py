@@ -39,7 +39,7 @@ class Remote:
     def __init__(self, run: Run, robot: int = 0) -> None:
         self._run = run
         self._connection = run.connect(PORT, robot)
-        self._tag = 0  # number of the requests since an answer did not come in time, and of their answers
+        self._tag = 0  # tag of the next request; changes when an answer does not come in time
 
     def ask(self, command: int, payload: bytes = b"", version: int = 2) -> bytes:
         """Sends a request and returns the payload of its answer."""

@@ -320,7 +320,8 @@ class Run:
         """Goes back to `state`, or forward to a state of another run.  All that this run did since is lost.
 
         `act` moves the same joints and returns the same values as before, unless `state` is of a robot of
-        another model: then what `act` does is as in `state`.
+        another model: then what `act` does is as in `state`.  If this run has chosen no values, `act`
+        returns those that were chosen in `state`.
 
         The recording of this run ends here.  `record` names the file of a new recording, which has the
         run from its begin to `state`, and all that follows.

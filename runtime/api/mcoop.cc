@@ -37,13 +37,14 @@ sError CheckBox(const RID& rbox) {
   return self->boxes.open.contains(rbox.GetValue()) ? sSUCCESS : sRIDNOTFOUND;
 }
 
-// Returns whether the current object can wait for a reply.  In a constructor it cannot; then adds a
-// finding that names `function`, the function of MCOOP.h that the program has called.
+// Returns whether the current object can wait for a reply.  In a constructor or destructor it
+// cannot; then adds a finding that names `function`, the function of MCOOP.h that the program has
+// called.
 bool CanWait(const char* function) {
   if (t_current.object->handler.running != nullptr) return true;
   t_current.system->AddFinding(
-      Severity::kError, fmt::format("{}() in a constructor fails: only a handler can wait for an "
-                                    "answer; do it in DoInit",
+      Severity::kError, fmt::format("{}() in a constructor or destructor fails: only a handler can "
+                                    "wait for an answer; do it in DoInit or DoDestroy",
                                     function));
   return false;
 }

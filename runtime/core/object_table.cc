@@ -96,7 +96,7 @@ class AbsentObject : public Object {
 
 // Copies the statistics of the object `old` to the object `fresh`, which replaces `old`, because
 // the report counts both objects as one.  Makes `fresh` go on with the numbers of reply boxes.
-void PassStatistics(const Object& old, Object* fresh) {
+void PassToSuccessor(const Object& old, Object* fresh) {
   fresh->predecessors = old.predecessors + 1;
   fresh->message_count = old.message_count;
   fresh->dropped_count = old.dropped_count;
@@ -126,7 +126,7 @@ Object* ObjectTable::Adopt(std::unique_ptr<Object> object) {
   }
   Object* const absent = Get(id);
   ASSERT(absent != nullptr && absent->is_absent, "id {} is in use", id);
-  PassStatistics(*absent, object.get());
+  PassToSuccessor(*absent, object.get());
   objects_[static_cast<size_t>(id)] = std::move(object);
   return Get(id);
 }
@@ -276,7 +276,7 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
   }
   for (const uint32_t region : fresh->early_regions) system_->regions().SetOwner(region, id);
   for (const Listener& listener : replace_listeners_) listener(id);
-  PassStatistics(*old, fresh.get());
+  PassToSuccessor(*old, fresh.get());
   fresh->delivery.set_off(old->delivery.is_off());
   // Keeps an old object whose handler waits or still has the processor, because that handler needs
   // its object until it ends.  The heap of the old object does not count as memory of the robot any

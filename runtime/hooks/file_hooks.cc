@@ -96,7 +96,8 @@ bool CheckNames(const std::string& path) {
   return !strict;
 }
 
-// O_TRUNC alone counts too, because the host's open() then empties the file.
+// Returns whether open() with `flags` may change the file.  It may with O_RDONLY and O_TRUNC, too,
+// because the host's open() then empties the file.
 bool OpensForWriting(int flags) {
   return (flags & O_ACCMODE) != O_RDONLY || (flags & (O_CREAT | O_TRUNC)) != 0;
 }

@@ -81,12 +81,12 @@ TEST(McoopTest, NoCallWaitsForAnAnswerInAConstructor) {
   size_t got = 0;
   EXPECT_EQ(Receive(box, question, sizeof question, &got, nullptr), sFAIL);
   ASSERT_EQ(system.findings().all().size(), 2u);
-  EXPECT_EQ(
-      system.findings().all()[0].text,
-      "Call() in a constructor fails: only a handler can wait for an answer; do it in DoInit");
+  EXPECT_EQ(system.findings().all()[0].text,
+            "Call() in a constructor or destructor fails: only a handler can wait for an answer; "
+            "do it in DoInit or DoDestroy");
   EXPECT_EQ(system.findings().all()[1].text,
-            "Receive() in a constructor fails: only a handler can wait for an answer; do it in "
-            "DoInit");
+            "Receive() in a constructor or destructor fails: only a handler can wait for an "
+            "answer; do it in DoInit or DoDestroy");
 }
 
 }  // namespace
