@@ -91,8 +91,8 @@ class RunServer {
   RequestPipe& pipe_;
   bool is_copy_ = false;
   // A function that is called when a crash, or a handler that does not return, ends the process.
-  // It is registered before the EndingActions of `run_`, and so it is called after them.  The
-  // recording of the run is then already complete if this function crashes while it makes the
+  // The function is registered before the EndingActions of `run_`, and so it is called after them.
+  // The recording of the run is then already complete if the function crashes while it makes the
   // report.
   const EndingAction final_state_action_{[this](Ending* ending) { SendFinalState(*ending); }};
   std::unique_ptr<ServedRun> run_;

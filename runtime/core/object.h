@@ -181,8 +181,8 @@ class Object {
   int predecessors = 0;
 
   // The regions that constructors of an image have made although another object still has its id.
-  // They belong to no object until ObjectTable::Place() has deleted the regions of that object, and
-  // then to this object.
+  // The regions belong to no object until ObjectTable::Place() has deleted the regions of that
+  // object, and then to this object.
   std::vector<uint32_t> early_regions;
 
   // Text after "state: " in the last INFO line that the object has printed with OSYSLOG1.  This
