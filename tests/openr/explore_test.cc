@@ -2,8 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "openr/commands/explore_replay.h"
+#include "openr/commands/explore_setup.h"
+#include "openr/explore/fork_server.h"
 #include "tests/openr/program_run.h"
 
 namespace openr_host {
@@ -76,6 +80,24 @@ TEST(ExploreCommandTest, AReplayTakesTheSticksThatTheUserNames) {
   const ProgramResult mended =
       RunProgram({"explore", "--replay", file, "--stick", calm.path(), "--stick", calm.path()});
   EXPECT_EQ(mended.status, 0) << mended.out << mended.err;
+  const ProgramResult refused = RunProgram({"explore", "--replay", file, "--stick", calm.path(),
+                                            "--stick", calm.path(), "--stick", calm.path()});
+  EXPECT_NE(refused.status, 0);
+  EXPECT_THAT(refused.err, HasSubstr("3 sticks, but the failing run has 2 robots"));
+}
+
+TEST(ExploreCommandTest, ARunThatDidNotEndIsNotRecorded) {
+  const ScratchFolder folder;
+  ExploreFlags flags;
+  flags.record_file = folder.File("failure.rec");
+  nlohmann::ordered_json answer;
+  answer[kNotEnded] = true;
+  answer["broken"]["text"] = "the run did not end within 120 s";
+  ::testing::internal::CaptureStderr();
+  EXPECT_FALSE(RecordFailure(flags, ExploredStick(), 1, nlohmann::ordered_json::array(), answer));
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(),
+            "openr explore: no recording: the run did not end within 120 s\n");
+  EXPECT_FALSE(std::filesystem::exists(flags.record_file));
 }
 
 TEST(ExploreCommandTest, AReplayThatHoldsNowSaysSoAndEndsWithZero) {
