@@ -28,10 +28,10 @@ class MasterLink {
   // Records that the handler of the current object is about to wait for a reply.  `box` is the
   // number under which the object receives the reply.  If `timeout_us` is less than 0, the wait has
   // no limit.
-  virtual void Waits(uint64_t box, int64_t timeout_us, std::string_view why) = 0;
+  virtual void RecordWait(uint64_t box, int64_t timeout_us, std::string_view why) = 0;
   // Records that the handler of the current object is about to wait for a line of the console, of
   // at most `size` bytes.  The line arrives as a reply with the number `box`.
-  virtual void WaitsForLine(uint64_t box, size_t size) = 0;
+  virtual void RecordWaitForLine(uint64_t box, size_t size) = 0;
 };
 
 }  // namespace openr_host

@@ -308,7 +308,7 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
   message->due_us = system_->now_us();
   if (!message->is_reply) ++object->waiting;
   // Removes the wait of the handler that continues with this message.  If the handler waits again,
-  // Waits() records the new wait.
+  // RecordWait() records the new wait.
   waits_.erase(object->id);
   system_->queue().Push(std::move(message), object->limits.priority);
   if (is_free_) {
@@ -355,7 +355,7 @@ void Worker::TrackSharedBuffers(const Object& object, const Message& message) {
   } else if (ant.dstOperation == antEnv_Operation_DestroySharedBuffer) {
     const auto& destroy = static_cast<const antEnvDestroySharedBufferMsg&>(ant);
     if (destroy.error != ANT_SUCCESS) return;
-    system_->regions().Lose(destroy.buffer.GetRegion());
+    system_->regions().RemoveAdopted(destroy.buffer.GetRegion());
     buffers.Forget(destroy.buffer);
   }
 }
@@ -427,7 +427,7 @@ void Worker::SendState(ObjectId id) {
 // has replaced that object.  The object manager in the master connects them with the new object
 // later.
 void Worker::Forget(ObjectId id) {
-  if (system_->object(id) != nullptr) system_->object_table().Forget(id);
+  if (system_->object(id) != nullptr) system_->object_table().DisconnectOthersFrom(id);
   // Forgets which entries object `id` had before it was replaced, because the new object with this
   // id may have other entries.
   std::erase_if(known_entries_, [id](const auto& entry) { return entry.first == id; });

@@ -72,8 +72,8 @@ class Worker : public MasterLink {
   int32_t Post(OwnedMessage message, int64_t delay_us) override;
   void Tell(uint32_t function, const CallArguments& arguments) override;
   CallResult Ask(uint32_t function, const CallArguments& arguments) override;
-  void Waits(uint64_t box, int64_t timeout_us, std::string_view why) override;
-  void WaitsForLine(uint64_t box, size_t size) override;
+  void RecordWait(uint64_t box, int64_t timeout_us, std::string_view why) override;
+  void RecordWaitForLine(uint64_t box, size_t size) override;
 
  private:
   using ReceivedSample = WorkerChannel::ReceivedSample;

@@ -33,14 +33,14 @@ void WorkerCalls::CloseBox(uint64_t box) {
 bool WorkerCalls::AcceptsReply(ObjectId, uint64_t) const { return true; }
 
 const Message* WorkerCalls::BeginWait(uint64_t box, int64_t timeout_us, std::string_view why) {
-  master_->Waits(box, timeout_us, why);
+  master_->RecordWait(box, timeout_us, why);
   return nullptr;
 }
 
 size_t WorkerCalls::ReadLine(char* buffer, size_t size) {
   Object* const self = t_current.object;
   const uint64_t box = system_->requests().OpenBox();
-  master_->WaitsForLine(box, size);
+  master_->RecordWaitForLine(box, size);
   self->wait.why = ConsoleInput::kWaitReason;
   const OwnedMessage line = system_->dispatcher().WaitFor(box);
   self->wait.why.clear();

@@ -183,7 +183,7 @@ void WorkerGroup::ReplaceObjects(Member* member) {
   for (auto& object : member->new_objects) new_objects.push_back(std::move(object));
   member->new_objects.clear();
   EnterStage(member, Stage::kReplacing);
-  system_->object_table().Return(std::move(new_objects));
+  system_->object_table().PostReplacement(std::move(new_objects));
 }
 
 // Handles the replacement of object `id`.  First the other workers drop the connections of their

@@ -185,14 +185,14 @@ CallResult Worker::WaitForAnswer() {
   _exit(1);  // ends the process, because the handler that asked cannot go on without an answer
 }
 
-void Worker::Waits(uint64_t box, int64_t timeout_us, std::string_view why) {
+void Worker::RecordWait(uint64_t box, int64_t timeout_us, std::string_view why) {
   ASSERT(t_current.object != nullptr);
   // Only records what the handler is going to wait for.  The handler stops after this call, and
   // then SendStopped() tells the master.
   waits_[t_current.object->id] = {openr_wire_STOP_WAITS, box, timeout_us, 0, std::string(why)};
 }
 
-void Worker::WaitsForLine(uint64_t box, size_t size) {
+void Worker::RecordWaitForLine(uint64_t box, size_t size) {
   ASSERT(t_current.object != nullptr);
   waits_[t_current.object->id] = {openr_wire_STOP_READS, box, -1, size, ""};
 }

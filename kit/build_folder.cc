@@ -151,7 +151,7 @@ void FolderBuild::PrepareWork() {
 }
 
 int FolderBuild::Run() {
-  CheckHasProgram(folder_);
+  CheckFolderHasProgram(folder_);
   PrepareWork();
   copy_.emplace(work_, sdk_root_);
   copy_->Add(folder_);
@@ -160,7 +160,7 @@ int FolderBuild::Run() {
   for (const SourceCopy& entry : copies_) copied_folders_.emplace_back(entry.copy);
   project_ = ScanProject(copied_folders_);
   report_.emplace(project_, *copy_, work_, make_.log);
-  CheckHasProgram(project_, folder_);
+  CheckProjectHasProgram(project_, folder_);
   Build();
   Deliver();
   if (options_.writes_database)

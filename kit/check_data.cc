@@ -68,11 +68,6 @@ std::string SendProblem(const std::string& members) {
   return "";
 }
 
-// A regular expression for a part of a statement.  The length of the part is limited, because
-// std::regex_search() is recursive: it calls itself for each character that a repetition matches,
-// so a long part could overflow the stack.
-const std::string kPartOfStatement = "[^;]{0,400}";
-
 // A struct or class of the program.
 struct DataType {
   std::vector<std::string> bases;

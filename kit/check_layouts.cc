@@ -41,16 +41,11 @@ bool Matches(const std::string& text, const std::string& pattern) {
   return std::regex_search(text, std::regex(pattern));
 }
 
-// A regular expression for a part of a statement.  The length of the part is limited, because
-// std::regex_search() is recursive: it calls itself for each character that a repetition matches,
-// so a long part could overflow the stack.
-const std::string kRestOfStatement = "[^;]{0,400}";
-
 // Returns whether the object passes a whole struct `type` to SetData(), the function that sends
 // data: a variable of this type, or a region of its size.
 bool Sends(const ObjectCode& code, const std::string& type) {
   const std::string size_of_type = "sizeof\\s*\\(?\\s*" + type + "\\b";
-  if (Matches(code.sources, "\\b(SetData|RCRegion)\\s*\\(" + kRestOfStatement + size_of_type))
+  if (Matches(code.sources, "\\b(SetData|RCRegion)\\s*\\(" + kPartOfStatement + size_of_type))
     return true;
   static const std::regex kCall(
       "\\bSetData\\s*\\(\\s*&\\s*(\\w+)\\s*,\\s*sizeof\\s*\\(?\\s*\\1\\b");
@@ -63,7 +58,7 @@ bool Sends(const ObjectCode& code, const std::string& type) {
 
 // Returns whether the object uses received data as a struct `type`: (const Line*)event.Data(0).
 bool Receives(const ObjectCode& code, const std::string& type) {
-  return Matches(code.sources, "\\b" + type + "\\b\\s*(const\\s*)?\\*" + kRestOfStatement +
+  return Matches(code.sources, "\\b" + type + "\\b\\s*(const\\s*)?\\*" + kPartOfStatement +
                                    "\\b(Data|Base)\\s*\\(");
 }
 

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 // The robot's address in the samples of Sony's SDK.  A robot that openr runs on this computer has
 // the address 127.0.0.1, so each line of a configuration file with the samples' address gets a
 // note.
-constexpr char kRobotOfThatTime[] = "10.0.1.100";
+constexpr char kSampleRobotAddress[] = "10.0.1.100";
 
 // ERS-7M2 is the name of a product and not of a design: an ERS-7M2 calls itself ERS-7.  So no robot
 // reads a section with the name ERS-7M2.
@@ -218,11 +218,11 @@ void StickCheck::NoteOldAddresses(const GatewayConfig& host) {
     const bool is_mapped = std::any_of(
         addresses.pairs.begin(), addresses.pairs.end(),
         [&](const AddressPair& pair) { return AddressText(pair.robot) == record.host; });
-    if (record.host != kRobotOfThatTime || is_mapped) continue;
+    if (record.host != kSampleRobotAddress || is_mapped) continue;
     remarks_->Add(Remark::Kind::kNote, record.place,
                   fmt::format("a robot that openr runs on this computer is 127.0.0.1: write that, "
                               "or run with --ip {}=127.0.0.1",
-                              kRobotOfThatTime));
+                              kSampleRobotAddress));
   }
 }
 

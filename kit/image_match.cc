@@ -9,10 +9,10 @@ namespace {
 
 // Least length of the two names that IsPrefix() and IsPart() compare, and of the wanted name in
 // IsLongSubsequence().  A shorter name may occur in another name by chance.
-constexpr size_t kPrefixMin = 3;
+constexpr size_t kLeastLength = 3;
 // Least number of letters in a row that two names must share before HaveCommonPart() takes them for
 // names of the same image.
-constexpr size_t kSharedMin = 4;
+constexpr size_t kLeastSharedLetters = 4;
 
 // Returns the letters and digits of an image's name in lower case, without the extension.
 std::string Normalised(const std::string& name) {
@@ -25,7 +25,7 @@ std::string Normalised(const std::string& name) {
 }
 
 bool IsPrefix(const std::string& wanted, const std::string& name) {
-  if (std::min(wanted.size(), name.size()) < kPrefixMin) return false;
+  if (std::min(wanted.size(), name.size()) < kLeastLength) return false;
   return name.starts_with(wanted) || wanted.starts_with(name);
 }
 
@@ -40,19 +40,19 @@ bool IsSubsequenceFromTheFirst(const std::string& wanted, const std::string& nam
 }
 
 bool IsPart(const std::string& wanted, const std::string& name) {
-  if (std::min(wanted.size(), name.size()) < kPrefixMin) return false;
+  if (std::min(wanted.size(), name.size()) < kLeastLength) return false;
   return name.find(wanted) != std::string::npos || wanted.find(name) != std::string::npos;
 }
 
 bool IsLongSubsequence(const std::string& wanted, const std::string& name) {
-  return wanted.size() >= kPrefixMin && IsSubsequence(wanted, name);
+  return wanted.size() >= kLeastLength && IsSubsequence(wanted, name);
 }
 
-// Returns whether the two names have kSharedMin letters in a row in common, as "mywalker" and
-// "walking" have "walk".
+// Returns whether the two names have kLeastSharedLetters letters in a row in common, as "mywalker"
+// and "walking" have "walk".
 bool HaveCommonPart(const std::string& wanted, const std::string& name) {
-  for (size_t at = 0; at + kSharedMin <= wanted.size(); ++at) {
-    if (name.find(wanted.substr(at, kSharedMin)) != std::string::npos) return true;
+  for (size_t at = 0; at + kLeastSharedLetters <= wanted.size(); ++at) {
+    if (name.find(wanted.substr(at, kLeastSharedLetters)) != std::string::npos) return true;
   }
   return false;
 }

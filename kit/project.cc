@@ -155,7 +155,7 @@ Project ScanProject(const std::vector<fs::path>& folders) {
   return project;
 }
 
-void CheckHasProgram(const Project& project, const fs::path& folder) {
+void CheckProjectHasProgram(const Project& project, const fs::path& folder) {
   if (!project.objects.empty()) return;
   if (IsControllerFolder(folder)) {
     throw std::runtime_error(
@@ -170,13 +170,13 @@ void CheckHasProgram(const Project& project, const fs::path& folder) {
   }
 }
 
-void CheckHasProgram(const fs::path& folder) {
+void CheckFolderHasProgram(const fs::path& folder) {
   if (const std::string problem = PathReadProblem(folder); !problem.empty())
     throw std::runtime_error(fmt::format("{}: {}", folder.string(), problem));
   const ReferredPlaces places = FindReferredPlaces(folder);
   // Checks the project only if no files in the folders around `folder` belong to it.  Such files
   // may be all that there is to build, and ScanProject() finds them only in the private copies.
-  if (places.files.empty()) CheckHasProgram(ScanProject(places.folders), folder);
+  if (places.files.empty()) CheckProjectHasProgram(ScanProject(places.folders), folder);
 }
 
 bool IsGeneratedDefinitions(const std::string& text) {

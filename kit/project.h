@@ -52,12 +52,12 @@ Project ScanProject(const std::vector<std::filesystem::path>& folders);
 // Throws std::runtime_error if `project` has nothing that can be built.  `folder` is the user's
 // folder, also if `project` describes the private copy of this folder; the error message names
 // `folder`.
-void CheckHasProgram(const Project& project, const std::filesystem::path& folder);
+void CheckProjectHasProgram(const Project& project, const std::filesystem::path& folder);
 
 // Throws std::runtime_error if `folder`, the user's folder, cannot be read or has nothing that can
 // be built.  Called before the folder is copied, because a folder without a program, such as a home
 // folder, may be large.
-void CheckHasProgram(const std::filesystem::path& folder);
+void CheckFolderHasProgram(const std::filesystem::path& folder);
 
 // Returns whether the text of a def.h was written by stubgen2, of any version.
 bool IsGeneratedDefinitions(const std::string& text);

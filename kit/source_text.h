@@ -31,6 +31,11 @@ size_t OffsetOf(std::string_view text, int line, int column);
 // The value that NextOf(), PreviousOf() and ClosingOf() return if they find no position.
 inline constexpr size_t kNone = std::string_view::npos;
 
+// A regular expression for a part of a statement.  The length of the part is limited, because
+// std::regex_search() is recursive: it calls itself for each character that a repetition matches,
+// so a long part could overflow the stack.
+inline const std::string kPartOfStatement = "[^;]{0,400}";
+
 // Returns the position of the first character from `at` on that is neither a blank nor a line end;
 // kNone if there is no such character.
 size_t NextOf(std::string_view text, size_t at);

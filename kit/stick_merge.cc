@@ -33,10 +33,10 @@ Parts Split(const std::string& text) {
   return parts;
 }
 
-std::string WithoutBlanks(const std::string& line) {
+std::string WithSingleBlanks(const std::string& line) {
   std::istringstream words(line);
   std::string joined;
-  for (std::string word; words >> word;) joined += word + " ";
+  for (std::string word; words >> word;) joined += (joined.empty() ? "" : " ") + word;
   return joined;
 }
 
@@ -66,7 +66,7 @@ std::string MergeConfig(const std::string& base, const std::string& ours) {
     for (const std::string& line : lines) {
       // Drops a repeated line of a configuration file only outside of sections, because each
       // section is for another robot and so several sections may need the same line.
-      if (IsRecord(line) && !known.insert(WithoutBlanks(line)).second && !in_section) continue;
+      if (IsRecord(line) && !known.insert(WithSingleBlanks(line)).second && !in_section) continue;
       text += line + "\n";
     }
   };
@@ -146,10 +146,7 @@ std::vector<Diagnostic> CheckObjectConfig(const fs::path& stick) {
   bool has_power_monitor = false;
   for (const FilePosition& line : SplitLines("OPEN-R/MW/CONF/OBJECT.CFG", text, &diagnostics)) {
     if (!IsRecord(line.text)) continue;
-    // Removes the last character, because WithoutBlanks() puts a blank after every word, also after
-    // the last.
-    const std::string path =
-        WithoutBlanks(line.text).substr(0, WithoutBlanks(line.text).size() - 1);
+    const std::string path = WithSingleBlanks(line.text);
     // Looks for PowerMonitor, the object that handles the pause button on the robot's own sticks.
     if (LowerCase(path).ends_with("/powermon.bin")) has_power_monitor = true;
     if (!LowerCase(path).starts_with("/ms/")) {

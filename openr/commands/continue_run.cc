@@ -64,7 +64,7 @@ class ContinuedRun {
   // Opens the ports of the robots on the network.  From now on the run is live: its input comes
   // from the real network and not from the recording.
   void GoLive() {
-    replayer_->Leave();
+    replayer_->EndComparison();
     for (BranchNetwork* const network : networks_) network->GoOn();
   }
 

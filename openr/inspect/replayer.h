@@ -70,7 +70,7 @@ class Replayer : public KnownRun {
   // recording.
   int64_t NextTimeUs();
   // Ends the comparison with the recording.  The run can then go on without the recording.
-  void Leave() { at_end_ = true; }
+  void EndComparison() { at_end_ = true; }
 
   // Returns the name of the object that ReplayOptions::only names.  The capitals in it are those of
   // the object, because the user may have typed other ones.

@@ -78,7 +78,7 @@ class Stepper {
       if (std::ferror(stdout) == 0) throw;
       shared_->NoteLostText(error.code().value());
     }
-    Leave();
+    EndProcess();
   }
 
  private:
@@ -159,7 +159,7 @@ class Stepper {
     went_back_ = true;
   }
 
-  [[noreturn]] void Leave() {
+  [[noreturn]] void EndProcess() {
     shared_->ends = true;
     shared_->runs = false;
     shared_->differs = !replayer_->difference().empty();

@@ -41,7 +41,7 @@ void RequestPipe::DropDescriptors() {
   descriptors_.clear();
 }
 
-void RequestPipe::Move(int socket) {
+void RequestPipe::UseSocket(int socket) {
   // Gives up the descriptors of the original process's pipe in this fork, which uses `socket`
   // instead.  Then the program that drives the run, at the other end, sees when the original
   // process ends, although the fork goes on.

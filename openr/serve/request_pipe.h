@@ -47,7 +47,7 @@ class RequestPipe {
 
   // Goes on with the socket `socket` instead of the old input and output.  Called in a fork of the
   // process.  Drops bytes that were received but not used yet.
-  void Move(int socket);
+  void UseSocket(int socket);
 
  private:
   bool Fill(size_t wanted);

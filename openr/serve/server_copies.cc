@@ -161,7 +161,7 @@ RunServer::Answer RunServer::BecomeCopy(int socket, const std::string& record,
     _exit(1);
   }
   is_copy_ = true;
-  pipe_.Move(socket);
+  pipe_.UseSocket(socket);
   tell("");
   return Time();
 }

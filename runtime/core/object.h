@@ -166,8 +166,8 @@ class Object {
   bool is_system = false;   // whether the object is a part of the robot and not of the application
   bool is_leaving = false;  // whether another object is about to replace this object
   // True if the worker process with the code of the object was lost while the run goes on.  No
-  // handler of the object runs then until ObjectTable::Return() replaces the object.  The loss is
-  // already a finding, so the failures that follow from the loss are not reported.
+  // handler of the object runs then until ObjectTable::PostReplacement() replaces the object.  The
+  // loss is already a finding, so the failures that follow from the loss are not reported.
   bool is_lost = false;
   // True if no code is loaded for the object with this id, because the robot was switched off.
   // When the robot boots, the new object with the same path gets this id again.  If this object has

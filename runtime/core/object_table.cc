@@ -163,7 +163,7 @@ void ObjectTable::RemoveAllOf(int robot) {
   Replace(std::move(absent));
 }
 
-void ObjectTable::Forget(ObjectId id) {
+void ObjectTable::DisconnectOthersFrom(ObjectId id) {
   for (const auto& other : objects_) {
     if (other != nullptr && other->id != id) Disconnect(other.get(), Get(id));
   }
@@ -175,7 +175,7 @@ void ObjectTable::Reload(ObjectId id) {
   system_->manager().PostReload(id);
 }
 
-void ObjectTable::Return(std::vector<std::unique_ptr<Object>> fresh) {
+void ObjectTable::PostReplacement(std::vector<std::unique_ptr<Object>> fresh) {
   ASSERT(system_->booted(), "only to a booted system can an object return");
   auto kept = std::make_shared<std::vector<std::unique_ptr<Object>>>(std::move(fresh));
   system_->PostTask([this, kept] { system_->manager().ReplaceAndBoot(std::move(*kept)); });
@@ -264,12 +264,12 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
           [](RCRegion* region) { region->RemoveReference(); });
     }
   }
-  Forget(id);
+  DisconnectOthersFrom(id);
   std::erase_if(system_->robot(old->robot).directory,
                 [&](const auto& entry) { return entry.second.first == id; });
   // Ends everything that the old object still has in the System (EndAllOf()) if the old object is
   // an image that is replaced or an object of a robot that was switched off.  For all other
-  // objects, whose process was lost, EndAllOf() was called before Return().
+  // objects, whose process was lost, EndAllOf() was called before PostReplacement().
   if (old->is_image || fresh->is_absent) {
     KeepSentRegions(id);
     EndAllOf(id);

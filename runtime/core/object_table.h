@@ -67,7 +67,7 @@ class ObjectTable {
 
   // Ends every connection of the other objects with object `id`.  A worker calls this when an
   // object of another process has been replaced.
-  void Forget(ObjectId id);
+  void DisconnectOthersFrom(ObjectId id);
 
   // ---- Functions that replace objects
 
@@ -82,7 +82,7 @@ class ObjectTable {
   // Posts the replacement of objects whose worker process was lost, that is, has ended or cannot be
   // reached.  EndAllOf() must have been called for these objects.  The new objects in `fresh` have
   // the same ids.  All of them are in place before the first DoInit.  REQUIRES: System::booted().
-  void Return(std::vector<std::unique_ptr<Object>> fresh);
+  void PostReplacement(std::vector<std::unique_ptr<Object>> fresh);
 
   // Registers a `listener` that is called with the id of every object that is replaced, before its
   // successor is in place.

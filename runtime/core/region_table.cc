@@ -118,7 +118,7 @@ char* RegionTable::AdoptCopy(uint32_t id, size_t size) {
   return slot->base;
 }
 
-void RegionTable::Lose(uint32_t id) {
+void RegionTable::RemoveAdopted(uint32_t id) {
   Slot* const slot = Find(id);
   if (slot == nullptr || !slot->live) return;
   slot->live = false;

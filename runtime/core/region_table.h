@@ -43,7 +43,7 @@ class RegionTable {
   // Removes region `id`, which AdoptOwn() has made for an object in this worker process, because
   // the master process has deleted the region.  The memory stays while the region is pinned
   // (Pin()).
-  void Lose(uint32_t id);
+  void RemoveAdopted(uint32_t id);
 
   // Finds the region in which `address` lies, and sets `*id` to the region's id and `*offset` to
   // the distance of `address` from the region's first byte.  Returns false if there is no such

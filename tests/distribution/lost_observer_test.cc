@@ -134,7 +134,7 @@ TEST_F(LostObserverTest, DelayedMessagesToAReplacedObserverAreCounted) {
   });
   std::vector<std::unique_ptr<Object>> fresh;
   fresh.push_back(remote_->NewInstance());
-  system_.object_table().Return(std::move(fresh));
+  system_.object_table().PostReplacement(std::move(fresh));
   system_.RunFor(1000);
   EXPECT_EQ(undelivered_at_end, undelivered + 1);
   EXPECT_EQ(region->NumberOfReference(), 1);

@@ -138,8 +138,8 @@ class DirectLink : public MasterLink {
   }
   int32_t Post(OwnedMessage, int64_t) override { return 0; }
   void Tell(uint32_t, const CallArguments&) override {}
-  void Waits(uint64_t, int64_t, std::string_view) override {}
-  void WaitsForLine(uint64_t, size_t) override {}
+  void RecordWait(uint64_t, int64_t, std::string_view) override {}
+  void RecordWaitForLine(uint64_t, size_t) override {}
 
   // The targets of calls.
   SystemCalls* operator()(SystemCalls*) { return &calls_; }

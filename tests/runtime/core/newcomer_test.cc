@@ -69,7 +69,7 @@ class NewcomerTest : public testing::Test {
     sleeper_ = MakeAnother<Sleeper>(*sleeper_);
     newcomer_ = MakeAnother<Newcomer>(*newcomer_, &log_);
     log_.clear();
-    system_.object_table().Return(std::move(fresh_));
+    system_.object_table().PostReplacement(std::move(fresh_));
     system_.RunFor(kWaitUs / 2);
   }
   void PostToNewcomer() {
@@ -222,7 +222,7 @@ class LateReplyTest : public testing::Test {
     }
     std::vector<std::unique_ptr<Object>> fresh;
     fresh.push_back(std::move(host));
-    system_.object_table().Return(std::move(fresh));
+    system_.object_table().PostReplacement(std::move(fresh));
     system_.RunFor(1000);
   }
 
@@ -299,7 +299,7 @@ class LeftMessagesTest : public testing::Test {
       host->code = std::make_unique<Newcomer>(&log_);
     }
     fresh_.push_back(std::move(host));
-    system_.object_table().Return(std::move(fresh_));
+    system_.object_table().PostReplacement(std::move(fresh_));
     system_.RunFor(2 * kWorkUs);
   }
 

@@ -172,8 +172,8 @@ TEST(RegionTableTest, ABlockOfAWorkerHasTheIdOfTheMaster) {
   EXPECT_EQ(table.live_count(), 1);
   EXPECT_EQ(table.AdoptOwn(id, 8, 4), nullptr) << "the slot has a live block";
   EXPECT_EQ(table.AdoptOwn(RegionTable::kNoRegion, 8, 4), nullptr);
-  table.Lose(id);
-  table.Lose(id);
+  table.RemoveAdopted(id);
+  table.RemoveAdopted(id);
   EXPECT_EQ(table.BaseOf(id), nullptr);
   EXPECT_EQ(table.live_count(), 0);
   EXPECT_NE(table.AdoptOwn(0x40001, 8, 4), nullptr);
@@ -185,7 +185,7 @@ TEST(RegionTableTest, ALostBlockThatIsReadKeepsItsMemory) {
   char* const base = table.AdoptOwn(0x10002, 8, 4);
   base[0] = 'x';
   table.Pin(0x10002);
-  table.Lose(0x10002);
+  table.RemoveAdopted(0x10002);
   EXPECT_EQ(table.BaseOf(0x10002), base);
   char* const next = table.AdoptOwn(0x20002, 8, 4);  // the next block of this slot
   EXPECT_NE(next, base);
