@@ -28,8 +28,13 @@ TOTALS = re.compile(r"^(\d+) passed, (\d+) failed(?:, (\d+) skipped)?$")
 LIMIT_S = 1800  # for one program: enough with sanitizers on two busy cores
 # distribution_tests wait for leases (ros2_run.h has 4 domains), openr_tests for runs in real time.
 SHARDS = {"distribution_tests": 4, "openr_tests": 2}
-# These take longest and begin first: kit_tests compile, the others step physics.
+# kit_tests compile objects, the others step physics.
 BUSY_SHARDS = {"kit_tests": 3, "testing_tests": 2, "graph_tests": 2, "virtualrobot_tests": 2}
+# The programs that take longest, in the order in which they begin.  If one of them began last, a
+# processor would have nothing to do until its end.  both_dogs_test.py mostly waits for two runs in
+# real time, run_docs.py and run_examples.py compile objects.
+BEGIN_FIRST = ["kit_tests", "both_dogs_test.py", "run_docs.py", "graph_tests", "run_examples.py",
+               "python_tests.py", "check_headers.sh", "original_names_test.py", "explore_tests"]
 
 
 def environment(shard):
@@ -112,6 +117,14 @@ def parts(name, count):
              {"GTEST_TOTAL_SHARDS": str(count), "GTEST_SHARD_INDEX": str(i)}) for i in range(count)]
 
 
+def longest_first(found):
+    """Returns the programs in the order in which they begin: first those of BEGIN_FIRST."""
+    def place(job):
+        program = job[0].split(" ")[0]
+        return BEGIN_FIRST.index(program) if program in BEGIN_FIRST else len(BEGIN_FIRST)
+    return sorted(found, key=place)
+
+
 def quick_programs(build):
     """Returns the test programs that run in one process, from the list that CMake has written."""
     return [build / "bin" / name for name in (build / "quick_tests.txt").read_text().split()]
@@ -123,7 +136,7 @@ def jobs(build, pattern, quick, names):
     The lists: programs that mostly wait, the other programs, programs that have to run alone.  With
     `names`, only these test programs, and no scripts.
     """
-    waiting, longest, found, alone = [], [], [], []
+    waiting, found, alone = [], [], []
     gtest = [f"--gtest_filter=*{pattern}*"] if pattern else []
     programs = quick_programs(build) if quick else sorted((build / "bin").glob("*_tests"))
     for program in [build / "bin" / name for name in names] or programs:
@@ -132,13 +145,12 @@ def jobs(build, pattern, quick, names):
             waiting += [(name, command, shard)
                         for name, shard in parts(program.name, SHARDS[program.name])]
         elif program.name in BUSY_SHARDS:
-            longest += [(name, command, shard)
-                        for name, shard in parts(program.name, BUSY_SHARDS[program.name])]
+            found += [(name, command, shard)
+                      for name, shard in parts(program.name, BUSY_SHARDS[program.name])]
         else:
             found.append((program.name, command, {}))
-    found = longest + found  # begun first, so that no processor has nothing to do at the end
     if quick or names:
-        return waiting, found, alone
+        return waiting, longest_first(found), alone
     header_check = ROOT / "tests/runtime/include/check_headers.sh"
     if pattern in header_check.name:
         found.append((header_check.name, ["sh", str(header_check), str(ROOT / "runtime/include"),
@@ -158,8 +170,7 @@ def jobs(build, pattern, quick, names):
         found.append((python.name, [sys.executable, str(python), "--build", str(build)], {}))
     both = ROOT / "tests/both/both_dogs_test.py"
     if pattern in both.name:
-        # Mostly waits for two runs in real time.  Begun last, it would be the only one at the end.
-        found.insert(0, (both.name, [sys.executable, str(both), "--build", str(build)], {}))
+        found.append((both.name, [sys.executable, str(both), "--build", str(build)], {}))
     browser = ROOT / "tools/browser_test.py"
     if pattern in browser.name:
         # The browser draws without a graphics card and needs both cores, while its run has to keep
@@ -171,7 +182,7 @@ def jobs(build, pattern, quick, names):
     for script in sorted(ROOT.glob("tests/data/*_test.py")) + sorted(ROOT.glob("tests/distribution/*_test.py")):
         if pattern in script.name:
             found.append((script.name, [sys.executable, str(script), "--build", str(build)], {}))
-    return waiting, found, alone
+    return waiting, longest_first(found), alone
 
 
 def keep(folder, name, command, shard, output):
