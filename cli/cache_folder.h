@@ -6,8 +6,8 @@
 
 namespace openr_host {
 
-// Returns $XDG_CACHE_HOME/openr-host; without this variable ~/.cache/openr-host, or else a
-// temporary folder.  The folder may not exist yet.
+// Returns $XDG_CACHE_HOME/openr-host; without this variable $HOME/.cache/openr-host; without both
+// variables a folder for temporary files.  The folder may not exist yet.
 std::filesystem::path CacheFolder();
 
 }  // namespace openr_host

@@ -7,7 +7,8 @@
 namespace openr_host {
 namespace {
 
-// Returns the parameters of the terminal's code "select graphic rendition" (ECMA-48, 8.3.117).
+// Returns the numbers that select `colour` in the terminal's escape sequence "select graphic
+// rendition" (ECMA-48, 8.3.117).
 const char* CodeOf(Colour colour) {
   switch (colour) {
     case Colour::kBold:

@@ -12,8 +12,8 @@ enum class Colour { kBold, kError, kWarning, kNote };
 // asked for plain text with the environment variable NO_COLOR (no-color.org) or TERM=dumb.
 bool HasColours(int descriptor);
 
-// Returns `text` between the codes that begin and end the colour; `text` itself if `is_on` is
-// false.
+// Returns `text` between the escape sequences that switch the colour on and off.  Returns `text`
+// itself if `is_on` is false.
 std::string Coloured(Colour colour, std::string_view text, bool is_on);
 
 }  // namespace openr_host

@@ -16,14 +16,15 @@
 namespace openr_host {
 namespace {
 
-// True if the last text that was printed on the console did not end its line.
+// True if the last text on the console did not end with a newline, so that EndConsoleLine() must
+// print the newline.
 bool g_is_open_line = false;
 
-// The errno of the first failed write to the console; 0: none failed.
+// The errno of the first failed write to the console; 0 if no write has failed.
 int g_error = 0;
 
-// Makes the console lead to /dev/null after a failed write, so that no object sees an error of this
-// host.
+// Makes the console lead to /dev/null after a failed write.  So later writes succeed: an error of
+// this computer, such as a full disk, must not change what objects do.
 void RedirectConsoleToNull(int error) {
   if (std::exchange(g_error, error) != 0) return;
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -61,8 +62,8 @@ Console::Console(const std::string& file) : file_(file) {
   SetStandardOutput(saved_);
   dup2(target, STDOUT_FILENO);
   if (!file.empty()) close(target);
-  // Uses line buffering, so that the lines of objects and of the system appear in the order of
-  // printing.
+  // Uses line buffering, so that a line that an object prints with printf() is shown at once, and
+  // before any line that the program prints later.
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
 }
 

@@ -21,11 +21,13 @@ class Console {
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
 
-  // Writes text that an object prints through the system.
+  // Writes text that an object prints through the runtime, as with OSYSPRINT(), or that the
+  // runtime prints itself.  Text of printf() goes to descriptor 1 without this function.
   void Print(std::string_view text);
 
   // Returns "FILE: cannot be written: why" if some text for the console was lost, else "".  Always
-  // returns "" if the console is standard error.
+  // returns "" if the console is standard error, because text that standard error loses is no
+  // error of the command.
   std::string Problem() const;
 
  private:
@@ -34,7 +36,7 @@ class Console {
 };
 
 // Writes out what objects have printed, and ends their last line if it has no end.  Called before
-// the program prints a line of its own, so that the two do not share a line.
+// the program prints a line, so that this line does not begin in the middle of an object's line.
 void EndConsoleLine();
 
 }  // namespace openr_host

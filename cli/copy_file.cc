@@ -11,7 +11,7 @@ std::error_code TryCopyFile(const fs::path& from, const fs::path& to, fs::copy_o
   const bool is_new = !fs::exists(to, ignored);
   fs::copy_file(from, to, options, error);
   if (!error) return error;
-  // Asks for the free room of the disk before the incomplete copy is removed, because removing it
+  // Tests whether the disk is full before the incomplete copy is removed, because removing the copy
   // makes room, and the disk would then not look full.
   struct statvfs disk {};
   if (error == std::errc::io_error && statvfs(to.c_str(), &disk) == 0 && disk.f_bavail == 0)

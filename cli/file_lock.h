@@ -1,5 +1,5 @@
-// Finds the process that is writing to a file.  This is possible because a run locks each file to
-// which it goes on writing, such as a recording.
+// Finds the process that is writing to a file.  This is possible because a run holds a lock on each
+// file that it keeps open for writing, such as a recording.
 #pragma once
 
 #include <sys/stat.h>
@@ -8,8 +8,9 @@
 
 namespace openr_host {
 
-// Returns "process 1234 (openr)" for the process that holds a lock (flock) on a file; "another
-// process" when the system does not say which.  `file` is the file's status as stat() gives it.
+// Returns "process 1234 (openr)" for the process that holds a lock (flock) on a file.  Returns
+// "another process" when the system does not say which process holds the lock.  `file` is the
+// file's status as stat() gives it.
 std::string DescribeWriter(const struct stat& file);
 
 // Returns the error message about `file`, which another process has locked: "FILE: is being written

@@ -15,8 +15,9 @@
 namespace openr_host {
 namespace {
 
-// Opens `target`, which `file` names, for writing, and locks it if it is a regular file.  Sets
-// `status` to its status.  On failure returns -1 and sets `problem`.
+// Opens `target`, the meaning of the name `file`, for writing, and locks it if it is a regular
+// file.  Returns the descriptor, and sets `status` to the status of the open file.  On failure
+// returns -1 and sets `problem`.
 int OpenLocked(const std::string& file, const OutputTarget& target, struct stat* status,
                std::string* problem) {
   const int descriptor =
@@ -109,13 +110,13 @@ void GrowingFile::Append(std::string_view bytes, std::string_view end) {
     end_ = end;
     if (!is_shorter) return;
   } else if (!end_.empty()) {
-    // Writes the old `end_` again, the text that completes the file, because the part of `bytes`
-    // that fitted on the disk has overwritten it.
+    // Goes back and writes the old `end_`, the text that completes the file, once more, because
+    // the part of `bytes` that fitted on the disk has overwritten it.
     go_back();
     WriteAll(descriptor_, end_);
   }
-  // Cuts off what is left behind the new end of the file: of the old text `end_`, if it was longer,
-  // or of an incomplete write.  A device or a pipe cannot be cut, so a failure is ignored.
+  // Cuts off bytes behind the new end of the file.  They are the rest of a longer old `end_`, or
+  // come from a write that has failed.  A device or a pipe cannot be cut, so a failure is ignored.
   [[maybe_unused]] const int result =
       ftruncate(descriptor_, static_cast<off_t>(size_ + end_.size()));
 }

@@ -1,5 +1,5 @@
-// Files to which a run goes on writing, such as a log of data.  A name such as /dev/stdout means an
-// open stream instead of a file (output_file.h).
+// Files that a run keeps open and writes to again and again, such as a log of data.  A name such
+// as /dev/stdout means an open stream instead of a file (output_file.h).
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,8 @@ int OpenGrowingFile(const std::string& file, std::string* problem);
 // content.
 int OpenNewGrowingFile(const std::string& file, std::string* problem);
 
-// A file to which a run goes on writing, and whose content is complete after each call of Append().
+// A file that a run keeps open and writes to again and again.  After each call of Append() the
+// content of the file is complete, so that other programs can read it.
 class GrowingFile {
  public:
   // Creates `file`, or empties it.  Throws std::runtime_error when it cannot be created, or when

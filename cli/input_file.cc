@@ -17,8 +17,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Returns ", such as DIR/A.MTN" for a file of `folder` that ends in `extension`.  If there are
-// several, takes the first by name; if there is none, returns "".
+// Returns an example for an error message, ", such as DIR/A.MTN": a file of `folder` that ends in
+// `extension`.  If there are several such files, takes the first by name; if there is none,
+// returns "".
 std::string ExampleIn(const std::string& folder, const std::string& extension) {
   std::error_code error;
   std::string example;

@@ -42,7 +42,8 @@ std::vector<fs::path> DataFolders() {
   return {Prefix(), Prefix() / kDataFolder, RuntimePrefix(), RuntimePrefix() / kDataFolder};
 }
 
-// Returns the paths of the .json files in `folders`, one path for each file name, sorted by name.
+// Returns the paths of the .json files in `folders`, sorted by file name.  If several folders have
+// a file of the same name, returns only the path in the first of these folders.
 std::vector<fs::path> JsonFiles(const std::vector<fs::path>& folders) {
   std::map<fs::path, fs::path> files;  // for each file name, its path in the first folder
   for (const fs::path& folder : folders) {

@@ -41,8 +41,8 @@ Json ParseJson(std::string_view text) {
 
 template <typename Json>
 void CheckFractions(const Json& json, Fractions fractions) {
-  // Uses a list and not recursion, because JSON of another program may be nested so deeply that
-  // recursion would overflow the stack.
+  // Keeps the values that are not checked yet in a list, and uses no recursion, because JSON of
+  // another program may be nested so deeply that recursion would overflow the stack.
   std::vector<const Json*> unchecked{&json};
   while (!unchecked.empty()) {
     const Json* const next = unchecked.back();
@@ -77,7 +77,8 @@ nlohmann::json PlainMember(std::string_view text, const char* name) {
   const auto json = nlohmann::json::parse(text, keeps, false);
   if (!json.is_object()) return nullptr;
   const auto member = json.find(name);
-  // A member that the parser has dropped may still be there, as a value that is_discarded().
+  // Tests is_primitive(), because `json` may still have a member that the parser has dropped.  The
+  // value of such a member is_discarded(), and must not be returned.
   return member != json.end() && member->is_primitive() ? *member : nlohmann::json();
 }
 

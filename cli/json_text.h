@@ -47,10 +47,10 @@ void CheckFractions(const Json& json, Fractions fractions);
 template <typename Json>
 Json TryParseJson(std::string_view text);
 
-// Returns the JSON in `text` without its lists: the result has no member for a list, or a member
-// whose value is_discarded().  Returns a value that is no JSON object if `text` is no JSON.  The
-// result may be nested as deeply as the JSON objects in `text` are, so the caller must not copy or
-// write it, which would overflow the stack.
+// Returns the JSON in `text` without its lists.  A member whose value was a list is missing in the
+// result, or has a value that is_discarded().  Returns a value that is no JSON object if `text` is
+// no JSON.  The result may be nested as deeply as the JSON objects in `text` are, so the caller
+// must not copy or write it, which would overflow the stack.
 nlohmann::json ParseWithoutLists(std::string_view text);
 
 // Returns the member `name` of the JSON object in `text`, however deeply other members are nested.

@@ -97,8 +97,8 @@ bool IsStandardOutput(const std::string& file) {
 std::string FolderWriteProblem(const std::string& folder) {
   if (folder.empty()) return "'' names no folder";
   std::error_code error;
-  // The folder in which a missing `folder` would be made: after the loop below, the longest
-  // beginning of its path that exists.
+  // The folder in which a missing `folder` would be made.  The loop below goes up from `folder`
+  // until it finds a path that exists.
   fs::path there = fs::absolute(folder, error).lexically_normal();
   while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
   if (!fs::is_directory(there, error)) {
@@ -160,9 +160,9 @@ std::string Explain(const fs::filesystem_error& error) {
 
 namespace {
 
-// Returns the reason why `target` must not be replaced now, or "".  If a run were still writing its
-// recording or console to the old file, that file would lose its name, and nobody could open it any
-// more.
+// Returns the reason why `target` must not be replaced now, or "".  A file that a run is still
+// writing, such as its recording, must not be replaced: the run would go on writing to the old
+// file, which has no name any more, and the recording would be lost.
 std::string LockProblem(const std::string& file, const OutputTarget& target) {
   if (!target.exists || !S_ISREG(target.status.st_mode)) return "";
   const int descriptor = open(target.path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
@@ -228,7 +228,8 @@ std::string CopyToFile(const std::string& from, const std::string& to) {
   if (!bytes) return fmt::format("{}: cannot be read: {}", from, std::strerror(errno));
   const std::string problem = WriteFile(to, *bytes);
   if (!problem.empty()) return problem;
-  // Changes no permissions of a device, a pipe or an open stream, because they are not the copy.
+  // Copies the permissions only to a regular file.  A device, a pipe or an open stream has
+  // received the content, but is no copy of `from`.
   const OutputTarget target = OutputTargetOf(to);
   if (target.stream >= 0 || !S_ISREG(target.status.st_mode)) return "";
   std::error_code error;

@@ -56,7 +56,7 @@ class PendingFile {
   const std::string file_;
   std::string bytes_;
   std::string target_;  // path of the file, after symbolic links were followed
-  // Path of the file with the new content; "" if there is no such file, and Commit() writes in
+  // Path of the file with the new content; "" if there is no such file.  Then Commit() writes in
   // place.
   std::string temporary_;
 };

@@ -22,8 +22,8 @@ PreparedFile::PreparedFile(const std::string& file) {
   if (keeps_mode_) mode_ = target.status.st_mode & 0777;
 }
 
-// Opens the file by direct system calls, because open() and rename() in this process are functions
-// of the program, which may act for an object on a file of its Memory Stick.
+// Opens the file by direct system calls, because open() and rename() are hooks of the runtime in
+// this process.  They may take the name for a file on the Memory Stick of an object.
 int PreparedFile::Open() {
   if (stream_ >= 0) return stream_;
   if (target_[0] == 0) return -1;

@@ -111,8 +111,9 @@ ProcessResult RunProcess(const std::vector<std::string>& arguments, const Proces
     result.not_found = fmt::format("{}: {}", arguments[0], std::strerror(error));
     return result;
   }
-  // Closes this process's copies of the pipe ends that the child uses.  Then only the child holds
-  // them, so reading from the pipe ends when the child ends.
+  // Closes this process's copies of the two descriptors that the child uses.  Then, if the child
+  // ends, WriteInput() fails and ReadToEnd() returns, because no process has these ends of the
+  // pipes any more.
   in.CloseReader();
   out.CloseWriter();
   if (options.input) WriteInput(in.writer(), *options.input);

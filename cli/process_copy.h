@@ -4,9 +4,9 @@
 // - Memory and threads: the copy has all memory of the original, with its fibers and objects, but
 //   only the thread that makes it.  So the original must have one thread, unless the copy calls
 //   only functions that are allowed after fork() in a process with several threads.
-// - Descriptors: the copy has all descriptors of the original, also those that are to be closed by
-//   the start of another program.  The copy must close the ends of pipes and sockets by which
-//   other processes see that the original has ended.
+// - Descriptors: the copy has all descriptors of the original, also those with O_CLOEXEC.  The copy
+//   must close the ends of pipes and sockets by which other processes see that the original has
+//   ended.
 // - Streams: text in the buffer of a stream would be written by both processes.  The argument
 //   `flushed` says which streams the original writes out before it makes the copy.
 // - Signals: handlers, and signals that are ignored or blocked, are as in the original.

@@ -35,7 +35,7 @@ class ProgressLine {
   // read.
   void Show(uint64_t done);
 
-  // Returns whether Show() may ever draw.
+  // Returns whether the line can be drawn; false if the descriptor is -1 or no terminal.
   bool is_shown() const { return descriptor_ >= 0; }
 
  private:

@@ -40,7 +40,8 @@ class Prompt {
   using Complete = std::function<std::vector<std::string>(const std::vector<std::string>& words,
                                                           const std::string& start)>;
 
-  // `history` must outlive the prompt.  The prompt adds each line to it.
+  // `history` must outlive the prompt.  The prompt adds each line that it reads with libedit to
+  // `history`.
   Prompt(PromptHistory* history, Complete complete)
       : history_(history), complete_(std::move(complete)) {}
 
