@@ -143,7 +143,8 @@ void Bench::LoadStick() {
     stand_ins[name] = [this, &stand_in, &name, &used](const std::string& path) {
       used[name] = true;
       if (stand_in.make) return stand_in.make(*this);
-      // Takes the object's name from its image, because `name` may be the name of the image's file.
+      // Reads the object's name from its image, because the test may have given the name of the
+      // image's file (`name`), and CONNECT.CFG contains only names of objects.
       const std::string in_image = NameInImage(path);
       const std::string& object = in_image.empty() ? name : in_image;
       AddProbe(object, ServicesOf(object));

@@ -122,8 +122,9 @@ class Bench {
  public:
   // Loads the stick.  Throws std::runtime_error when stick, model or world cannot be used.
   explicit Bench(BenchOptions options = {}, Place place = Place::Here());
-  // Calls Verify(), unless the test has failed fatally or throws an exception, or no test is
-  // running.
+  // Calls Verify(), if a test is running.  Does not call Verify() if the test has failed fatally
+  // or throws an exception, because the test then ends early, before all that it expects can
+  // happen.
   ~Bench();
   Bench(const Bench&) = delete;
   Bench& operator=(const Bench&) = delete;
@@ -171,15 +172,15 @@ class Bench {
   // when there is no message.
   bool Step(Place place = Place::Here());
 
-  // Runs until an object ("JointMover") or a service ("JointMover.Mover") has handled its next
-  // message, or waits for a reply in its handler.  Reports a failure if no such message comes
+  // Runs until `end`, an object ("JointMover") or a service ("JointMover.Mover"), has handled its
+  // next message, or waits for a reply in its handler.  Reports a failure if no such message comes
   // within `budget` of virtual time.
   bool StepTo(const std::string& end, Duration budget = 10s, Place place = Place::Here());
   // Runs until the next message that fits `spec` was handled, or its handler waits for a reply.
   // Reports a failure if no such message comes within `budget` of virtual time.
   bool StepTo(const MessageSpec& spec, Duration budget = 10s, Place place = Place::Here());
-  // Runs until the handler of the message with this number has returned.  Failures print the
-  // numbers of messages, so with this function a test can stop where it failed.
+  // Runs until the message with this number was handled, or its handler waits for a reply.
+  // Failures print the numbers of messages, so with this function a test can stop where it failed.
   bool StepToMessage(uint64_t number, Place place = Place::Here());
 
   bool RunFor(Duration duration, Place place = Place::Here());
@@ -235,9 +236,9 @@ class Bench {
   // Drops the next `count` messages that fit `spec`.
   DroppedMessages& Drop(const MessageSpec& spec, int count = 1, Place place = Place::Here());
   // Delivers the n-th message that fits `spec`, counted from now, twice: when the message is
-  // delivered, the bench posts a message with the same data once more.  A message with several data
-  // is repeated as one message for each datum.  An answer to a Call() cannot come twice, so the
-  // test fails.
+  // delivered, the bench posts a message with the same data once more.  A message with several
+  // data is repeated as one message for each datum.  If the message is a reply, as to Call()
+  // (MCOOP.h), the test fails, because a request gets only one reply.
   RepeatedMessage& Repeat(const MessageSpec& spec, uint64_t nth = 1, Place place = Place::Here());
   // Refuses the n-th message that fits `spec`, counted from now: the message is not posted, and its
   // sender gets sFULLMSGQENTRY, as on a robot when the queue of the receiver holds 32 messages.
@@ -275,8 +276,8 @@ class Bench {
   }
 
   // Expects that the runtime finds an error of an object (an error finding), with a text that
-  // `text` matches.  The test fails if no such finding comes.  It also fails at every error finding
-  // that it does not expect.
+  // `text` matches.  The test fails if no such finding comes.  The test also fails at every error
+  // finding that no call of ExpectFinding() matches, unless it calls AllowFindings().
   void ExpectFinding(::testing::Matcher<const std::string&> text, Place place = Place::Here());
   void AllowFindings() { findings_allowed_ = true; }
 
@@ -289,8 +290,8 @@ class Bench {
 
   int64_t now_us() const { return system_->now_us(); }
   const std::string& console() const { return console_; }  // text that objects have printed
-  // Returns the object's state: the text after "state: " in the last such line of its log.  Returns
-  // "" when the object has logged no such line.
+  // Returns the object's state: the text after "state: " in the last INFO line (OSYSLOG1) of the
+  // object that begins with "state: ".  Returns "" when the object has printed no such line.
   const std::string& state(const std::string& object) const;
 
   // Return the state of a device.  `name` is the name of the device ("RF_j1", "chin", "head_led")
@@ -356,7 +357,7 @@ class Bench {
 
   // system() and object() give access to everything that the functions above do not offer.
   openr_host::System& system() { return *system_; }
-  // Returns the object; throws std::invalid_argument if it does not exist.
+  // Returns the object called `name`; throws std::invalid_argument if there is no such object.
   openr_host::Object& object(const std::string& name) const;
   // Makes the bench call `see` for every message, just before its handler runs.
   void OnMessage(std::function<void(const SeenMessage&)> see) { see_.push_back(std::move(see)); }
@@ -426,10 +427,12 @@ class Bench {
   bool PostNotify(const MessageSpec& spec, std::string_view bytes, const Caller& caller);
   bool PostReadiness(const MessageSpec& spec, const Caller& caller);
   bool PostEntry(const MessageSpec& spec, std::string_view bytes, const Caller& caller);
-  // Reports that the message of `caller` could not be posted.  Always returns false.
+  // Reports a failure at the line of `caller`, with `problem`, the reason why the message of this
+  // call was not posted.  Always returns false.
   bool MissPost(const Caller& caller, const std::string& problem);
   static std::string CommandOf(uint64_t seed);
-  // Returns the end of a connection that `name` names; reports a failure if there is no such end.
+  // Returns the subject or the observer (`side`) with the name `name`; the first parts of its full
+  // name are enough.  If no object has such a service, reports a failure.
   std::optional<openr_host::ServiceEnd> FindEnd(const std::string& name,
                                                 openr_host::ServiceSide side, const Caller& caller);
 
@@ -455,7 +458,8 @@ class Bench {
   // Number of the message at which StepToMessage() stops; 0 at other times.
   uint64_t goal_number_ = 0;
   bool goal_reached_ = false;
-  // A description of messages that the test gave before Boot(), whose names Boot() checks.
+  // A MessageSpec that the test gave before Boot().  Boot() checks that its objects and services
+  // exist.
   struct UncheckedNames {
     MessageSpec spec;
     Place place;                     // line of the test that gave the description

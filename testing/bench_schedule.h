@@ -73,9 +73,9 @@ class BenchSchedule : public openr_host::Schedule {
   const bool is_canonical_;
   std::vector<std::string> preferred_;
   std::vector<std::pair<MessageSpec, int64_t>> delays_;
-  // The time at which the last delayed message from a sender to a receiver is due.  Later messages
-  // between the two are delayed to at least this time, because a later message between the two must
-  // not overtake an earlier message.
+  // For each pair of a sender and a receiver: the time at which the last delayed message from the
+  // sender to the receiver is due.  Later messages from this sender to this receiver become due at
+  // this time or later, because they must not overtake the delayed message.
   std::map<std::pair<openr_host::ObjectId, openr_host::ObjectId>, int64_t> last_due_us_;
   std::deque<RefusedMessage> refused_;
 };

@@ -32,8 +32,8 @@ class BenchStick : public openr_host::MemoryStick {
   void Remove(const std::string& name);
 
   // Copies the image `host_file` to `name` on the stick.  If the image has a file with debug
-  // information (.DBG), makes a symbolic link to that file beside the copy.  Throws
-  // std::runtime_error when the image cannot be read.
+  // information (.DBG), makes a symbolic link to that file beside the copy, where the loader of
+  // images looks for it.  Throws std::runtime_error when the image cannot be read.
   void ImportImage(const std::string& host_file, const std::string& name);
 
   // Copies the files to a new folder, and uses only the new folder from now on.  Called in a copy

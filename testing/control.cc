@@ -23,7 +23,7 @@ namespace {
 thread_local ControlledScope* t_scope = nullptr;
 std::atomic<bool> g_thread_was_made = false;
 
-// Returns the number of threads that the kernel lists.
+// Returns the number of threads of this process, counted in its folder of /proc.
 int ListedThreads() {
   int count = 0;
   std::error_code error;

@@ -1,8 +1,8 @@
 // Messages that a test expects, allows or disallows.
 //
 // Expected messages must come in the order in which the test has named them.  Other messages may
-// come between them.  In a strict bench a notification must be expected next or allowed; any other
-// notification is a failure.
+// come between them.  In a strict bench, each notification must be the next expected message or an
+// allowed message; any other notification is a failure.
 #pragma once
 
 #include <deque>

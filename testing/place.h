@@ -19,7 +19,7 @@ struct Place {
   }
 };
 
-// A function that reports a failure: its line in the test and its text.
+// A function that reports a failure at the given line of a test, with the given text.
 using ReportAt = std::function<void(const Place&, const std::string&)>;
 
 // Adds a nonfatal failure, which points to the line `place`, to the running test.

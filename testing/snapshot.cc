@@ -30,8 +30,8 @@ struct ResultHeader {
 };
 
 // Sends every test result from a copy of the process (made by fork()) to the original process at
-// once, so that no result is lost when the copy crashes.  Also sends the results of a copy that was
-// made inside of EXPECT_NONFATAL_FAILURE().
+// once, so that no result is lost when the copy crashes.  In a copy that was made inside of
+// EXPECT_NONFATAL_FAILURE(), the results go to the original process, too, and not to this macro.
 class ResultSender : public ::testing::ScopedFakeTestPartResultReporter {
  public:
   explicit ResultSender(int pipe)
@@ -67,7 +67,8 @@ void LiveAsCopy(const std::function<void()>& body, int pipe) {
   }
 }
 
-// Adds to the running test the results of its checks in a copy of the process, which has sent them.
+// Adds results of checks to the running test.  `bytes` are the results that a copy of the process
+// has sent (ResultSender).
 void AddResults(const std::string& bytes) {
   for (size_t at = 0; at + sizeof(ResultHeader) <= bytes.size();) {
     ResultHeader header;

@@ -43,8 +43,8 @@ bool HeldMessages::HoldBack(OwnedMessage* message) {
   return true;
 }
 
-// Puts the newest message back first.  Each message goes to the head of the queue, so the oldest
-// message is at the head at the end, and the messages keep their order.
+// Puts the held messages back at the head of the queue, the newest message first.  So the oldest
+// message is at the head in the end, and the messages keep their order.
 void HeldMessages::Release() {
   is_open_ = true;
   for (; !messages_.empty(); messages_.pop_back()) system_->Readmit(std::move(messages_.back()));
