@@ -51,7 +51,8 @@ class Ros2Reader {
   // receive because it is reliable.
   bool HasMisfit() const;
 
-  // Returns the next sample, which the caller gives back to Return(); null when there is none.
+  // Returns the next sample, or null if there is none.  The caller gives the sample back with
+  // Return().
   void* Take();
   void Return(void* sample);
 

@@ -19,8 +19,8 @@
 namespace openr_host {
 namespace {
 
-// For each kind of topic, how many of the newest messages are kept for a slow reader.  ROS 2 keeps
-// 5 messages of sensor data, and so do we.  We keep fewer large messages, and only one message of
+// For each kind of topic, how many of the newest messages are kept for a slow reader.  We keep 5
+// messages of sensor data, as ROS 2 does.  We keep fewer large messages, and only one message of
 // the clock, because only the newest time matters.
 constexpr int kSensorDepth = 5;
 constexpr int kImageDepth = 2;
