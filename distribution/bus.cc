@@ -21,15 +21,16 @@ namespace {
 // packet would be sent later, and the receiver would be idle while the sender still produces the
 // samples of the packet.
 constexpr int kSamplesPerPacketMax = 4;
-// Thresholds of malloc() that KeepFreedMemory() sets: malloc() keeps up to 64 MB of freed memory,
-// and takes blocks below 4 MB from its heap.
+// Thresholds of malloc() that KeepFreedMemory() sets, so that new samples reuse freed memory.
+// malloc() keeps up to 64 MB of freed memory in its heap, and takes blocks below 4 MB from this
+// heap.
 constexpr int kTrimThresholdBytes = 64 << 20;
 constexpr int kMmapThresholdBytes = 4 << 20;
 
-// Settings that make Cyclone DDS keep many sent samples (its history).  The history has room for
-// more than a run ever has under way (one message for each object), so no write blocks.  With these
-// settings Cyclone DDS asks for acknowledgements only in its periodic heartbeat, so we set a short
-// heartbeat interval to free the history soon.
+// Settings that make Cyclone DDS keep many sent samples (its history).  A run has at most one
+// message for each object in transit.  The history has room for more samples than that, so no write
+// blocks.  With these settings Cyclone DDS asks for acknowledgements only in its periodic
+// heartbeat, so we set a short heartbeat interval to free the history soon.
 constexpr char kLargeHistory[] =
     "<Watermarks><WhcHigh>500MB</WhcHigh><WhcHighInit>500MB</WhcHighInit>"
     "<WhcAdaptive>false</WhcAdaptive></Watermarks>"
@@ -205,8 +206,8 @@ bool ChannelBase::IsConnected() const {
 }
 
 bool ChannelBase::WaitForAcks(int timeout_ms) {
-  // Takes other errors than the end of the time for the end of the wait, because a caller that
-  // waits again would get the same error at once.
+  // Returns true also after an error other than a timeout, so that the caller does not wait again.
+  // A second wait would fail at once with the same error.
   return Dds().dds_wait_for_acks(writer_, DDS_MSECS(timeout_ms)) != DDS_RETCODE_TIMEOUT;
 }
 

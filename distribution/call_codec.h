@@ -169,8 +169,9 @@ struct Parameter<const RunEnd&> : InputParameter {
   RunEnd value;
 };
 
-// Converts a letter, the message that TimeEvents posts at a certain time or when a reply arrives.
-// The member `owner` is not sent, because it is the calling object, which the master knows.
+// Converts a TimeEvents::Letter, the message that TimeEvents posts at a certain time or when a
+// reply arrives.  The member `owner` is not sent, because it is the calling object, which the
+// master knows.
 template <>
 struct Parameter<const TimeEvents::Letter&> : InputParameter {
   static void Put(const TimeEvents::Letter& value, CallArguments* to) {
@@ -257,9 +258,9 @@ struct Parameter<T*> {
   T value;
 };
 
-// Converts a call of a member function of type Function: the arguments to CallArguments, the result
-// to CallResult, and both back.  The type gives the class of the function, its parameters and its
-// result.
+// Converts a call of a member function of type Function: the arguments to CallArguments and back,
+// the result to CallResult and back.  The type gives the class of the function, its parameters and
+// its result.
 template <typename Function>
 struct Signature;
 template <typename Result_, typename Class_, typename... Parameters>

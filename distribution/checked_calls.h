@@ -66,7 +66,8 @@ class CheckedCalls : public LocalCalls {
 
   const IsOwn is_own_;
   const Refuse refuse_;
-  // For each region whose memory the worker's objects keep by pins, the number of these pins (> 0).
+  // For each region that the worker's objects have pinned, the number of their pins (> 0).  These
+  // pins keep the memory of the region.
   std::map<uint32_t, int> pins_;
 };
 

@@ -17,8 +17,8 @@ namespace {
 
 bool IsSame(const char* name, const char* other) { return strcasecmp(name, other) == 0; }
 
-// An XML element <Domain> of the user's settings file for Cyclone DDS: settings for one DDS domain
-// or for "any".
+// An XML element <Domain> of the user's settings file for Cyclone DDS.  The settings in the element
+// are for one DDS domain, or for all domains if `id` is "any".
 struct DomainElement {
   std::string id = "any";
   bool has_security = false;

@@ -9,7 +9,8 @@ namespace {
 // Deadline: the time until which EndWorkers() waits for all workers together.
 class Deadline {
  public:
-  // Sets the deadline `limit_ms` after now; `interrupted_ms` is EndLimits::interrupted_ms.
+  // Sets the deadline `limit_ms` after now.  When `is_interrupted` returns true for the first time,
+  // moves the deadline to at most `interrupted_ms` after that moment.
   Deadline(int64_t limit_ms, int64_t interrupted_ms, const std::function<bool()>& is_interrupted,
            const std::function<int64_t()>& now_ms)
       : end_ms_(now_ms() + limit_ms),
@@ -17,8 +18,9 @@ class Deadline {
         is_interrupted_(is_interrupted),
         now_ms_(now_ms) {}
 
-  // Calls `wait` until it returns true or no time is left, but at least once.  Gives it the time
-  // that it may wait, which is at most kEndSliceMs.  Returns whether `wait` has returned true.
+  // Calls `wait` until it returns true or no time is left, but at least once.  The argument
+  // `limit_ms` of `wait` is the time for which `wait` may wait, at most kEndSliceMs.  Returns
+  // whether `wait` has returned true.
   bool Wait(const std::function<bool(int64_t limit_ms)>& wait) {
     int64_t left_ms = LeftMs();
     do {
@@ -29,7 +31,8 @@ class Deadline {
   }
 
  private:
-  // Returns the time that is left, after a look whether the user wants to wait on.
+  // Returns the time until the deadline.  First checks whether the user has interrupted the wait;
+  // if so, makes the deadline earlier.
   int64_t LeftMs() {
     if (!is_shortened_ && is_interrupted_()) {
       is_shortened_ = true;

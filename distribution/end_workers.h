@@ -7,12 +7,13 @@
 
 namespace openr_host {
 
-// The steps that EndWorkers() does with one worker.
+// The steps by which EndWorkers() ends one worker.
 struct EndingWorker {
-  // Tells the worker that the run is over, and does not wait.  Returns false if no worker is there
-  // that could be told.
+  // Tells the worker that the run is over, and does not wait.  Returns false if there is no worker
+  // that can be told.
   std::function<bool()> tell;
-  // Returns whether the process of the worker has ended, so that the worker will receive nothing.
+  // Returns whether the process of the worker has ended.  EndWorkers() then does not wait until
+  // this worker has received what tell() has sent.
   std::function<bool()> has_ended;
   // Waits until the worker has received what tell() has sent, at most `limit_ms`.  Returns whether
   // the worker has received it.
@@ -28,18 +29,18 @@ struct EndingWorker {
 struct EndLimits {
   int64_t receipt_ms;  // time for all workers together to receive that the run is over
   int64_t exit_ms;     // time for all workers together to end after that
-  // Replaces both times above as soon as the user does not want to wait; a wait that has begun
-  // lasts at most this time from then on.
+  // Replaces `receipt_ms` and `exit_ms` as soon as the user does not want to wait any more.  If a
+  // wait is under way at that time, it lasts at most `interrupted_ms` longer.
   int64_t interrupted_ms;
 };
 
-// The longest wait of EndWorkers() during which it does not look whether the user wants to wait on.
+// Longest time that EndWorkers() waits before it checks again whether the user still wants to wait.
 constexpr int64_t kEndSliceMs = 100;
 
-// Tells all `workers` that the run is over.  Then waits until they have received this, and then
-// until their processes have ended.  A worker that has not received it does not know that it has to
-// end, so its process is killed at once.  A worker whose process has ended, because it was killed
-// for example, is not waited for.
+// Tells all `workers` that the run is over.  Then waits until they have received this message, and
+// then until their processes have ended.  A worker that has not received the message does not know
+// that it has to end, so its process is killed at once.  If the process of a worker has ended
+// already, because it was killed for example, EndWorkers() does not wait for this worker.
 //
 // Several worker processes may be suspended (SIGSTOP), so that they receive nothing until they go
 // on, or may run handlers that never end.  So all workers are told before the first wait, and each

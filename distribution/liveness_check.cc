@@ -15,8 +15,8 @@ namespace openr_host {
 namespace {
 
 struct ProcessStat {
-  // State of the process as one letter (see proc(5)); "" if the state is hidden or there is no such
-  // process.
+  // State of the process as one letter (see proc(5)); "" if there is no such process, or if this
+  // user may not see the process in /proc.
   std::string state;
   std::string start_time;
 };
@@ -60,9 +60,9 @@ bool LivenessCheck::HasEnded() const {
   if (pid_ == 0) return false;
   if (!Exists(pid_)) return true;
   const ProcessStat now = ProcessStatOf(pid_);
-  // If the /proc entry is hidden (mount option hidepid), the start time is not known, so a new
-  // process with the same id cannot be told from the old process.  Then the old process counts as
-  // running.
+  // If the /proc entry is hidden (mount option hidepid), the start time is not known.  A new
+  // process with the same id then looks like the old process, so HasEnded() takes the old process
+  // for running.
   if (now.state.empty() || start_time_.empty()) return false;
   // Counts a zombie (Z) as ended.  A zombie runs no more; the kernel lists it only until its parent
   // reads its exit status.

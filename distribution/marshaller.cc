@@ -114,9 +114,9 @@ void Marshaller::EncodeNotify(const Message& message, const PeerHasMemory& peer_
 }
 
 // Returns whether the region's bytes differ from the bytes that were received.  Most observers give
-// a region back in the handler that received it.  Then the sample still exists, and a comparison
-// with its bytes is faster than a hash.  After that handler, the sample is released and we compare
-// hashes.
+// a region back in the handler that received it.  While this handler runs, the sample still exists,
+// and a comparison with its bytes is faster than a hash.  After this handler, the sample is
+// released, and we compare hashes.
 bool Marshaller::IsChanged(const RCRegion& region, const ImportedRegion& imported) {
   if (imported.bytes != nullptr)
     return std::memcmp(region.Base(), imported.bytes, region.Size()) != 0;
@@ -354,8 +354,8 @@ std::string Marshaller::DecodeReady(const openr_wire_Ready& in, Message* out) {
   out->kind = PayloadKind::kReady;
   for (uint32_t i = 0; i < in.regions._length; ++i) {
     const openr_wire_ReturnedRegion& returned = in.regions._buffer[i];
-    // If the object with the region's subject was replaced, TakeExportedBy() has already released
-    // the region, and its token is in withdrawn_.  In this case the loop only removes the token.
+    // Only removes the token of a region that TakeExportedBy() has released already, because the
+    // object that sent the region was replaced.  The tokens of such regions are in withdrawn_.
     if (auto withdrawn = withdrawn_.extract(returned.token)) {
       returned_withdrawn_.push_back(std::move(withdrawn));
       continue;

@@ -88,9 +88,10 @@ class Marshaller {
   // ready messages for them are accepted and ignored.
   std::vector<RCRegion*> TakeExportedBy(ObjectId subject);
 
-  // Returns the tokens (numbers given by the peer) of the regions that ReleaseImported() has
-  // released and whose memory is not used in this process any more.  No ready message will give
-  // these regions back, so the peer can forget their tokens (PeerDropped()).
+  // Returns the tokens (numbers given by the peer) of regions that ReleaseImported() has released.
+  // No ready message will give these regions back, so the peer can forget their tokens
+  // (PeerDropped()).  Leaves out regions that still have memory in this process, because an object
+  // may still use them.
   std::vector<uint64_t> TakeDroppedTokens();
   // Forgets regions of replaced objects (TakeExportedBy()) that the peer does not use any more.
   // `tokens` is the result of TakeDroppedTokens() in the peer.
@@ -126,8 +127,8 @@ class Marshaller {
     uint64_t hash;
   };
 
-  // Returns whether the observer has written into the region since the region was received.  Only
-  // then does the ready message send the bytes back.
+  // Returns whether the observer has written into the region since the region was received.  If so,
+  // the ready message sends the bytes of the region back.
   static bool IsChanged(const RCRegion& region, const ImportedRegion& imported);
 
   uint64_t last_token_ = 0;

@@ -26,8 +26,8 @@ class Monitor {
   // `workers` are the workers of the run; null if all objects are in this process.
   Monitor(const System* system, Bus* bus, const WorkerGroup* workers);
 
-  // Publishes the status of the run if a second has passed since the last time.  Must not be called
-  // from a handler.
+  // Publishes the status of the run if the last status was published at least a second ago.  Must
+  // not be called from a handler.
   void PublishIfDue();
 
   // Publishes the final status of the run, which says that the run has ended.

@@ -71,9 +71,10 @@ NameClaim::NameClaim(Bus* bus) : bus_(bus), own_(NewClaim()) {
 }
 
 // Announces a claim: creates a writer with the claim as its user data, which DDS sends to all
-// participants, so no sample is needed.  A run announces its claim, and later, when nothing may
-// take its name away any more, a claim with an earlier time (MakePermanent()).  The first claim
-// stays announced, which does no harm, because only the claim with the earliest time counts.
+// participants, so no sample is needed.  A run announces its claim when it begins.  When a worker
+// has joined, the run must keep its name, so it announces a second claim with an earlier time
+// (MakePermanent()).  The first claim stays announced, which does no harm, because only the claim
+// with the earliest time counts.
 void NameClaim::Announce(const std::string& claim) {
   dds_qos_t* const qos = ClaimQos(*bus_);
   Dds().dds_qset_userdata(qos, claim.data(), claim.size());

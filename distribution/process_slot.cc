@@ -73,9 +73,9 @@ void ProcessSlot::OpenSession(const std::string& session) {
 void ProcessSlot::Abandon() {
   ASSERT(!has_joined_ || channel_ != nullptr, "process '{}' has joined without a channel",
          process_);
-  // Keeps the channel to an external worker, which must be told later that it was given up.
-  // Workers that the master has started need no notice: they end with the master, or the master
-  // kills them.
+  // Keeps the channel to an external worker that is unreachable now, because NotifyAbandoned()
+  // later tells the worker through this channel that it was given up.  Workers that the master has
+  // started need no notice: they end with the master, or the master kills them.
   if (has_joined_ && join_channel_ != nullptr && !channel_->IsConnected() &&
       !liveness_.HasEnded()) {
     if (abandoned_.size() == kAbandonedMax) abandoned_.erase(abandoned_.begin());

@@ -3,8 +3,9 @@
 // Each process that joins gets a session, which has a name of its own.  The Channel of a session is
 // in the partition RUN/PROCESS/SESSION, so samples for a lost process never reach the next process.
 // A worker that the master has started gets the session on its command line.  An external worker,
-// which a user starts with openr join, sends a JoinRequest on two topics in the partition
-// RUN/PROCESS.  The JoinAnswer of the master has the session, or the reason of a refusal.
+// which a user starts with openr join, has no session yet, so it uses a channel in the partition
+// RUN/PROCESS.  On this channel it sends a JoinRequest.  The JoinAnswer of the master has the
+// session, or the reason of a refusal.
 #pragma once
 
 #include <cstdint>
@@ -70,8 +71,8 @@ class ProcessSlot {
   // Closes the slot: all later join requests are refused.
   void Close() { is_closed_ = true; }
 
-  // Gives up the joined worker.  An external worker that cannot be reached now is told as soon as
-  // it can be reached again.
+  // Gives up the joined worker.  If this is an external worker that cannot be reached now, the
+  // master tells the worker later, as soon as it can be reached again, that it was given up.
   void Abandon();
 
   // The channel to the worker that has joined or is joining; null if there is no such worker.

@@ -147,8 +147,8 @@ std::string RemoteConnection::FindLoss() {
 }
 
 bool RemoteConnection::SendEnd(const std::string& why) {
-  // Sends nothing if there is no worker that could receive the sample: none has joined, or a
-  // restarted one has not joined yet.
+  // Sends nothing if no worker can receive the sample: no worker has joined yet, or a restarted
+  // worker has not joined again.
   if (!slot_.has_joined()) return false;
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_END);
   WireArena arena;

@@ -41,8 +41,9 @@ class RemoteConnection {
  public:
   using ReceivedSample = MasterChannel::ReceivedSample;
 
-  // `is_external` is true if a user starts the worker.  `health` returns the problem of the worker
-  // process, or "".  `say` prints a line for the user.
+  // `is_external` is true if a user starts the worker.  `health` returns a text that says why the
+  // run cannot go on with the worker, for instance because its process has ended; "" if the run can
+  // go on.  `say` prints a line for the user.
   RemoteConnection(Bus* bus, std::string name, bool is_external,
                    std::function<std::string()> health,
                    std::function<void(const std::string&)> say);
@@ -52,8 +53,9 @@ class RemoteConnection {
   const std::string& name() const { return name_; }
   ProcessSlot& slot() { return slot_; }
   const ProcessSlot::Identity& identity() const { return slot_.identity(); }
-  // The channel to the worker, or null.  Functions of the channel do not throw ProcessLost if the
-  // worker is lost; functions of this class, such as Send() and Next(), do.
+  // The channel to the worker; null if no worker has joined or is joining.  Functions of the
+  // channel do not throw ProcessLost if the worker is lost; functions of this class, such as Send()
+  // and Next(), do.
   MasterChannel* channel() const { return slot_.channel(); }
   // Prints a line for the user.
   void Say(const std::string& line) const { say_(line); }
@@ -61,7 +63,7 @@ class RemoteConnection {
   // Returns whether the worker is lost and no other process has taken its place yet.
   bool is_lost() const { return is_lost_; }
   void set_lost() { is_lost_ = true; }
-  // Returns the number of restarts of the worker so far, which stands for the present process.
+  // Returns the number of the present session: how often the worker has been restarted so far.
   uint64_t session() const { return session_; }
   // Returns whether the process of `session` is lost.  A function that waits needs the session in
   // which its wait began, because is_lost() is false again after a restart.
@@ -83,7 +85,8 @@ class RemoteConnection {
 
   // Waits for the next sample of the worker.  Throws ProcessLost if the worker is lost.
   ReceivedSample Next();
-  // Returns the last sample of a worker that has ended; the result is empty if no sample comes.
+  // Returns the next sample that a worker has sent before its end.  Waits only a short time for
+  // this sample; the result is empty if no sample arrives in this time.
   ReceivedSample ReceiveLast();
   // Throws ProcessLost if the sample is the worker's goodbye.  The goodbye may arrive at any time.
   void CheckGoodbye(const openr_wire_ToMaster& to_master) const;

@@ -60,7 +60,7 @@ bool RemoteEffects::HandleRequest(const openr_wire_ToMaster& to_master) {
     case openr_wire_TO_MASTER_QUESTION: {
       const openr_wire_Question& in = to_master.body._u.question;
       Object* const self = resources_->ObjectOf(in.object);
-      // Applies the effects of the handler before its question (messages and calls), because the
+      // Applies the messages and calls that the handler has made before its question, because the
       // answer may depend on them.
       Apply(to_master, self);
       const CurrentScope scope(resources_->system(), self);

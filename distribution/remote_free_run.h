@@ -32,10 +32,10 @@ class RemoteFreeRun {
   // objects run meanwhile.  Returns nullopt if the worker was lost.
   std::optional<HandlerStop> WaitForStop(RemoteObject* object);
 
-  // Returns the number of messages that are lost with the worker, because the master sends several
-  // messages to the worker without waiting.  Notifications and ready messages are not counted,
-  // because their data go back to the senders.  The message whose handler crashed the worker is not
-  // counted either.
+  // Returns how many messages in the worker are lost with it: messages that the master has sent and
+  // that the worker has not handled completely.  Does not count notifications and ready messages,
+  // because their data go back to the senders.  Also does not count DoInit to DoDestroy, and the
+  // message whose handler has crashed the worker.
   size_t CountUndelivered() const;
 
   // Handles the samples that the worker has sent; returns true if the worker had sent samples.

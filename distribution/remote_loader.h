@@ -1,8 +1,8 @@
 // RemoteLoader: makes one worker load its objects.
 //
 // A worker that has joined gets the settings of the run, and then entries of the master's tables of
-// robots and objects.  It loads its own objects among them and describes them.  All functions throw
-// ProcessLost if the worker is lost.
+// robots and objects.  The worker loads those objects that belong to it, and sends the master a
+// description of each of them.  All functions throw ProcessLost if the worker is lost.
 #pragma once
 
 #include <map>

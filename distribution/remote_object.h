@@ -60,8 +60,9 @@ class RemoteObject : public Object {
 
   std::vector<StandingReady> StandingReadies() const override;
   void ReturnRegion(RCRegion* region) override;
-  // Does what Object::HandleUndelivered() does, and sends an empty reply if the sender of `message`
-  // waits for a reply.
+  // Counts `message`, which came after the worker was lost.  Releases the regions that a ready
+  // message gives back, and gives the regions of a notification back to the subject.  Sends an
+  // empty reply if the sender waits for a reply.
   void HandleUndelivered(const Message& message) override;
   bool HasEntry(uint32_t selector) const override { return selectors_.contains(selector); }
   bool Dispatch(uint32_t selector, void* payload) override;

@@ -15,7 +15,8 @@ RemoteProcess::RemoteProcess(Bus* bus, std::string name, bool is_external,
     : connection_(bus, std::move(name), is_external, std::move(health), std::move(say)) {}
 
 std::string RemoteProcess::FetchState(ObjectId object) {
-  // Returns nothing in a free run, because the object runs on, so its state cannot be told.
+  // Returns nothing in a free run.  The object does not stop in a free run, so its state may change
+  // while it is read.
   if (handlers_.is_free()) return "";
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_ASK_STATE);
   to_worker.body._u.state_of = object;
@@ -45,9 +46,9 @@ void RemoteProcess::SetLost() {
 }
 
 void RemoteProcess::ReleaseAll() {
-  // Calls SetLost() before the worker's things are released, because the release posts messages to
-  // the master's stand-ins for the worker's objects, and the stand-ins must not send these messages
-  // to the worker.
+  // Calls SetLost() first, because resources_.ReleaseAll() posts messages to the master's stand-ins
+  // for the worker's objects, and after SetLost() the stand-ins do not send these messages to the
+  // worker.
   SetLost();
   resources_.ReleaseAll();
   free_run_.ForgetHandlers();

@@ -68,8 +68,9 @@ class RemoteProcess {
   // replaced this object and will be connected again.  Throws ProcessLost.
   void Forget(ObjectId id);
 
-  // Releases what the worker's objects have in the System, and tells the worker `why` the run has
-  // ended (RemoteConnection::SendEnd()).  REQUIRES: the System still exists.
+  // Destroys the marshaller of the worker, and tells the worker that it has to end, and `why` the
+  // run has ended (RemoteConnection::SendEnd()).  REQUIRES: the System still exists, because the
+  // marshaller uses its regions.
   bool SendEnd(const std::string& why);
 
  private:

@@ -47,8 +47,9 @@ uint64_t RemoteResources::HeapOfOtherProcesses(System* system, int robot) const 
 }
 
 void RemoteResources::RecordHeap(int robot, uint64_t bytes) {
-  // Largest number of heap bytes that is accepted.  A robot has 32 MB of memory, so a number above
-  // this limit must be an error of the worker.
+  // Largest number of heap bytes that the master accepts.  Without --strict, objects may use more
+  // than the 32 MB of a robot.  So the limit is much larger, and only an error of the worker
+  // exceeds it.
   constexpr uint64_t kHeapMaxBytes = uint64_t{1} << 40;
   if (bytes > kHeapMaxBytes) connection_->Refuse("a heap that is too large");
   system_->robot(robot).memory.used_bytes += bytes - std::exchange(heap_by_robot_[robot], bytes);

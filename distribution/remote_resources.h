@@ -1,8 +1,8 @@
 // RemoteResources: what the objects of one worker have in the master.
 //
 // These are the stand-ins of the objects, the regions that master and worker have exchanged, pins
-// of regions, and heap.  When the worker is lost, ReleaseAll() gives them back, because the worker
-// cannot do so any more.
+// of regions, and heap.  When the worker is lost, ReleaseAll() gives back regions, pins and heap,
+// because the worker cannot do so any more.
 #pragma once
 
 #include <cstdint>

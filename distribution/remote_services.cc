@@ -16,8 +16,8 @@ OStatus RemoteServices::Ask(const Arguments&... arguments) {
 
 #define OPENR_ASK(name, parameters, arguments, without_devices) \
   OStatus RemoteServices::name parameters { return Ask<&RobotServices::name> arguments; }
-// Expands to nothing, because functions of the robot whose arguments or answers are bytes of memory
-// are written by hand, not made from their rows in robot_calls.h.
+// Expands to nothing.  OPENR_ROBOT_CALLS uses this macro for functions of RobotServices that pass
+// bytes of memory.  These functions of RemoteServices are written by hand below.
 #define OPENR_ASK_WITH_MEMORY(name, parameters, arguments, without_devices)
 OPENR_ROBOT_CALLS(OPENR_ASK, OPENR_ASK_WITH_MEMORY)
 #undef OPENR_ASK

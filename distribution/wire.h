@@ -18,7 +18,8 @@ namespace openr_host {
 // Owns the memory that a sample points to until the sample has been written.
 class WireArena {
  public:
-  // Copies `items` and returns them as a sequence of the generated type Seq.
+  // Copies `items` into the memory of the arena, and returns the copy as a sequence of the
+  // generated type Seq.
   template <typename Seq, typename T>
   Seq Sequence(const std::vector<T>& items) {
     static_assert(std::is_trivially_copyable_v<T>);

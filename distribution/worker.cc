@@ -52,9 +52,9 @@ WorkerJoinChannel::ReceivedSample ReceiveAnswerTo(const std::string& id,
 Worker::Worker(WorkerOptions options) : options_(std::move(options)), bus_(options_.bus) {}
 
 Worker::~Worker() {
-  // Sets is_shutting_down_ first.  Destructors of the objects' code still post messages and call
-  // the SDK.  These calls must not reach the master, so with is_shutting_down_ set Post(), Tell()
-  // and Ask() send nothing.
+  // Sets is_shutting_down_ before the objects are destroyed.  Destructors of the objects' code
+  // still post messages and call the SDK.  These calls must not reach the master, so with
+  // is_shutting_down_ set Post(), Tell() and Ask() send nothing.
   is_shutting_down_ = true;
   marshaller_.reset();
   system_.reset();  // the destructors of the objects' code run here and may still call this Worker
@@ -210,9 +210,10 @@ std::string Worker::Run() {
     goodbye = "could not go on: " + problem;
   }
   if (IsEndRequested() && !problem.empty()) goodbye = "was ended there";
-  // If the master has refused this worker, the goodbye (this worker's last sample) says only that,
-  // whatever else went wrong.  After such a goodbye the master waits for another process and does
-  // not end the run.
+  // If this worker cannot take part in the run, for instance because its stick is wrong, the
+  // goodbye (this worker's last sample) gives the reason for that, even if the user has also asked
+  // the worker to end.  After such a goodbye the master waits for another process and does not end
+  // the run.
   if (is_refused_) goodbye = "could not take part: " + problem;
   if (!goodbye.empty()) SayGoodbye(goodbye);
   return problem;

@@ -27,12 +27,13 @@ constexpr int64_t kHealthIntervalNs = 10'000'000;
 // worker on a busy machine may get no processor time for seconds.
 constexpr int64_t kEndFlushMs = 5'000;
 constexpr int64_t kExitWaitMs = 5'000;  // time for all workers to end after they were told to end
-// Replaces both times above after a second Ctrl-C, when the user does not want to wait.  The second
-// Ctrl-C may also come during one of these waits.
+// Replaces kEndFlushMs and kExitWaitMs after a second Ctrl-C, when the user does not want to wait.
+// The second Ctrl-C may also come while the master waits already; then the rest of the wait lasts
+// at most this time.
 constexpr int64_t kInterruptedWaitMs = 500;
 
-// Returns the options of the bus.  Only in a free run does the bus keep many sent samples.  In a
-// free run the master does not wait for workers, so a stopped worker must not block a write of the
+// Returns the options of the bus.  The bus keeps many sent samples only in a free run.  In a free
+// run the master does not wait for workers, so a stopped worker must not block a write of the
 // master.  In lockstep the master waits for a stopped worker anyway.
 BusOptions GroupBusOptions(const WorkerGroupOptions& options) {
   BusOptions bus = options.bus;

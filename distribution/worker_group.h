@@ -139,11 +139,11 @@ class WorkerGroup {
     std::string lost;
     bool is_external = false;  // whether a user starts the worker with openr join
     bool is_welcomed = false;
-    // Number of robots that were sent to the worker, which are the first entries of the master's
-    // table of robots.
+    // Number of entries of the master's table of robots that were sent to the worker, counted from
+    // the beginning of the table.
     size_t robots = 0;
-    // Number of objects that were sent to the worker, which are the first entries of the master's
-    // table of objects.
+    // Number of entries of the master's table of objects that were sent to the worker, counted from
+    // the beginning of the table.
     size_t known = 0;
     // ---- The state of the loss and the restart of this worker, from here to the end
     Stage stage = Stage::kRunning;

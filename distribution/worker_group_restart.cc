@@ -160,7 +160,7 @@ void WorkerGroup::Restart(Member* member) {
 
 // Sends a restarted worker, which has joined, the settings of the run and all entries of the
 // master's tables of robots and objects.  All entries go in one sample, because the tables are
-// complete.  Only at the beginning of a run do they grow object by object.
+// complete.  The tables grow object by object only at the beginning of a run.
 void WorkerGroup::BeginLoading(Member* member) {
   // Sets the counts of sent robots and objects to 0, because the new process has received none.
   member->robots = member->known = 0;
@@ -209,12 +209,12 @@ void WorkerGroup::OnReplaced(ObjectId id) {
       for (const auto& [other, object] : member.objects) object->ForgetObserver(id);
       continue;
     }
-    // This member is the restarted worker of object `id`.  Its stand-ins keep the readies that the
-    // old object `id` has asserted.  ForgetObserver() is not needed for them: all objects of this
-    // worker are replaced, and ObjectManager::ReplaceAndBoot() does not send a ready again if both
-    // its sender and its receiver are replaced.  It would not be possible for all of them, either:
-    // objects are replaced in the order of their ids, so the old stand-ins in member.objects with
-    // ids below `id` are destroyed already.
+    // This member is the restarted worker of object `id`.  We do not remove the readies of the old
+    // object `id` from the stand-ins of this worker (ForgetObserver()), because these readies have
+    // no effect: ObjectManager::ReplaceAndBoot() does not send a ready again if both its sender and
+    // its receiver are replaced.  ForgetObserver() could not be called for all old stand-ins in
+    // member.objects anyway: those with ids below `id` are destroyed already, because objects are
+    // replaced in the order of their ids.
     //
     // Copies the count of undelivered messages from the master's old stand-in for the object to the
     // new one.  NewInstance() has copied it already, but messages may have come for the old

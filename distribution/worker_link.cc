@@ -24,8 +24,9 @@ constexpr uint32_t kUnpinRegion = WorkerCallList::NumberOf<&SystemCalls::UnpinRe
 
 }  // namespace
 
-// Sends a sample, or ends the process if that fails.  An exception must not leave this function: it
-// would pass through the code of the running object, which might catch it or be blamed for it.
+// Sends a sample, or ends the process if that fails.  An exception must not leave this function,
+// because it would pass through the code of the running object.  That code might catch the
+// exception, or the exception would look like an error of that code.
 void Worker::Send(const openr_wire_ToMaster& to_master, bool batched) {
   try {
     batched ? channel_->SendBatched(to_master) : channel_->Send(to_master);
