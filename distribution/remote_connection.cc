@@ -85,10 +85,10 @@ RemoteConnection::ReceivedSample RemoteConnection::Next() {
     }
     const std::string problem = FindProblem();
     if (!problem.empty()) {
-      ReceivedSample last = ReceiveLast();
-      if (last) {
-        CheckGoodbye(*last);
-        return last;
+      ReceivedSample late = ReceiveLate();
+      if (late) {
+        CheckGoodbye(*late);
+        return late;
       }
       throw ProcessLost(problem);
     }
@@ -106,7 +106,7 @@ RemoteConnection::ReceivedSample RemoteConnection::Next() {
   }
 }
 
-RemoteConnection::ReceivedSample RemoteConnection::ReceiveLast() {
+RemoteConnection::ReceivedSample RemoteConnection::ReceiveLate() {
   return channel()->Receive(kGoodbyeWaitMs);
 }
 

@@ -87,7 +87,7 @@ class RemoteConnection {
   ReceivedSample Next();
   // Returns the next sample that a worker has sent before its end.  Waits only a short time for
   // this sample; the result is empty if no sample arrives in this time.
-  ReceivedSample ReceiveLast();
+  ReceivedSample ReceiveLate();
   // Throws ProcessLost if the sample is the worker's goodbye.  The goodbye may arrive at any time.
   void CheckGoodbye(const openr_wire_ToMaster& to_master) const;
   // Throws ProcessLost, because the worker has sent `what`, which is not allowed.

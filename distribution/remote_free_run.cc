@@ -108,8 +108,8 @@ void RemoteFreeRun::CheckHealth() {
   RecordLoss([this] {
     const std::string problem = connection_->FindProblem();
     if (problem.empty()) return;
-    if (const RemoteConnection::ReceivedSample last = connection_->ReceiveLast())
-      return HandleSample(*last);  // the worker's goodbye tells more than `problem`
+    if (const RemoteConnection::ReceivedSample late = connection_->ReceiveLate())
+      return HandleSample(*late);  // the worker's goodbye tells more than `problem`
     throw ProcessLost(problem);
   });
 }

@@ -31,8 +31,13 @@ std::string RemoteProcess::FetchState(ObjectId object) {
     // newer than the worker's.
     if (resources_.marshaller()->HasImported(in.region)) continue;
     char* const base = resources_.system()->regions().BaseOf(in.region);
-    if (base == nullptr || in.bytes._length != resources_.system()->regions().SizeOf(in.region))
-      connection_.Refuse(fmt::format("bytes of region {:#x}, which is not so", in.region));
+    if (base == nullptr)
+      connection_.Refuse(fmt::format("bytes of region {:#x}, which does not exist", in.region));
+    if (const size_t size = resources_.system()->regions().SizeOf(in.region);
+        in.bytes._length != size) {
+      connection_.Refuse(fmt::format("{} bytes of region {:#x}, which has {} bytes",
+                                     in.bytes._length, in.region, size));
+    }
     if (!resources_.calls()->HasRegion(in.region))
       connection_.Refuse(fmt::format("bytes of region {:#x}, which is not its own", in.region));
     std::copy_n(in.bytes._buffer, in.bytes._length, reinterpret_cast<uint8_t*>(base));

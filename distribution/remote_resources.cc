@@ -41,9 +41,8 @@ bool RemoteResources::MayUse(uint32_t region) const {
 }
 
 uint64_t RemoteResources::HeapOfOtherProcesses(System* system, int robot) const {
-  const auto there = heap_by_robot_.find(robot);
-  return system->robot(robot).memory.used_bytes -
-         (there == heap_by_robot_.end() ? 0 : there->second);
+  const auto heap = heap_by_robot_.find(robot);
+  return system->robot(robot).memory.used_bytes - (heap == heap_by_robot_.end() ? 0 : heap->second);
 }
 
 void RemoteResources::RecordHeap(int robot, uint64_t bytes) {

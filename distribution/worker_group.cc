@@ -177,7 +177,7 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
     const Robot& robot = system_->robot(i);
     for (const auto& [keyword, path] : robot.design_data)
       designs.push_back({i, arena->Text(keyword), arena->Text(path)});
-    if (static_cast<size_t>(i) < member->robots) continue;
+    if (static_cast<size_t>(i) < member->robots_sent) continue;
     // Sends 0 as the hash of the run's stick at a restart, so that the worker does not compare it
     // with the hash of its own stick.  Objects may have written files since the beginning of the
     // run, and the user may have replaced an image in order to try new code.
@@ -185,10 +185,10 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
     robots.push_back({arena->Text(robot.design), robot.stick != nullptr,
                       robot.stick != nullptr && robot.stick->writable(), stick_hash});
   }
-  member->robots = static_cast<size_t>(system_->robot_count());
-  ASSERT(member->known <= system_->objects().size(), "{}", member->known);
-  for (; member->known < system_->objects().size(); ++member->known) {
-    const Object& object = *system_->objects()[member->known];
+  member->robots_sent = static_cast<size_t>(system_->robot_count());
+  ASSERT(member->objects_sent <= system_->objects().size(), "{}", member->objects_sent);
+  for (; member->objects_sent < system_->objects().size(); ++member->objects_sent) {
+    const Object& object = *system_->objects()[member->objects_sent];
     objects.push_back({object.id, object.robot, arena->Text(object.name), arena->Text(object.path),
                        object.is_system, object.name == IpStack::kName,
                        member->objects.contains(object.id), object.boxes.last});
@@ -225,7 +225,7 @@ void WorkerGroup::SendNextLoad(Member* member) {
 
 void WorkerGroup::LoadNewObjects(Member* member) {
   while (problem_.empty()) {
-    const bool is_first = member->robots == 0;
+    const bool is_first = member->robots_sent == 0;
     try {
       return SendNextLoad(member);
     } catch (const ProcessRefused& refused) {
@@ -246,7 +246,7 @@ void WorkerGroup::WaitForAnotherWorker(Member* member, const std::string& why) {
   options_.say(fmt::format("{}; the run waits for another one", why));
   member->process->connection().slot().Abandon();
   member->is_welcomed = false;
-  member->robots = member->known = 0;
+  member->robots_sent = member->objects_sent = 0;
 }
 
 // Handles the loss of a worker.  After a crash the run goes on without the worker.  A handler

@@ -141,10 +141,10 @@ class WorkerGroup {
     bool is_welcomed = false;
     // Number of entries of the master's table of robots that were sent to the worker, counted from
     // the beginning of the table.
-    size_t robots = 0;
+    size_t robots_sent = 0;
     // Number of entries of the master's table of objects that were sent to the worker, counted from
     // the beginning of the table.
-    size_t known = 0;
+    size_t objects_sent = 0;
     // ---- The state of the loss and the restart of this worker, from here to the end
     Stage stage = Stage::kRunning;
     bool crashed = false;

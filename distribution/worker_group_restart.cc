@@ -163,7 +163,7 @@ void WorkerGroup::Restart(Member* member) {
 // complete.  The tables grow object by object only at the beginning of a run.
 void WorkerGroup::BeginLoading(Member* member) {
   // Sets the counts of sent robots and objects to 0, because the new process has received none.
-  member->robots = member->known = 0;
+  member->robots_sent = member->objects_sent = 0;
   member->new_objects.clear();
   member->successors.clear();
   for (const auto& [id, object] : member->objects) {

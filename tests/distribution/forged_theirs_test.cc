@@ -1,6 +1,7 @@
 // A forged worker speaks in the name of other objects or names regions of others; and its state and
 // list of loaded objects.
 #include <OPENR/ObjcommMessages.h>
+#include <fmt/format.h>
 
 #include "tests/distribution/forged.h"
 
@@ -153,8 +154,9 @@ TEST_F(ForgedTheirsTest, AStateWithTheRegionOfAnother) {
 }
 
 TEST_F(ForgedTheirsTest, AStateOfAnotherSize) {
-  EXPECT_THAT(LossByState(State(region_there_, "x")), HasSubstr("which is not so"));
-  EXPECT_THAT(LossByState(State(kNoRegion, "x")), HasSubstr("which is not so"));
+  EXPECT_THAT(LossByState(State(region_there_, "x")),
+              HasSubstr(fmt::format("which has {} bytes", kBytes)));
+  EXPECT_THAT(LossByState(State(kNoRegion, "x")), HasSubstr("which does not exist"));
 }
 
 TEST_F(ForgedTheirsTest, NoState) { EXPECT_THAT(LossByState(Stopped()), HasSubstr("no state")); }
