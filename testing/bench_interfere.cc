@@ -54,7 +54,7 @@ std::optional<ServiceEnd> Bench::FindEnd(const std::string& name, ServiceSide si
                                          const Caller& caller) {
   const std::optional<ServiceEnd> end = openr_host::FindService(*system_, 0, name, side);
   if (!end) {
-    Fail(caller.place, fmt::format("{}: '{}' is no {} of a connection", caller.function, name,
+    Fail(caller.place, fmt::format("{}: '{}' is no {} of an object", caller.function, name,
                                    side == ServiceSide::kSubject ? "subject" : "observer"));
   }
   return end;
@@ -193,7 +193,7 @@ void Bench::PostAgain(const SeenMessage& message, const Place& place) {
       PostBytes(NotReady(from, to), {}, caller);
       return;
     case MessageKind::kReply:
-      MissPost(caller, "an answer cannot come twice: " + message.Text());
+      MissPost(caller, "a reply cannot come twice: " + message.Text());
       return;
     case MessageKind::kOther:
       PostBytes(ToEntry(to, message.entry()).From(from),

@@ -30,6 +30,14 @@ TEST(BuildTest, AnImageRunsAsItWasBuilt) {
   EXPECT_THAT(bench.console(), HasSubstr("Trouble is running"));
 }
 
+TEST(BuildTest, AnImageReplacesAnImageOfTheSameName) {
+  Bench bench;
+  const std::string name = "/MS/OPEN-R/MW/OBJS/TROUBLE.BIN";
+  bench.stick().ImportImage(ImageFile("TROUBLE.BIN"), name);
+  EXPECT_EQ(ErrorOf([&] { bench.stick().ImportImage(ImageFile("TROUBLE.BIN"), name); }),
+            "(nothing thrown)");
+}
+
 TEST(BuildTest, AnImageSeesTheStickOfTheBench) {
   Bench bench;
   bench.stick().Write("/MS/OPEN-R/MW/DATA/P/TROUBLE.TXT", "print");

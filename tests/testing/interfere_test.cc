@@ -50,7 +50,7 @@ TEST_F(InterfereTest, InjectingRefusesWhatThereIsNot) {
   EXPECT_NONFATAL_FAILURE(bench().Inject(ToEntry("Doubler", "Alarms")),
                           "Inject: Doubler has no entry 'Alarms'");
   EXPECT_NONFATAL_FAILURE(bench().Inject(Notify("Test1.In", "Doubler.Out"), 4),
-                          "Inject: 'Doubler.Out' is no observer of a connection");
+                          "Inject: 'Doubler.Out' is no observer of an object");
   EXPECT_THROW(bench().Inject(ToEntry("Dubler", "Alarm")), std::invalid_argument);
 }
 
