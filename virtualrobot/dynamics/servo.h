@@ -2,9 +2,10 @@
 //
 // The servo works like the robot's own: its control law reads counts of the A/D converter and
 // demands a drive in PWM counts.  The motor turns the drive into torque along a straight
-// torque-speed line.  The slope of this line damps the joint strongly, and a torque that is
-// computed from the speed before a step would make the light links unstable.  So Step() returns the
-// whole line, and JointTree finds the torque together with the motion of the body.
+// torque-speed line.  The slope of this line damps the joint strongly.  If a step used the torque
+// at the speed before the step, the light parts of the robot would become unstable.  So Step()
+// returns the torque as a function of the speed, and JointTree finds the torque together with the
+// motion of the body.
 //
 // A joint is limp when its servo is off.  docs/body.md gives the source or the reason of every
 // number here.
@@ -68,14 +69,16 @@ class Servo {
     return disturbance_ == nullptr ? angle_rad : disturbance_->Measured(angle_rad);
   }
 
-  // Constants of the servo that are computed from the joint and the settings.
+  // The next members do not change after the constructor.  Their values come from the joint and the
+  // settings.
   double counts_per_rad_;
   double stall_nm_;
   double motor_slope_nm_s_;  // stall torque divided by no-load speed
   Range hard_rad_;
   ServoSettings settings_;
 
-  // The command of the present frame, and the integral of the control law over all frames.
+  // The next members hold the command of the present frame and what follows from the command.  Only
+  // integral_, the integral of the control law, goes on from frame to frame.
   bool enabled_ = false;
   PidGains gains_;
   double target_rad_ = 0;

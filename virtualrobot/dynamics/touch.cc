@@ -11,12 +11,13 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// A face of a box touches the side of a cylinder only if it lies roughly along the axis of the
-// cylinder: the z of its normal, in the axes of the cylinder, is at most this number in size.  A
-// face that lies across the axis touches an end of the cylinder instead.
+// A face of a box touches the side of a cylinder only if the face is roughly parallel to the axis
+// of the cylinder: in the axes of the cylinder, the absolute value of the z coordinate of the
+// face's normal is at most this number.  All other faces touch an end of the cylinder.
 constexpr double kUprightMax = 0.5;
 
-// Number of points on the rim of an end of a cylinder that are tested: each may touch a box.
+// Number of test points on the rim of each end of a cylinder.  A test point that lies in another
+// shape becomes a TouchPoint.
 constexpr int kRimPoints = 8;
 
 SurfaceDistance DistanceToBox(const Vector3d& half, const Vector3d& p) {
@@ -26,8 +27,8 @@ SurfaceDistance DistanceToBox(const Vector3d& half, const Vector3d& p) {
   if (length > 0) return {length, way / length};
   int axis = 0;
   for (int k = 1; k < 3; ++k) {
-    // Looks for the nearest face, because the point is in the box and its shortest way out leads
-    // through this face.
+    // The point is in the box.  `axis` becomes the axis that leads to the nearest face, because the
+    // shortest way out of the box is along this axis.
     if (half[k] - std::fabs(p[k]) < half[axis] - std::fabs(p[axis])) axis = k;
   }
   SurfaceDistance result{std::fabs(p[axis]) - half[axis], Vector3d::Zero()};
@@ -37,8 +38,8 @@ SurfaceDistance DistanceToBox(const Vector3d& half, const Vector3d& p) {
 
 SurfaceDistance DistanceToCylinder(const Vector3d& half, const Vector3d& p) {
   const double across = std::sqrt(p.x() * p.x() + p.y() * p.y());
-  // Takes any horizontal direction for a point on the axis, because all are equally near to the
-  // side.
+  // If the point is on the axis of the cylinder, takes the x axis as the direction to the side,
+  // because the side is equally near in every direction.
   const Vector3d level =
       across > 0 ? Vector3d(p.x() / across, p.y() / across, 0) : Vector3d::UnitX();
   const Vector3d up(0, 0, p.z() < 0 ? -1 : 1);
@@ -66,8 +67,8 @@ Vector3d NearestToAxis(const Vector3d& a, const Vector3d& b, double half) {
   return a + std::clamp(t, from, to) * d;
 }
 
-// Adds, for each edge of the box, the point of the edge that is deepest in the cylinder `thing`, if
-// the edge is in the cylinder.  Vectors are in the axes of the cylinder.
+// Adds, for each edge of the box that reaches into the cylinder `thing`, the point of this edge
+// that is nearest to the axis of the cylinder.  Vectors are in the axes of the cylinder.
 void TouchByEdges(const Vector3d& centre, const Matrix3d& R, const Vector3d& half,
                   const WorldThing& thing, std::vector<TouchPoint>* points) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -94,10 +95,10 @@ double OverlapAlongAxis(const Vector3d& centre, const Matrix3d& R, const Vector3
   return thing.size_m.z() / 2 + reach - std::fabs(centre.z());
 }
 
-// Adds the points at which the side of the cylinder `thing` reaches through a face of the box.
-// Tests three points of the cylinder's side: its middle and its two ends.  Adds no point that is
-// deeper than the overlap along the axis of the cylinder, because the box then touches an end of
-// the cylinder and not its side.
+// Adds points of the side of the cylinder `thing` that are inside the box.  Tests the side at three
+// heights: at the middle and at the two ends of the cylinder.  Leaves out a point that is deeper
+// than the overlap along the axis of the cylinder, because the box then touches an end of the
+// cylinder and not its side.
 void TouchByFaces(const Vector3d& centre, const Matrix3d& R, const Vector3d& half,
                   const WorldThing& thing, std::vector<TouchPoint>* points) {
   const double radius_m = thing.size_m.x() / 2;
@@ -135,10 +136,11 @@ void TouchByRims(const Vector3d& centre, const Matrix3d& R, const Vector3d& half
   }
 }
 
-// Adds the points of `cylinder` that are in `thing`.  Tests points of the rims of the cylinder's
-// ends, and of the line along its side that faces `thing`.  The points of the side are not near the
-// ends, because near an end the nearest way out leads along the axis.  `sign` is 1 if normals are
-// to point out of `thing`, and -1 if they are to point into it.
+// Adds the points of `cylinder` that are in `thing`.  Tests points on the rims of the ends of
+// `cylinder`, and points on the straight line of its side that is nearest to `thing`.  The points
+// on this line are not near the ends, because a point there may also be near an end of `thing`; its
+// shortest way out of `thing` would then lead along the axis of `thing` and not sideways.  `sign`
+// is 1 if normals are to point out of `thing`, and -1 if they are to point into it.
 void TouchByRimsAndSide(const WorldThing& cylinder, const WorldThing& thing, double sign,
                         std::vector<TouchPoint>* points) {
   const auto test = [&](const Vector3d& p) {
@@ -153,7 +155,8 @@ void TouchByRimsAndSide(const WorldThing& cylinder, const WorldThing& thing, dou
   }
   const Vector3d way = cylinder.R_WT.transpose() * (thing.centre_m - cylinder.centre_m);
   const double length = std::sqrt(way.x() * way.x() + way.y() * way.y());
-  // Ends if the centre of `thing` is on the axis, because then no line of the side faces it.
+  // Returns if the centre of `thing` is on the axis of `cylinder`, because then no line of the side
+  // of `cylinder` is the nearest to `thing`.
   if (length == 0) return;
   const double scale = cylinder.size_m.x() / 2 / length;
   for (const double height : {-0.4, 0.0, 0.4})
