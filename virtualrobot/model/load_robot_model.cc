@@ -16,12 +16,13 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kCameraPixelsMax = 4096;  // limit for the width and the height of a picture
-// Least width of a picture: the layer with the detected colours, a quarter as wide, begins its last
-// row with 16 bytes of other data.
+// Least width of a picture.  The image layer with the detected colours is a quarter as wide as the
+// picture, and a row of this layer must have room for a tag of 16 bytes (see
+// camera/image_layers.h).
 constexpr int kCameraWidthMin = 64;
-// Limits for speeds, accelerations and lengths in the model, far above those of every robot.
-// Programs convert these numbers to integers of 32 bits, in hundredths of a degree or in millionths
-// of a metre.
+// Limits for speeds, accelerations and lengths in the model.  The values of every robot are far
+// below these limits.  Programs convert the values to hundredths of a degree or to millionths of a
+// metre in integers of 32 bits, and greater values could overflow there.
 constexpr double kSpeedMax_deg_s = 100'000;
 constexpr double kAccelerationMax_deg_s2 = 1'000'000;
 constexpr double kPawRadiusMax_mm = 1000;
@@ -104,7 +105,8 @@ void ReadJoint(const JsonReader& row, RobotModel* model) {
   if (child.joint >= 0) row.At("child").Fail("'{}' already hangs on a joint", child.name);
   child.joint = static_cast<int>(model->joints.size());
   joint.axis = row.At("axis").Vector();
-  // Tests the sum of the coordinates and the length, because both are 1 only along x, y or z.
+  // Accepts only the axes x, y and z, in both directions: only for these are the sum of the
+  // absolute values of the coordinates and the length of the vector both 1.
   if (joint.axis.cwiseAbs().sum() != 1 || joint.axis.norm() != 1) {
     row.At("axis").Fail("must be one of the axes of B, as [0, -1, 0]");
   }
@@ -200,8 +202,8 @@ void ReadSensor(const JsonReader& row, RobotModel* model) {
     sensor.joint = model->FindJointByLocator(sensor.locator);
     if (sensor.joint < 0) row.At("locator").Fail("no joint has '{}'", sensor.locator);
     const JointModel& joint = model->joints[sensor.joint];
-    // Checks that the joint's row names the number that this sensor has in the list of sensors,
-    // because the file says twice which sensor belongs to a joint.
+    // Checks that the joint's row names the index of this sensor.  The rows of a joint and of its
+    // sensor both say that the two belong together, so the rows could contradict each other.
     if (joint.sensor != index) {
       row.Fail("joint '{}' says it is sensor {}, the list says {}", joint.name, joint.sensor,
                index);
@@ -302,8 +304,8 @@ void ReadCamera(const JsonReader& camera, RobotModel* model) {
     camera.At("pixels").Fail("{} x {} cannot be halved three times", c.width_px, c.height_px);
   if (c.width_px < kCameraWidthMin)
     camera.At("pixels").Fail("{} wide, must be {} or more", c.width_px, kCameraWidthMin);
-  // Checks that the sizes of the image's layers in the file are equal to the computed sizes,
-  // because the camera computes the size of each layer from the size of the layer before.
+  // Checks that each layer of the image has half the width and half the height of the layer before,
+  // because the camera computes the layers with these sizes and not with those of the file.
   const std::vector<JsonReader> layers = camera.At("layers").Elements();
   if (layers.size() > 3) camera.At("layers").Fail("has {} layers, at most 3", layers.size());
   for (size_t i = 0; i < layers.size(); ++i) {
