@@ -214,8 +214,9 @@ void ContactFinder::FindBoxOnFloor(const Shape& box) {
   const dReal* p = dBodyGetPosition(box.body);
   const dReal* R = dBodyGetRotation(box.body);
   const double zx = R[8] * half.x(), zy = R[9] * half.y(), zz = R[10] * half.z();
+  // The sum is the height of the box's centre above its lowest corner.  If the centre is at least
+  // this high, no corner is below the floor.
   if (p[2] >= std::fabs(zx) + std::fabs(zy) + std::fabs(zz)) return;
-  // Here the box reaches below the floor, so at least its lowest corner is a contact.
   int found = 0;
   for (int corner = 0; corner < 8 && found < kCornersMax; ++corner) {
     const double sx = corner & 1 ? 1 : -1, sy = corner & 2 ? 1 : -1, sz = corner & 4 ? 1 : -1;
@@ -238,8 +239,9 @@ void ContactFinder::FindCylinderOnFloor(const Shape& cylinder) {
   const Vector3d centre_W = cylinder.CentreW();
   const Matrix3d R = cylinder.R_W();
   const double radius_m = cylinder.size_m.x() / 2;
-  // Finds the direction, in the axes of the cylinder, in which its ends slope down.  The z parts of
-  // the cylinder's x and y axes give this direction.
+  // Finds the direction from the centre of an end to the lowest point of its rim, in the axes of
+  // the cylinder.  The z coordinates, in W, of the cylinder's x axis and y axis give this
+  // direction.
   Vector3d down(-R(2, 0), -R(2, 1), 0);
   const double length = std::sqrt(down.x() * down.x() + down.y() * down.y());
   if (length > 0) {
@@ -263,10 +265,10 @@ void ContactFinder::FindCylinderOnFloor(const Shape& cylinder) {
   }
 }
 
-// Adds the points at which `shape` touches `other`.  A heightfield is always `other`, because it
-// cannot move; FindOnHeights() finds its points.  ODE finds the points if `other` is a box and
-// `shape` is a box or a ball.  Each other pair has a ball or a cylinder, which FindOnRound() gets
-// as its parameter `other`.
+// Adds the points at which `shape` touches `other`.  FindOnHeights() finds the points if `other` is
+// a heightfield; `shape` is never a heightfield, because a heightfield cannot move.  ODE finds the
+// points if `other` is a box and `shape` is a box or a ball.  Every other pair has at least one
+// ball or cylinder, which FindOnRound() gets as its parameter `other`.
 void ContactFinder::FindOn(const Shape& shape, const Shape& other) {
   if (other.shape == ThingShape::kHeightField) return FindOnHeights(shape, other);
   const bool shape_is_cylinder = shape.shape == ThingShape::kCylinder;
@@ -305,8 +307,9 @@ void ContactFinder::FindOnHeights(const Shape& shape, const Shape& other) {
   AddTouches(shape, other, false);
 }
 
-// Adds the points at which `shape` touches the round thing `other`.  `swapped` says that `other` is
-// the side that can move.
+// Adds the points at which `shape` touches the ball or cylinder `other`.  `swapped` is true if
+// FindOn() has exchanged its two shapes; `other` is then the shape that can move, and `shape` may
+// be fixed.
 void ContactFinder::FindOnRound(const Shape& shape, const Shape& other, bool swapped) {
   touches_.clear();
   if (shape.shape == ThingShape::kBox) {
@@ -320,8 +323,9 @@ void ContactFinder::FindOnRound(const Shape& shape, const Shape& other, bool swa
 }
 
 // Adds a ContactPoint to points_, the result of Find(), for each point in touches_, at which
-// `shape` touches `other`.  The normals of touches_ point out of `other`.  `swapped` says that
-// `other` is the side that can move; then exchanges the two sides and turns the normals round.
+// `shape` touches `other`.  The normals in touches_ point out of `other`.  A ContactPoint needs a
+// normal that points towards the shape that can move.  If `swapped` is true, this shape is `other`,
+// so the function exchanges the two shapes and turns the normals round.
 void ContactFinder::AddTouches(const Shape& shape, const Shape& other, bool swapped) {
   for (const TouchPoint& touch : touches_) {
     ContactPoint point;

@@ -21,7 +21,8 @@ dBodyID MakeBody(dWorldID world, const BodyPart& part);
 // Makes the ODE body of a thing that can move, with uniform density.  The body belongs to `world`.
 dBodyID MakeBodyOfThing(dWorldID world, const WorldThing& thing);
 
-// Moves `body` so that its centre of mass is at `centre_W`, and gives it the rotation `R_WL`.
+// Moves `body` so that its centre of mass is at `centre_W`, and gives it the rotation `R_WL` from
+// its own axes L to W.
 void PlaceBody(dBodyID body, const Eigen::Vector3d& centre_W, const Eigen::Matrix3d& R_WL);
 
 double MassOf(dBodyID body);

@@ -244,9 +244,9 @@ void OdeBody::Hold(const std::optional<Isometry3d>& X_WB) { held_at_ = X_WB; }
 
 // Adds the force and the torque of a person's hand that holds the trunk.  The hand carries the
 // weight of the robot at its centre of mass.  It also moves the trunk towards held_at_: the wanted
-// speed is the distance divided by kHandTime_s, up to a limit.  The force is half of what would
-// give the trunk this speed in one step, because the legs and the head hang on the trunk and
-// resist.
+// speed is the distance divided by kHandTime_s, up to a limit.  The force is half of the force that
+// would give the trunk alone the wanted speed in one step.  So the trunk, with the legs and the
+// head that hang on it, reaches this speed only after some steps.
 void OdeBody::PullByHand(double step_s) {
   const double mass_kg = model_.TotalMassKg();
   Vector3d centre_W = Vector3d::Zero();
@@ -260,9 +260,10 @@ void OdeBody::PullByHand(double step_s) {
       Limited((v_wanted_W - state_.v_WB) * (0.5 * model_.bodies[0].mass_kg / step_s), kHandForce_n);
   tree_->AddForce(0, force_W, tree_->centre_W(0));
 
-  // Computes the axis of the rotation from the present orientation of the trunk to the orientation
-  // that the person's hand wants, times its angle.  For a small rotation, this is half the sum of
-  // the cross products of the present and the wanted axes.
+  // Computes the rotation from the present orientation of the trunk to the orientation that the
+  // person's hand wants, as a vector: the axis of the rotation times its angle.  For a small
+  // rotation, this vector is half the sum of three cross products: of each present axis of the
+  // trunk with the same axis in the wanted orientation.
   const Matrix3d R = state_.X_WB.linear();
   Vector3d turn_W = Vector3d::Zero();
   for (int axis = 0; axis < 3; ++axis)

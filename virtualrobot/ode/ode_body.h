@@ -85,8 +85,8 @@ class OdeBody : public Body {
   std::vector<dxBody*> bodies_;          // bodies of ODE, in the order of RobotModel::bodies
   std::unique_ptr<JointTree> tree_;
   std::vector<Servo> servos_;  // servos of the joints, in the order of RobotModel::joints
-  // For the joint that moves each part, in the order of RobotModel::bodies: the torque of its servo
-  // as a linear function of the joint's speed.
+  // The torques of the servos, each as a linear function of the speed of its joint.  The element of
+  // a part, in the order of RobotModel::bodies, is for the joint that moves the part.
   std::vector<TorqueLine> lines_;
   std::vector<PushForce> pushes_;             // forces that act during the next Advance()
   std::optional<Eigen::Isometry3d> held_at_;  // the pose to which a hand pulls the base

@@ -18,10 +18,10 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-// Largest number of contacts of a group of robots and movable things that touch each other, for
-// each robot in the group.  A group without robots may have as many contacts as a group with one
-// robot.  If there are more contacts, only the deepest count, because the work of the solver grows
-// with the third power of their number.
+// Largest number of contacts that are solved in a group (robots and movable things that touch each
+// other), for each robot in the group.  A group without robots may have as many contacts as a group
+// with one robot.  In a group with more contacts, only the deepest are solved, because the work of
+// the solver grows with the third power of the number of contacts.
 constexpr size_t kContactsPerRobot = 64;
 constexpr size_t kContactsMax = 3 * kContactsPerRobot;
 
@@ -42,8 +42,8 @@ PhysicsWorld::PhysicsWorld(const World& world, const OdeSettings& settings)
   for (size_t i = 0; i < things_.size(); ++i) {
     if (things_[i].mass_kg > 0) AddMover(i);
   }
-  // Takes the addresses only when all movers exist, because movers_ moves its elements when it
-  // grows.
+  // Takes the addresses of the trees only when movers_ is complete, because the vector moves its
+  // elements when it grows.
   for (Mover& mover : movers_) trees_.push_back(&mover.tree);
   finder_ = std::make_unique<ContactFinder>(things_, thing_bodies_);
 }
@@ -131,9 +131,9 @@ void PhysicsWorld::BrakeRolling(const std::vector<ContactPoint>& points, double 
   }
 }
 
-// Adds three rows for each contact (its normal and two directions of the ground, along which its
-// impulse acts) to the trees of both sides of the contact, and tells the robots which of their paws
-// touch something.
+// Adds three rows for each contact to the trees of both sides of the contact.  A row is a direction
+// in which an impulse of the contact acts: the normal, or one of two directions along the surface.
+// Also tells the robots which of their paws touch something.
 void PhysicsWorld::AddRows(const std::vector<ContactPoint>& points) {
   rows_.clear();
   for (const ContactPoint& point : points) {
@@ -225,8 +225,8 @@ void PhysicsWorld::FillEquations(const std::vector<ContactPoint>& points, double
     }
     for (int column = 0; column <= row; ++column)
       equations_.At(row, column) = equations_.At(column, row) = Mobility(sides, row_of(column));
-    // Makes the contact a little soft, so that the diagonal is above 0 and the equations have a
-    // solution.
+    // Makes the contact a little soft, so that the diagonal of the matrix is above 0 and the
+    // equations have a solution.
     equations_.At(row, row) += settings_.contact_cfm / step_s;
   }
 }

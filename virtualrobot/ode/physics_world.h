@@ -82,8 +82,8 @@ class PhysicsWorld {
     double brake_nm = 0, least_inertia_kg_m2 = 0;
   };
 
-  // The places where a row of the equations is stored: for each of the two trees that the contact
-  // joins, the number of the tree and the number of the row in this tree.
+  // The position of a row of the equations in the trees on the two sides of its contact: for each
+  // side, the number of the tree and the number of the row in this tree.
   struct RowSides {
     int tree = -1, row = 0;
     int other_tree = -1, other_row = 0;  // the contact's other side; other_tree -1: not movable
@@ -113,9 +113,10 @@ class PhysicsWorld {
 
   // The members below belong to the present step of the physics.
   std::vector<RowSides> rows_;  // three rows of the equations for each contact
-  // A tree is a robot or a movable thing, and trees that touch each other form a group.  This list
-  // has for each tree the number of a tree of its group: of itself, or of a tree with a lower
-  // number.  GroupOf() follows these numbers to the lowest one.
+  // The groups of the trees.  A tree is a robot or a movable thing, and trees that touch each other
+  // form a group.  The element of a tree is the number of a tree in its group: of the tree itself,
+  // or of a tree with a lower number.  GroupOf() follows these numbers to the lowest number of the
+  // group.
   std::vector<int> groups_;
   std::vector<size_t> contacts_of_group_;  // contacts of the group that SolveGroup() solves
   // The impulses of the contacts in the present step: impulses_[tree][row of the tree].  A tree is
