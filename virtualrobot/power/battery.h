@@ -19,8 +19,9 @@ struct Battery {
   int percent = 100;   // remaining capacity at boot, in percent of a full battery; 1 to 100
   bool drains = true;  // whether the battery loses 1 % every 54 s, down to 0 %
 
-  // Returns whether the robot sets its status bit for a low battery at boot already.  Because the
-  // bit then never changes, no object is notified of it.
+  // Returns whether the robot sets its status bit for a low battery at boot already.  Objects are
+  // notified only when this bit changes, so they never hear of such a battery; the report of the
+  // run then has a note about this.
   bool is_low_at_boot() const { return percent < kLowCapacityPercent; }
 
   // Returns the remaining capacity of the battery in percent, `time_us` of virtual time after boot.

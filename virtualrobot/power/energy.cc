@@ -16,14 +16,14 @@ constexpr double kElectronicsMa = 1000;
 // Weight of a new frame in the mean of the robot's current.  With this weight the mean has a time
 // constant of 100 ms.
 constexpr double kMeanShare = 0.08;
-// If the motors give a steady heat, the body's temperature rises in the end by kBodyPerW_k for each
-// W. kBodyTime_s is the time constant of this rise.
+// Rise of the body's temperature, in kelvin per watt of heat from the motors, if the heat stays the
+// same for a long time; and the time constant of this rise.
 constexpr double kBodyPerW_k = 2.5, kBodyTime_s = 600;
-// If the battery gives a steady current that is r times the usual one (kUsualMa) and r is above 1,
-// its temperature has risen by kBatteryUsual_k * (r^2 - 1) in the end.  kBatteryTime_s is the time
-// constant of this rise.
+// kBatteryUsual_k * (r^2 - 1) is the rise of the battery's temperature, in kelvin, if the battery
+// gives for a long time a current of r times kUsualMa, the usual current, and r is above 1.
+// kBatteryTime_s is the time constant of this rise.
 constexpr double kBatteryUsual_k = 5, kBatteryTime_s = 1200;
-// Rise of the battery's temperature, in kelvin, to which a long charge leads.
+// Further rise of the battery's temperature, in kelvin, if the battery charges for a long time.
 constexpr double kChargingBattery_k = 6;
 
 }  // namespace

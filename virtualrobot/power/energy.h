@@ -1,12 +1,12 @@
 // The current that a robot draws from its battery, and the heat of its motors and its battery.
 //
-// Each motor is a direct-current motor behind a switch that is on for the share drive / 255 of the
-// time.  A motor at rest draws its stall current times the square of this share from the battery:
-// its own current is the stall current times the share, and flows only for this share of the time.
-// Body and battery warm up with the power that is lost in motors and battery, and cool down to 30
-// degrees Celsius, each with its own time constant. docs/calibration.md has the reason of every
-// number.  A body without physics has no drives: such a robot draws kUsualMa and stays at 30
-// degrees.
+// Each motor is a direct-current motor with pulse-width modulation: its voltage is on for the share
+// drive / 255 of the time.  The current of a motor at rest is its stall current times this share,
+// and the battery gives this current only for this share of the time.  So on average the battery
+// gives the stall current times the square of the share.  Body and battery warm up with the power
+// that is lost in motors and battery, and cool down to 30 degrees Celsius, each with its own time
+// constant. docs/calibration.md has the reason of every number.  A body without physics computes no
+// drives, so such a robot draws kUsualMa and stays at 30 degrees.
 #pragma once
 
 #include <array>

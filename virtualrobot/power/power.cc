@@ -50,8 +50,8 @@ Power::Power(System* system, Battery battery) : system_(system), battery_(batter
 word Power::RemainingCapacity() const {
   const int64_t time_us = system_->now_us() - capacity_since_us_;
   if (!charging_) {
-    // The time in which the usual current would have drawn the charge that was really drawn from
-    // the battery.  With this time, PercentAt() gives the present capacity.
+    // Converts the charge that was drawn from the battery to the time in which the usual current
+    // draws this charge, because PercentAt() takes such a time.
     const int64_t drained_us = time_us + extra_ma_us_ / Energy::kUsualMa;
     return static_cast<word>(battery_.PercentAt(std::max<int64_t>(drained_us, 0)));
   }
@@ -110,8 +110,8 @@ void Power::SetCapacity(int percent) {
 }
 
 void Power::SetCharging(bool on) {
-  // Stores the present capacity as a new beginning, because from now on the capacity changes at
-  // another speed.
+  // Stores the present capacity together with the present time, because from now on the capacity
+  // changes at another speed, and RemainingCapacity() counts from the stored time.
   SetCapacity(RemainingCapacity());
   charging_ = on;
   NotifyChange();
@@ -197,8 +197,9 @@ void Power::HashState(Hasher* hasher) const {
   hasher->Add(clock_offset_s_);
   hasher->Add(static_cast<uint64_t>(watchers_.size()));
   if (extra_ma_us_ != 0) hasher->Add(extra_ma_us_);
-  // Leaves the battery out of the hash until an input changes it, because until then its charge
-  // follows from the time alone.
+  // Leaves the battery out of the hash until an input changes the battery, because until then the
+  // capacity follows from the capacity at boot, the virtual time and extra_ma_us_, which the hash
+  // includes.
   if (capacity_since_us_ == 0 && !charging_) return;
   hasher->Add(battery_.percent);
   hasher->Add(capacity_since_us_);

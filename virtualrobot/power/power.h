@@ -60,8 +60,8 @@ class Power {
   // frame.
   void SetLoad(const Load& load);
 
-  // Sends messages about changes that come with time, such as the battery's capacity.  Called once
-  // a frame (8 ms).
+  // Sends messages about values that change without a call of a setter, such as the battery's
+  // capacity, which falls with time.  Called once a frame (8 ms).
   void Update();
 
   // Switches the robot off; its boot timer boots it later.  Removes all observers of the power

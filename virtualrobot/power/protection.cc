@@ -16,9 +16,9 @@ namespace {
 // speed.  The number is our choice.
 const double kJamSpeed_rad_s = Radians(5);
 
-// If VRCOMM.CFG asks for it, a joint may be jammed for this many times as long before the robot
-// shuts down.  The number is our choice: it is only known that VRCOMM.CFG makes a robot wait longer
-// (field-notes.md 7.20).
+// Factor by which the file VRCOMM.CFG can lengthen the time for which a joint may be jammed before
+// the robot shuts down.  The number is our choice, because no source says how much longer the robot
+// then waits (field-notes.md 7.20).
 constexpr int kPatience = 5;
 
 }  // namespace
