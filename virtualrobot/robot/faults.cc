@@ -56,8 +56,8 @@ void Faults::AddInputs() {
            const std::string problem = (this->*read)(rest, action);
            // Makes inputs of time 0 act before the boot.  Objects open most primitives in DoInit,
            // so a part that is missing at time 0 must be missing before DoInit.  All inputs of
-           // faults do so, not only those for missing parts, so that they take effect in the order
-           // of their lines, and a repair ends the faults above it.
+           // faults act before the boot, not only those for missing parts, so that they take effect
+           // in the order of their lines, and a repair ends the faults above it.
            action->is_before_boot = true;
            return problem;
          }});
@@ -124,8 +124,8 @@ std::string Faults::ReadBreak(std::string_view rest, Inputs::Action* action) {
     return fmt::format("'{}' is no fault{}; known are {}", words[1], DidYouMean(words[1], known),
                        fmt::join(known, ", "));
   }
-  // The index is the number of a Kind, because kKindNames names the first kinds in the order of
-  // Kind.
+  // `kind`, an index of kKindNames, is also the number of a Kind, because kKindNames has the names
+  // of the first kinds in the order of Kind.
   fault.kind = static_cast<Kind>(kind);
   const bool has_percent = fault.kind == Kind::kWeak || fault.kind == Kind::kNoisy;
   if (words.size() != (has_percent ? 3u : 2u))

@@ -73,8 +73,8 @@ class Faults {
   // The next functions read the words after the kind of an input ("break", "heat", ...), as
   // Inputs::Kind::read does.  Each returns "" or the error.
   std::string ReadBreak(std::string_view rest, Inputs::Action* action);
-  // Reads the words of "break PART missing", which ReadBreak() has separated.  `fault` has the
-  // duration.
+  // Reads the input "break PART missing".  `words` are the words after "break", without a duration,
+  // and `fault` has the duration.
   std::string ReadMissing(const std::vector<std::string>& words, const Fault& fault,
                           Inputs::Action* action);
   std::string ReadHeat(std::string_view rest, Inputs::Action* action);
@@ -87,9 +87,9 @@ class Faults {
   // Finds the primitives with the name or locator `name`, and writes their ids to `ids`.  Lights
   // and other primitives without a sensor have only locators.  Returns "" or the error.
   std::string FindPrimitives(const std::string& name, std::vector<OPrimitiveID>* ids) const;
-  // Returns the part with a fault of kind `kind`: for a fault of a motor the joint that has the
-  // sensor `sensor`, otherwise this sensor.  Returns nullopt when the fault is one of a motor, and
-  // the sensor does not belong to a joint.
+  // Returns the place of a fault of kind `kind` at the part with the sensor `sensor`: the joint of
+  // the sensor for kJammed, kWeak and kUnpowered, and the sensor for the other kinds.  Returns
+  // nullopt when the fault needs a joint and the sensor does not belong to a joint.
   std::optional<Place> PlaceOf(Kind kind, int sensor) const;
   void Begin(const Place& place, const Fault& fault);
   void End(const Place& place);

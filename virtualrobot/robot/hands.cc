@@ -206,8 +206,8 @@ std::string Hands::ReadTurn(std::string_view rest, Inputs::Action* action) {
   }
   *action = [this, joint, turn] {
     const auto before = turns_.find(joint);
-    // Goes on from the angle of the hand if a hand turns the joint already, because the joint lags
-    // behind the hand.
+    // If a hand turns the joint already, begins at the angle of this hand and not at the angle of
+    // the joint, because the joint lags behind the hand.
     const double angle_rad =
         before != turns_.end() ? before->second.angle_rad
                                : robot_.body->state().joints[static_cast<size_t>(joint)].angle_rad;

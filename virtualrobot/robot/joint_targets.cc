@@ -28,7 +28,7 @@ std::vector<std::string_view> WordsOf(std::string_view text) {
   return words;
 }
 
-// Removes "in DURATION" from the end of `words`, the words of an input, if it is there, and sets
+// If `words`, the words of an input, end with "in DURATION", removes these two words and sets
 // `frames` to the duration in frames, at least one.  Returns "" or the error.
 std::string TakeInDuration(std::vector<std::string_view>* words, int64_t* frames) {
   const size_t count = words->size();
@@ -102,9 +102,10 @@ int JointTargets::JointNamed(std::string_view name) {
 // point of the joint, or at its measured angle if no set point was sent for the joint since boot.
 void JointTargets::Begin(const std::vector<Goal>& goals, int64_t frames) {
   robot_.devices.set_commander(kNoObject);
-  // True if DoFrame(), which moves the set points in each frame, has run for the frame that begins
-  // now.  In this case Begin() makes the first step of the new movement.  Otherwise DoFrame() makes
-  // this step, because a step of Begin() would move the body in the frame that is just over.
+  // True if DoFrame(), which moves the set points in each frame, has already run for the frame that
+  // begins now.  Begin() then makes the first step of the movement itself.  Otherwise the next
+  // DoFrame() makes the first step, because a step made now would move the body in the frame that
+  // is just over.
   const bool is_frame_done = frame_begin_us_ == robot_.system.now_us();
   for (const Goal& goal : goals) {
     const auto j = static_cast<size_t>(goal.joint);
