@@ -9,7 +9,8 @@
 
 namespace openr_host {
 
-// Rate of the sound that a sink takes, in Hz.  Every sample of a sound of 8 kHz is played twice.
+// Rate of the sound that a sink takes, in Hz.  A sound of 8 kHz is given to the sink with every
+// sample twice, so that every sound has this rate.
 constexpr int kSoundRate = 16'000;
 constexpr int kSoundSamplesPerFrame = 128;  // number of samples in a frame (8 ms)
 

@@ -49,8 +49,8 @@ class Speaker {
   std::string Play(int64_t frame, const SoundFrame& samples, bool motor_power);
 
   // The newest frame of sound as the loudspeaker gives it: with the volume applied, and silent
-  // while the speaker is muted or has no power.  For listeners outside of the run, such as ROS
-  // topics.
+  // while the speaker is muted or has no power.  Listeners outside of the run, such as ROS topics,
+  // get this sound.
   struct Sound {
     int64_t frame = -1;  // frame of the run; -1: nothing was played
     SoundFrame samples{};
