@@ -50,9 +50,9 @@ class SyncKeys {
     int parts = 0;    // number of parts of the key: 1, and 1 more for each Divide()
     int arrived = 0;  // number of parts whose vectors have arrived; <= parts
   };
-  // The bits of a key are serial << 8 | slot << 4 | part.  `slot` is the index in groups_, and
-  // `serial` is Group::serial.  `part` is 0 in the key that New() returned, and numbers the further
-  // keys that Divide() has made from it.
+  // The bits of a key are serial << 8 | slot << 4 | part.  `slot` is the index of the key's Group
+  // in groups_, and `serial` is Group::serial.  `part` is 0 in the key that New() returned;
+  // Divide() gives the further keys that it makes from this key the numbers 1, 2 and so on.
   static constexpr int kSlots = ovrsynckeyMAX_NUM_KEY;
   Group* Find(OVRSyncKey key);
   const Group* Find(OVRSyncKey key) const { return const_cast<SyncKeys*>(this)->Find(key); }

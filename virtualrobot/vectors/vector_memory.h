@@ -34,10 +34,11 @@ struct SentVector {
 SentVector ReadSentVector(RCRegion* region, size_t info_size, const char* kind, System& system,
                           std::vector<std::string>* problems);
 
-// Returns whether the header has the id of the memory in which the vector came.  The robot finds
-// the vector by this id and answers a wrong id with oINVALID_DATA_VECTOR_ID.  When a system object
-// made the memory, any id is accepted: TCPGateway copies vectors of programs on other machines into
-// its memory, and the headers of these vectors have ids of the other machines.
+// Returns whether the header of the vector has the id of the memory in which the vector came.  The
+// robot finds a vector by this id, and answers a wrong id with oINVALID_DATA_VECTOR_ID.  If a
+// system object made the memory, returns true for any id, because of the system object TCPGateway:
+// it copies vectors of other machines into its own memory, and their headers still have the ids of
+// those machines.
 bool NamesItsMemory(const SentVector& vector, System& system);
 
 // Returns the synchronisation key of the vector in `region`; ovrsynckeyUNDEF when the region is too
@@ -67,8 +68,8 @@ class VectorPool {
   void Clear();
 
  private:
-  // When the pool gets its region number kMany, Add() reports a finding.  The number is our choice:
-  // so many regions hold the sensor vectors of 2 s.
+  // Number of regions in the pool at which Add() reports a finding, because objects then probably
+  // never give regions back.  The number is our choice: 64 regions hold the sensor vectors of 2 s.
   static constexpr size_t kMany = 64;
 
   std::vector<RCRegion*> regions_;
