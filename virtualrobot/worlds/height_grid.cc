@@ -17,9 +17,9 @@ struct GridPlace {
   double u = 0, v = 0;
 };
 
-// Converts the coordinate `x` (in m; 0 is the middle of the grid) on a heightfield to a position in
-// points of its grid: 0 is the first point, `count` - 1 the last.  The grid has `count` points over
-// the length `size_m`.
+// Converts the coordinate `x` on a heightfield, in m from the middle of the grid, to a position on
+// the grid that counts its points: 0 is the first point, `count` - 1 the last.  The grid has
+// `count` points over the length `size_m`.
 double InPoints(double x, double size_m, int count) { return (x / size_m + 0.5) * (count - 1); }
 
 GridPlace PlaceOnGrid(const WorldThing& thing, double x, double y) {
@@ -122,9 +122,10 @@ double CastRayOnHeights(const WorldThing& thing, const Vector3d& p, const Vector
     const Vector3d at = p + t * d;
     return at.z() + thing.size_m.z() / 2 - SurfaceAt(thing, at.x(), at.y()).height_m;
   };
-  // The surface of the heightfield is flat between the lines of its grid and the diagonals of its
-  // squares.  So between two points at which the ray crosses such a line, the height `over` of the
-  // ray above the surface is linear in t.  The ray enters the solid where `over` becomes 0.
+  // Divides the ray at its crossings with the lines of the grid and with the diagonals of its
+  // squares, because the surface of the heightfield is flat between these lines.  So between two
+  // crossings, the height `over` of the ray above the surface is linear in t, and the ray enters
+  // the solid where `over` becomes 0.
   const double u = InPoints(p.x(), thing.size_m.x(), grid.columns);
   const double v = InPoints(p.y(), thing.size_m.y(), grid.rows);
   const double du = d.x() / thing.size_m.x() * (grid.columns - 1);

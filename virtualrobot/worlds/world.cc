@@ -32,8 +32,8 @@ struct RayPart {
   double Distance() const { return enter <= leave ? enter : kNever; }
 };
 
-// Cuts `inside` to the part of the ray that is between the planes -half and half of one axis.  `p`
-// and `d` are the ray's coordinates along this axis.
+// Cuts `inside` to the part of the ray between two planes, which cross one axis at -half and half.
+// On this axis, `p` is the coordinate of the start of the ray, and `d` that of its direction.
 void CutBySlab(double p, double d, double half, RayPart* inside) {
   if (d != 0) {
     inside->Cut((-half - p) / d, (half - p) / d);
@@ -56,8 +56,8 @@ void CutByBall(const Vector& p, const Vector& d, double radius, RayPart* inside)
   inside->Cut((-b - std::sqrt(root)) / a, (-b + std::sqrt(root)) / a);
 }
 
-// Returns the place where a ray enters the thing, as a multiple of `direction_W`: infinite when the
-// ray misses the thing, 0 when it starts inside.
+// Returns the least t >= 0 at which the ray p_W + t * direction_W is inside `thing`: infinite when
+// the ray misses the thing, 0 when it starts inside.
 double EnterThing(const WorldThing& thing, const Vector3d& p_W, const Vector3d& direction_W) {
   const Vector3d p = thing.R_WT.transpose() * (p_W - thing.centre_m);
   const Vector3d d = thing.R_WT.transpose() * direction_W;
@@ -127,9 +127,10 @@ void HashWorld(const World& world, Hasher* hasher) {
     hasher->AddBytes(thing.size_m.data(), 3 * sizeof(double));
     hasher->AddBytes(thing.centre_m.data(), 3 * sizeof(double));
     hasher->AddBytes(thing.R_WT.data(), 9 * sizeof(double));
-    // Adds only values that differ from the defaults, so that the hash of an old world stays the
-    // same when WorldThing gets a new member.  Leaves out colours and light, because they change
-    // only images, and the bytes of an image are hashed when an object receives it.
+    // Adds only values that differ from the defaults.  So when WorldThing gets a new member, the
+    // hash of a world that does not use this member stays the same.  Leaves out colours and light,
+    // because they change only images, and the bytes of an image are hashed when an object receives
+    // it.
     if (thing.mass_kg > 0) hasher->Add(thing.mass_kg);
     if (!thing.is_solid) hasher->Add(thing.is_solid);
     if (thing.reflectance != 1) hasher->Add(thing.reflectance);
