@@ -47,8 +47,8 @@ struct Quadrant {
 };
 
 Quadrant Reduce(double x) {
-  // Refuses greater angles, because up to 10^6 the number n of quarter turns is below 2^20, as
-  // kHalfPi1 and kHalfPi2 need.
+  // Refuses angles beyond 10^6 rad.  Up to this limit, the number n of quarter turns is below 2^20,
+  // so the products of n with kHalfPi1 and kHalfPi2 below are exact.
   ASSERT(x >= -1e6 && x <= 1e6, "an angle of {} rad", x);
   const double turns = x * (2.0 / kPi);
   const int64_t n = static_cast<int64_t>(turns < 0 ? turns - 0.5 : turns + 0.5);
@@ -57,7 +57,7 @@ Quadrant Reduce(double x) {
   return {r, static_cast<int>(n & 3)};
 }
 
-// Returns sin(x + shift * pi/2) for the angle x that was reduced to `a`.
+// Returns sin(x + shift * pi/2) for an angle x.  `a` is the result of Reduce(x).
 double SinOfQuadrant(const Quadrant& a, int shift) {
   const int q = (a.q + shift) & 3;
   const double magnitude = (q & 1) ? CosKernel(a.r) : SinKernel(a.r);
@@ -81,9 +81,9 @@ constexpr double kAtanOfEighths[9] = {
 double AtanOfRatio(double small, double large) {
   const int k = static_cast<int>(small / large * 8 + 0.5);
   const double c = k / 8.0;
-  // Uses atan(t) = atan(c) + atan((t - c) / (1 + t c)), where t = small / large and c is the
-  // multiple of 1/8 nearest to t, whose arc tangent is in the table.  The argument u of the second
-  // term is at most 1/16 in size, so a short series is enough for it.
+  // Uses atan(t) = atan(c) + atan(u) with t = small / large and u = (t - c) / (1 + t c).  c is the
+  // multiple of 1/8 nearest to t, so kAtanOfEighths has the arc tangent of c.  A short series is
+  // enough for atan(u), because u is at most 1/16 in size.
   const double u = (small - c * large) / (large + c * small);
   const double z = u * u;
   double sum = 1.0 / 13.0;

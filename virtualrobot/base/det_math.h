@@ -15,8 +15,8 @@ inline constexpr double Radians(double degrees) { return degrees * (kPi / 180); 
 inline constexpr double Degrees(double radians) { return radians * (180 / kPi); }
 
 // DetSin() and DetCos() compute sine and cosine of `x` in radians, within 2e-16 of the true value
-// for |x| <= 1000; no joint turns by so large an angle.  REQUIRES: |x| <= 1e6 (beyond, the
-// reduction to one quadrant loses digits).
+// for |x| <= 1000; no joint turns by so large an angle.  REQUIRES: |x| <= 1e6, because the
+// reduction of a greater angle to one quadrant loses digits.
 double DetSin(double x);
 double DetCos(double x);
 

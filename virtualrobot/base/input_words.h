@@ -14,8 +14,9 @@ namespace openr_host {
 std::string ReadNumber(std::string_view text, double* number);
 std::string ReadPercent(std::string_view text, int* percent);
 
-// Removes "for DURATION" from the end of `words`, the words of an input, if it is there, and sets
-// `frames` to the duration in frames, at least one.  Returns "" or the error.
+// Removes the words "for DURATION" from the end of `words`, the words of an input, and sets
+// `frames` to the duration in frames, at least one.  Changes nothing if `words` has no such end.
+// Returns "" or the error.
 std::string TakeForDuration(std::vector<std::string>* words, std::optional<int64_t>* frames);
 
 }  // namespace openr_host

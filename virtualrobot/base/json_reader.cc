@@ -83,7 +83,8 @@ double JsonReader::NumberWithin(double min, double max) const {
 
 int64_t JsonReader::Whole(int64_t min, int64_t max) const {
   if (!value_.is_number_integer()) Fail("must be a whole number, is {}", value_.dump());
-  // A number beyond int64_t would be converted to a negative one.
+  // Refuses a number above INT64_MAX before the conversion to int64_t, which would make it
+  // negative.
   if (value_.is_number_unsigned() && value_.get<uint64_t>() > INT64_MAX)
     Fail("is {}, must be {} to {}", value_.get<uint64_t>(), min, max);
   const int64_t number = value_.get<int64_t>();
