@@ -1,6 +1,6 @@
 // The interface to physics: one robot body in its world, advanced frame by frame.
 //
-// A Body belongs to one virtual robot and is touched from one thread.  Its behaviour depends only
+// A Body belongs to one virtual robot and is used by one thread only.  Its behaviour depends only
 // on its model, its world and the commands that it was given.  Angles are in radians and
 // lengths in metres.  A frame is 8 ms of virtual time.  A joint is limp when its servo is off.
 // World W and base B are right-handed, with x forward, y left and z up.  B's origin is the midpoint
@@ -23,7 +23,7 @@ class PhysicsWorld;
 inline constexpr double kFrame_s = 0.008;
 inline constexpr double kGravity_m_s2 = 9.80665;
 
-// The effects of hands of people and of faults on one joint and its servo.
+// Disturbance of one joint and its servo by people's hands and by faults.
 struct JointDisturbance {
   std::optional<double> hand_rad;    // a hand turns the joint towards this angle
   std::optional<double> jammed_rad;  // the joint is stuck at this angle
@@ -66,7 +66,8 @@ struct BodyState {
   Eigen::Vector3d gravity_B = Eigen::Vector3d::Zero();
   std::vector<JointState> joints;  // states of the joints, in the order of RobotModel::joints
   std::vector<bool> paws;  // for each paw, whether it touches something; order of RobotModel::paws
-  // Force that presses each paw, averaged over the frame, in N; empty for a body without forces.
+  // Force that presses each paw, averaged over the frame, in N; in the order of RobotModel::paws.
+  // Empty for a body that is not moved by forces (Body::IsPhysical() is false).
   std::vector<double> paw_forces_n;
 };
 
@@ -89,13 +90,12 @@ class Body {
 
   virtual const BodyState& state() const = 0;
 
-  // Returns whether this body is moved by simulated forces, so that Push() moves it.  The body of
-  // --body ideal is not.
+  // Returns whether simulated forces move this body, so that Push() has an effect.  For the body of
+  // MakeIdealBody(), the result is false.
   virtual bool IsPhysical() const { return false; }
 
   // Pushes part `part` (an index of RobotModel::bodies) with `force_W`, in N, at the point `p_W`
-  // during the next Advance() only.  A body that is not moved by forces (IsPhysical()) does not
-  // move.
+  // during the next Advance() only.  Has no effect if IsPhysical() is false.
   virtual void Push(int /*part*/, const Eigen::Vector3d& /*force_W*/,
                     const Eigen::Vector3d& /*p_W*/) {}
 
@@ -104,8 +104,9 @@ class Body {
   // go.
   virtual void Hold(const std::optional<Eigen::Isometry3d>& /*X_WB*/) {}
 
-  // Follows a ray from `p_W` along the unit vector `direction_W` to the floor or the first thing of
-  // Surroundings(); the distance is `max_m` when nothing is nearer.
+  // Follows a ray from `p_W` along the unit vector `direction_W`.  Returns the distance and the
+  // reflectance of what the ray meets first: the floor or a thing of Surroundings().  If the ray
+  // meets nothing within `max_m`, the distance is `max_m`.
   virtual RayHit CastRay(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W,
                          double max_m) const = 0;
 
@@ -114,8 +115,8 @@ class Body {
   virtual const World& world() const = 0;
 
   // Returns what surrounds the robot now: the things of its world in their present places and in
-  // the order of World::things, then the parts of other robots in the same world.  Rays and cameras
-  // meet these things.
+  // the order of World::things, then the parts of other robots in the same world.  Rays hit these
+  // things, and cameras see them.
   virtual std::vector<WorldThing> Surroundings() const { return world().things; }
 
   // Returns the things of the world that can move, in their present places.
@@ -125,8 +126,9 @@ class Body {
   // false when this body cannot move things, or when the thing is not movable.
   virtual bool PutThing(size_t /*thing*/, const Eigen::Vector3d& /*centre_m*/) { return false; }
 
-  // Returns the present pose X_WL of each part, in the order of RobotModel::bodies.  X_WL maps a
-  // point of the part, given as in the model file (in B at zero angles), to its place in W.
+  // Returns the present pose X_WL of each part, in the order of RobotModel::bodies.  The frame L of
+  // a part moves with the part, and coincides with the base frame B when all joint angles are 0.
+  // The model file gives the points of the part in L.
   virtual std::vector<Eigen::Isometry3d> BodyPoses() const = 0;
 
   // Returns the present pose of part `part`: element `part` of the result of BodyPoses().
@@ -136,8 +138,8 @@ class Body {
   virtual void HashState(Hasher* hasher) const = 0;
 };
 
-// MakeIdealBody() and MakeOdeBody() make a body that lies limp and at rest, in the sleeping posture
-// of the model, at the place `start` of the floor.  `model` must outlive the body.  With a
+// MakeIdealBody() and MakeOdeBody() make a body that lies limp and at rest on the floor, in the
+// sleeping posture of the model, at the place `start`.  `model` must outlive the body.  With a
 // PhysicsWorld, MakeOdeBody() puts the body into this world, together with other robots.
 std::unique_ptr<Body> MakeIdealBody(const RobotModel& model, const World& world,
                                     const StartPlace& start = {});

@@ -1,5 +1,5 @@
-// Moves the joints of a body as a careful program would, but without OPEN-R objects.  Tests and
-// checks of models use this class.
+// Moves the joints of a body without jumps, as a careful program would, but without OPEN-R objects.
+// Tests and checks of models use this class.
 #pragma once
 
 #include <string>

@@ -18,22 +18,24 @@ inline Eigen::Vector3d Moved(const Eigen::Isometry3d& X, const Eigen::Vector3d& 
 // coordinates are in the base frame B.
 class Hull {
  public:
-  // Makes the hull of `model` with all parts at the origin.  Call Move() for each part.
+  // Makes the hull of `model`.  Move() must be called for each part before the first call of
+  // LowestAlong().
   explicit Hull(const RobotModel& model);
 
   // Moves the ball and the box of part `part` (index of RobotModel::bodies) to the pose `X_BL`.
   void Move(int part, const Eigen::Isometry3d& X_BL);
 
-  // Returns the point that lies furthest in the direction opposite to `n_B`.  A ball counts as one
-  // point, its lowest point when `up_B` (a unit vector near n_B) points up.  So the hull is made of
-  // points only: these and the corners of the boxes.
+  // Returns the point of the hull that lies furthest in the direction opposite to `n_B`.  A ball
+  // counts as one point: its lowest point when `up_B`, a unit vector near n_B, points up.  So the
+  // hull consists of these points of the balls and of the corners of the boxes.
   Eigen::Vector3d LowestAlong(const Eigen::Vector3d& n_B, const Eigen::Vector3d& up_B) const;
 
   // Returns the centre of the ball of paw `paw` (index of RobotModel::paws), in the base frame B.
   const Eigen::Vector3d& PawCentre(size_t paw) const { return balls_[paw].centre; }
 
  private:
-  // Two numbers with which every x86-64 processor can compute in one instruction.
+  // A vector of two numbers.  Every x86-64 processor can compute with both numbers in one
+  // instruction.
   using Pair = double __attribute__((vector_size(16)));
 
   struct Ball {

@@ -11,9 +11,9 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-// Returns the angle at the end of the frame of a joint on which `disturbance`, a fault or a
-// person's hand, acts.  At the beginning of the frame the joint is at `angle_rad`, and its servo
-// would move it to `goal_rad`.
+// Returns the angle that a joint has at the end of a frame in which `disturbance`, a fault or a
+// person's hand, acts on the joint.  At the beginning of the frame, the joint is at `angle_rad`.
+// Without the disturbance, the servo would move the joint to `goal_rad`.
 double DisturbedAngle(const JointDisturbance& disturbance, double angle_rad, double goal_rad) {
   if (disturbance.jammed_rad || (disturbance.strength == 0 && !disturbance.hand_rad))
     return angle_rad;

@@ -38,8 +38,9 @@ class IdealBody : public Body {
   const World& world() const override { return world_; }
   std::vector<Eigen::Isometry3d> BodyPoses() const override;
   Eigen::Isometry3d PoseOf(size_t part) const override;
-  // Moves the base to the pose `X_WB`, in which a person's hand holds it, at once, but no part of
-  // the robot goes below the floor.
+  // Moves the base at once to the pose `X_WB`, in which a person's hand holds the robot.  If a part
+  // would be below the floor in this pose, the robot is lifted onto the floor.  nullopt: the hand
+  // lets go.
   void Hold(const std::optional<Eigen::Isometry3d>& X_WB) override;
   void HashState(Hasher* hasher) const override;
 

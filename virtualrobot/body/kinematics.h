@@ -14,9 +14,9 @@
 
 namespace openr_host {
 
-// Returns the pose X_BL of each part, in the order of RobotModel::bodies.  X_BL maps a point of the
-// part, given as in the model file (in B at zero angles), to its place in B at `angles_rad`.
-// REQUIRES: one angle per joint.
+// Returns the pose X_BL of each part at `angles_rad`, in the order of RobotModel::bodies.  The
+// frame L of a part moves with the part, and coincides with the base frame B when all angles are 0.
+// The model file gives the points of the part in L.  REQUIRES: one angle per joint.
 std::vector<Eigen::Isometry3d> LinkPoses(const RobotModel& model,
                                          const std::vector<double>& angles_rad);
 
@@ -26,13 +26,14 @@ struct RestingPose {
   std::vector<bool> paws;  // whether each paw is on the floor; order of RobotModel::paws
 };
 
-// Computes how a robot that is stiff at `angles_rad` rests on the floor: on the face of its lower
-// convex hull that lies under its centre of mass.  The hull encloses all paws and boxes.  Because
-// the search begins with an upright robot, the robot never comes to rest on its back.
+// Computes how a robot with joints fixed at `angles_rad` rests on the floor.  The robot rests on a
+// face of its convex hull, which encloses all paws and boxes: the face below its centre of mass.
+// Because the search begins with an upright robot, the robot never comes to rest on its back.
 RestingPose PlaceOnFloor(const RobotModel& model, const std::vector<double>& angles_rad);
 
-// Returns `X_WB`, turned about the vertical through the world's origin and moved to `start`.  A
-// start at the origin changes no bit of the pose.
+// Returns `X_WB`, turned by the yaw of `start` about the vertical axis through the world's origin,
+// and then moved to the place of `start`.  A start at the origin with yaw 0 changes no bit of the
+// pose.
 Eigen::Isometry3d MovedTo(const StartPlace& start, const Eigen::Isometry3d& X_WB);
 
 // Returns the height over z = 0 of the lowest point of all boxes and paws, for a robot whose base

@@ -64,11 +64,11 @@ Triangle HugeTriangleOver(const Vector3d& centre) {
 // Moves the triangle `t` down until it is the face of the robot's convex hull that lies below
 // `centre`.  In each pass, the hull's point that is furthest below the plane of the triangle
 // replaces one corner.  The corner is chosen so that `centre` still lies over the triangle.  `t`
-// and `centre` are in a frame whose z axis points up; R converts vectors of the body's frame B, in
-// which `hull` is, to this frame.  REQUIRES: `centre` lies over `t`.
+// and `centre` are in a frame with the z axis up.  R converts vectors from the base frame B, the
+// frame of `hull`, to this frame.  REQUIRES: `centre` lies over `t`.
 void SinkToSupport(const Hull& hull, const Matrix3d& R, const Vector3d& centre, Triangle* t) {
   // Limit of the number of passes, each of which replaces one corner of the triangle by a lower
-  // point of the hull.  The hulls of these robots need far fewer passes.
+  // point of the hull.  The hulls of our robot models need far fewer passes.
   constexpr int kSwapsMax = 64;
   for (int swaps = 0; swaps < kSwapsMax; ++swaps) {
     const Plane plane = Through(*t);
@@ -128,8 +128,8 @@ void StiffRobot::Move() {
   }
 }
 
-// Computes the moment of part `i` (its mass times its centre of mass), and where its box and paws
-// are in the hull of the robot, from the pose of the part.
+// Computes the moment of part `i` (its mass times its centre of mass), and moves the box and the
+// paws of the part in hull_, both according to the pose of the part.
 void StiffRobot::PlacePart(size_t i) {
   moments_[i] = model_.bodies[i].mass_kg * Moved(X_BL_[i], model_.bodies[i].centre_m);
   hull_.Move(static_cast<int>(i), X_BL_[i]);

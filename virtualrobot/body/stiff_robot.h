@@ -1,4 +1,4 @@
-// A robot whose joints do not give way: the poses of its parts, and how it rests on a flat floor.
+// A robot with stiff joints: the poses of its parts, and how it rests on a flat floor.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -50,8 +50,8 @@ class StiffRobot {
   std::vector<Eigen::Isometry3d> X_BL_;
   // For each part: its mass in kg times its centre of mass in metres, a vector in the frame B.
   std::vector<Eigen::Vector3d> moments_;
-  // For each part, whether Move() has to compute its pose again.  Used by Move() only; a member to
-  // save allocations.
+  // For each part, whether Move() has to compute its pose again.  Only Move() uses this vector.  It
+  // is a member and no local variable, so that Move() does not allocate memory in each call.
   std::vector<bool> has_moved_;
   double mass_kg_ = 0;
   Hull hull_;
