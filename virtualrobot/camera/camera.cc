@@ -11,12 +11,12 @@
 namespace openr_host {
 namespace {
 
-// The factors by which settings of the camera change a picture, in units of 1/256.  The index of
-// each table is the parameter that an object passes to ControlPrimitive().  With the default
-// settings, the image has the colours of the picture that the source of pictures gives.  Gain and
-// shutter make the image brighter or darker.  White balance multiplies red and divides blue by the
-// square root of T / 4300 K, where T is the colour temperature of the setting, and 4300 K that of
-// the default setting.  This root is our choice, because no measurement is known.
+// The tables below have the factors by which the settings of the camera change the colours of a
+// picture; kOne stands for the factor 1.  The index of each table is the parameter that an object
+// passes to ControlPrimitive().  With the default settings, all factors are 1.  Gain and shutter
+// make the image brighter or darker.  White balance multiplies red and divides blue by the square
+// root of T / 4300 K, where T is the colour temperature of the setting.  The default setting has
+// 4300 K.  The square root is our choice, because no measurement is known.
 constexpr int kOne = 256;
 constexpr int kGain[] = {0, kOne, kOne, 2 * kOne};  // factors for the gains 0 dB, 0 dB and 6 dB
 constexpr int kShutter[] = {0, 2 * kOne, kOne, kOne / 2};  // factors for 1/50, 1/100 and 1/200 s
@@ -120,8 +120,8 @@ CameraShot CameraDevice::LastShot(int64_t frame, const Body& body) const {
   shot.fov_h_rad = model_.fov_h_rad;
   shot.fov_v_rad = model_.fov_v_rad;
   shot.body = &body;
-  // Computes the axes of the lens.  The lens looks along `direction` and is not rolled, so its y
-  // axis is horizontal in the frame of the part that carries it.
+  // Computes the axes of the lens in the frame L of the part that carries the lens.  The x axis is
+  // the direction of view.  The y axis is horizontal in L, because the camera is not rolled.
   const Eigen::Vector3d& x = model_.direction;
   const Eigen::Vector3d y = Eigen::Vector3d::UnitZ().cross(x).normalized();
   Eigen::Isometry3d X_LC = Eigen::Isometry3d::Identity();

@@ -17,8 +17,8 @@ using Eigen::Vector3d;
 // Number of steps of brightness from the shadow to the lit side of a ball.
 constexpr int kSteps = 63;
 
-// Returns the first of `size` pixels whose centre lies beyond `x`; returns `size` if no centre lies
-// beyond `x`.
+// Returns the index of the first pixel with its centre beyond the coordinate `x`, along an axis
+// with `size` pixels; `size` if there is no such pixel.
 int FirstBeyond(double x, double size) { return static_cast<int>(std::clamp(x + 0.5, 0.0, size)); }
 
 void PutPixel(const RgbBytes& colour, uint8_t* pixel) {
@@ -73,8 +73,8 @@ void Canvas::Begin(const CameraShot& shot, const RgbBytes& floor, const RgbBytes
   inverse_depth_.assign(static_cast<size_t>(width_) * static_cast<size_t>(height_), 0);
   x_.resize(static_cast<size_t>(height_));
 
-  // Gives a pixel the colour of the floor if `rise` is negative there, because the ray of the pixel
-  // then goes down and meets the floor; otherwise the colour of the background.
+  // Fills each pixel with the colour of the floor or of the background.  If `rise` of a pixel is
+  // negative, the ray of the pixel goes down and meets the floor.
   const Linear rise = AlongRays(R_CW_.col(2));
   std::vector<uint8_t> rows[2];
   for (const bool is_floor : {false, true}) {
@@ -179,8 +179,8 @@ void Canvas::DrawFace(Face face, const Vector3d& normal_W, const RgbBytes& colou
   const Vector3d n = R_CW_ * normal_W;
   const double height = normal_W.dot(face.corner(0) - p_WC_);
   if (!(height < 0)) return;
-  // Cuts away the part below the floor, because the floor has no depth in the picture that could
-  // hide this part.
+  // Cuts away the part of the face below the floor, because the depth buffer has no depths of the
+  // floor, so the floor could not hide this part.
   face.CutBy(Vector3d::UnitZ(), 0);
   const Face in_lens = InLens(face);
   if (in_lens.count() < 3) return;
@@ -232,8 +232,8 @@ void Canvas::DrawBall(const Vector3d& centre_W, double radius_m, const Vector3d&
   const Linear towards = AlongRays(centre), left = AlongRays(Vector3d::UnitY());
   const Linear up = AlongRays(Vector3d::UnitZ()), rise = AlongRays(R_CW_.col(2));
   // At the point t d, where the ray meets the ball, the outward normal of the ball is (t d -
-  // centre) / radius.  The share of the directed light there is the scalar product of the normal
-  // with the direction to the light: t * light(d) - light_of_centre.
+  // centre) / radius.  The share of the directed light at this point is the scalar product of the
+  // normal with the direction to the light: t * light(d) - light_of_centre.
   const Linear light = AlongRays(to_light / radius_m);
   const double light_of_centre = to_light.dot(centre) / radius_m, per_c = 1 / c;
   const bool is_sunk = centre_W.z() < radius_m;
@@ -253,7 +253,8 @@ void Canvas::DrawBall(const Vector3d& centre_W, double radius_m, const Vector3d&
       const double inverse = (b + std::sqrt(square)) * per_c;
       const auto depth = static_cast<float>(inverse);
       if (depth <= depths[x] || inverse * kNear_m > 1) continue;
-      // Leaves out a point that is below the floor: its height divided by its distance is negative.
+      // Leaves out a point below the floor.  The sum below is the height of the point, divided by
+      // its distance along the optical axis.
       if (is_sunk && p_WC_.z() * inverse + rise.Of(px, py) < 0) continue;
       depths[x] = depth;
       const double share = std::clamp(light.Of(px, py) / inverse - light_of_centre, 0.0, 1.0);

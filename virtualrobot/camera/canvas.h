@@ -48,8 +48,8 @@ class Face {
 
 class Canvas {
  public:
-  // Things nearer than this distance along the optical axis are not drawn, because a drawing
-  // divides by the distance.
+  // Things nearer than this distance along the optical axis are not drawn, because the drawing
+  // functions divide by the distance.
   static constexpr double kNear_m = 0.004;
 
   // Begins a picture: draws the floor z = 0 up to the horizon, and the background above it.
@@ -95,9 +95,11 @@ class Canvas {
   // the face reaches.  REQUIRES: the corners of the face are in the frame C of the lens.
   Span FindSpans(const Face& face);
   void AddEdge(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
-  // Returns the pixels that a ball covers along one axis of the picture.  The picture has `size`
-  // pixels along this axis.  A slope is y or z divided by x, in the frame C of the lens;
-  // `pixels_per_slope` converts a slope to pixels.
+  // Returns a range of pixels along one axis of the picture, which has `size` pixels.  Only pixels
+  // in this range can show the ball.  The centre of the ball is at `forward` along the x axis of
+  // the lens, and at `sideways` along the y axis (for a range of columns) or the z axis (for a
+  // range of rows).  `pixels_per_slope` is the number of pixels by which a point moves in the
+  // picture when sideways / forward grows by 1.
   Span SpanOfBall(double forward, double sideways, double radius_m, double pixels_per_slope,
                   double size) const;
   Face InLens(const Face& face) const;

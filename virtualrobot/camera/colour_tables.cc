@@ -7,7 +7,8 @@
 namespace openr_host {
 namespace {
 
-// Sets `bit` in the elements `min` to `max` of `bits` and clears it in all others.
+// Sets the bit of the mask `bit` in the elements `min` to `max` of `bits`, and clears this bit in
+// all other elements.
 void Mark(std::array<uint8_t, 256>* bits, uint8_t bit, longword min, longword max) {
   for (longword value = 0; value < 256; ++value) {
     uint8_t& channels = (*bits)[value];

@@ -22,8 +22,8 @@ class ColourTables {
 
   bool empty() const { return used_ == 0; }
 
-  // Returns a byte in which bit k is set when the pixel with these values matches the colour table
-  // of channel k.
+  // Returns a byte in which bit k is set when a pixel with the values `y`, `cr` and `cb` matches
+  // the colour table of channel k.
   uint8_t Detect(uint8_t y, uint8_t cr, uint8_t cb) const {
     const size_t segment = y / (256 / ocdtMAX_Y_SEGMENT);
     return cr_[segment][cr] & cb_[segment][cb];

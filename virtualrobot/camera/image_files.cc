@@ -45,8 +45,9 @@ Picture ReadPng(const std::string& bytes, const std::string& file) {
   return picture;
 }
 
-// Skips blanks and comments in a PPM header and returns the number behind them.  `at` is the
-// present position in `bytes`; it is moved behind the number.
+// Skips blanks and comments of a PPM header, from position `*at` of `bytes` on.  Returns the number
+// that follows, and moves `*at` to the end of this number.  Throws std::runtime_error with the name
+// `file` if no number from 1 to `limit` follows.
 int HeaderNumber(const std::string& bytes, int limit, size_t* at, const std::string& file) {
   while (*at < bytes.size() && std::strchr(" \t\r\n#", bytes[*at]) != nullptr) {
     if (bytes[*at] == '#') *at = std::min(bytes.find('\n', *at), bytes.size() - 1);
@@ -56,7 +57,8 @@ int HeaderNumber(const std::string& bytes, int limit, size_t* at, const std::str
   const size_t begin = *at;
   for (; *at < bytes.size() && bytes[*at] >= '0' && bytes[*at] <= '9'; ++*at) {
     number = number * 10 + (bytes[*at] - '0');
-    // Ends at once, because more digits could make the number overflow.
+    // Reads no more digits when the number exceeds the limit, because more digits could make the
+    // number overflow.
     if (number > limit) break;
   }
   if (*at == begin || number < 1 || number > limit)

@@ -12,8 +12,8 @@ constexpr OFbkImageLayer kColourLayers[] = {ofbkimageLAYER_H, ofbkimageLAYER_M, 
 
 byte Offset(int value) { return static_cast<byte>(std::clamp(value + 128, 0, 255)); }
 
-// Returns the luminance of a colour.  The weights are the inverse of the formula by which programs
-// compute green from Y, Cr and Cb (image_layers.h), so programs get the original green back.
+// Returns the luminance of a colour.  The weights fit the formula by which programs compute green
+// from Y, Cr and Cb (image_layers.h), so the result of this formula is the original green.
 int Luminance(int r, int g, int b) { return (77 * r + 150 * g + 29 * b) >> 8; }
 
 // Writes the tag of a layer, the bytes with which its last row begins: the field counter (number of

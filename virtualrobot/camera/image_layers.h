@@ -3,8 +3,9 @@
 // In each direction, layer H has half the sensor's pixels, layer M has half the pixels of H, and
 // layer L has half the pixels of M.  Each of these three layers has six bands, interleaved row by
 // row: Y (luminance), Cr, Cb, LH, HL and HH.  Programs use LH, HL and HH to compute Y in twice the
-// resolution.  One pixel of a layer stands for four pixels of the picture or of the layer above,
-// where a and b lie above c and d.  LH, HL and HH are offset by 128:
+// resolution.  One pixel of a layer stands for a square of four pixels of the next larger layer (in
+// case of layer H, of the picture).  Let a and b be the luminances of the upper two of these
+// pixels, c and d those of the lower two.  LH, HL and HH are offset by 128:
 //
 //   Y = (a+b+c+d)/4   LH = (a+b-c-d)/4   HL = (a-b+c-d)/4   HH = (a-b-c+d)/4
 //

@@ -44,7 +44,8 @@ Picture FixedPart(int width, int height) {
   return picture;
 }
 
-// Draws the ball, which moves from the left of the picture to the right and back, at half height.
+// Draws the ball of image `number`.  From image to image, the ball moves at half height from the
+// left of the picture to the right and back.
 void DrawBall(int64_t number, Picture* picture) {
   const int radius = picture->height / 8;
   const int way = picture->width - 2 * radius;

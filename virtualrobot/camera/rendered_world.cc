@@ -160,8 +160,8 @@ void DrawWorld(const CameraShot& shot, const World& world, const std::vector<Wor
 }
 
 RenderedWorld::RenderedWorld(const RobotModel& model) : model_(model) {
-  // The parts of the head are not drawn.  A part belongs to the head if it carries the camera, or
-  // if its parent belongs to the head.
+  // Finds the parts of the head, because the camera, which is in the head, does not see them.  A
+  // part belongs to the head if it carries the camera, or if its parent belongs to the head.
   for (size_t i = 0; i < model.bodies.size(); ++i) {
     const int joint = model.bodies[i].joint;
     const auto parent = joint < 0 ? -1 : model.joints[static_cast<size_t>(joint)].parent;

@@ -1,5 +1,5 @@
-// RenderedWorld: draws what a camera sees of its robot's world, with a brightness that depends only
-// on how a surface lies to the light.  Nothing throws a shadow.
+// RenderedWorld: draws what a camera sees of its robot's world.  The brightness of a surface
+// depends only on the angle between the surface and the light.  Nothing throws a shadow.
 #pragma once
 
 #include <string>
@@ -28,8 +28,8 @@ class RenderedWorld : public ImageSource {
   Canvas canvas_;
 };
 
-// Draws the floor of `world`, and `things` in their present places, into `picture`, as the light of
-// `world` shows them.
+// Draws the floor of `world`, and `things` in their present places, into `picture`, in the light of
+// `world`.
 void DrawWorld(const CameraShot& shot, const World& world, const std::vector<WorldThing>& things,
                Canvas* canvas, Picture* picture);
 
