@@ -3,10 +3,10 @@
 //
 // A command vector has an element for each joint, light or ear that it sets, and each element has
 // up to 16 command frames.  A command frame of a joint lasts one robot frame of 8 ms.  A command
-// frame of a light lasts its own period, a command frame of an ear 128 ms (ERS-7: its own period;
-// robot.md, sections 9.4 and 10).  A vector lasts as long as its longest element; shorter elements
-// hold their last value.  The next vector starts in the frame after the last frame of the vector
-// before.
+// frame of a light lasts as long as its member `period` says.  A command frame of an ear lasts
+// 128 ms; on an ERS-7, it has a member `period`, too (robot.md, sections 9.4 and 10).  A vector
+// lasts as long as its longest element; shorter elements hold their last value.  The next vector
+// starts in the frame after the last frame of the vector before.
 #pragma once
 
 #include <OPENR/ODataFormats.h>

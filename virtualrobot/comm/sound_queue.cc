@@ -70,7 +70,7 @@ void SoundQueue::ReadSound(const SentVector& vector, int index, longword frame_n
   OSoundInfo& info = reinterpret_cast<OSoundVectorData*>(vector.header)->info[index];
   const SoundType& type = robot_.speaker.sound_type();
   info.frameNumber = frame_number;
-  // Ends a sound at the latest where its memory ends, because the size in the vector may be wrong.
+  // Cuts a sound off at the end of its memory, because the size in the vector may be wrong.
   size_t bytes = info.dataSize;
   if (bytes > info.maxDataSize || vector.At(info.dataOffset, bytes) == nullptr) {
     const size_t room = info.dataOffset > vector.bytes ? 0 : vector.bytes - info.dataOffset;
@@ -111,9 +111,9 @@ void SoundQueue::Start(int64_t frame, bool behind_another, std::vector<SoundProb
   const SentVector vector = ReadSentVector(playing_.region.get(), sizeof(OSoundInfo),
                                            "sound vector", robot_.system, &found);
   const int64_t wait = WaitOf(vector, &found);
-  // A sound vector that asks for no delay begins in the middle of `frame`, where the vector before
-  // it ended.  A delay counts whole frames.  If another vector was played in a part of `frame`, the
-  // delay begins with the next frame.
+  // A sound vector without a delay begins in `frame`.  If another vector ended in the middle of
+  // this frame, the sound vector begins directly after that vector.  A delay counts whole frames:
+  // from `frame` on, or from the next frame on if another vector was played in a part of `frame`.
   start_ = wait == 0 ? frame : frame + (behind_another ? 1 : 0) + wait;
   if (vector.header != nullptr && !NamesItsMemory(vector, robot_.system)) {
     found.push_back(fmt::format(
@@ -166,8 +166,8 @@ bool SoundQueue::Fill(int64_t frame, SoundFrame* samples, std::vector<SoundProbl
       filled = Copy(filled, samples);
       played = true;
     } else {
-      // The vector has no sound.  It lasts until the end of this frame, so nothing else is played
-      // in the rest of the frame.
+      // Leaves the rest of this frame silent, because a vector without sound lasts until the end of
+      // the frame in which it begins.
       filled = kSoundSamplesPerFrame;
     }
     if (sound_ < sounds_.size()) continue;
@@ -189,7 +189,8 @@ void SoundQueue::HashState(Hasher* hasher) const {
   hasher->Add(turn_.announced());
   hasher->Add(playing_.region ? playing_.region->MemID() : 0);
   for (const Sound& sound : sounds_) {
-    // Adds only whether there is data, because addresses differ between runs.
+    // Hashes only whether the sound has data, and not the address of the data, because addresses
+    // differ between runs.
     hasher->Add(sound.data != nullptr);
     hasher->Add(sound.samples);
     hasher->Add(sound.repeat);

@@ -83,8 +83,8 @@ class SoundQueue {
   void Start(int64_t frame, bool behind_another, std::vector<SoundProblem>* problems);
   void ReadSound(const SentVector& vector, int index, longword frame_number,
                  std::vector<std::string>* problems);
-  // Copies samples of the sound that plays to `samples`, from index `from` on.  Returns the index
-  // after the last sample that was copied.
+  // Copies samples of the sound that is played now into `samples`, beginning at index `from` of
+  // `samples`.  Returns the index after the last sample that was copied.
   int Copy(int from, SoundFrame* samples);
 
   RobotParts& robot_;

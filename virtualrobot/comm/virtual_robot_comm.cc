@@ -123,9 +123,9 @@ void OVirtualRobotComm::ReportOverload() {
   }
 }
 
-// Reports the reason for which the robot now protects itself, such as too much current.  A real
-// robot shuts down in this case.  The simulated robot shuts down only with --strict, so that a run
-// without --strict can be examined further.
+// Adds an error finding about the reason for which a real robot would shut down now to protect
+// itself, such as too much current.  The simulated robot shuts down only with --strict, so that a
+// run without --strict can be examined further.
 void OVirtualRobotComm::Protect(Protection::Reason reason) {
   system().AddFinding(Severity::kError, std::move(reason.finding));
   if (!system().options().strict) return;

@@ -47,8 +47,8 @@ class OVirtualRobotComm : public CodeObject {
   RegionReference exposed_;  // the image that the camera is reading out of its sensor
   Selector frame_;
   bool running_ = false;
-  // A queue of command vectors for each sender.  The sender whose first command vector came first
-  // is first.
+  // Queues of command vectors, one for each sender, in the order in which the senders sent their
+  // first command vectors.
   std::vector<CommandQueue> queues_;
 };
 
