@@ -30,8 +30,9 @@ ODataType CommandTypeOf(const Primitive& primitive) {
   }
 }
 
-// Returns command frame `i` of `data` as a Value, which is the SDK's struct for a command of this
-// type.  Returns a Value with a set point of 0 if the program never filled this frame.
+// Returns command frame `i` of `data` as a Value: the SDK's struct for a command, such as
+// OLEDCommandValue3.  Returns a Value with a set point of 0 if the program never filled this
+// command frame.
 template <typename Value>
 Value As(const OCommandData& data, int i) {
   static_assert(sizeof(Value) == sizeof(OCommandValue));

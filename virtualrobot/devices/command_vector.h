@@ -26,7 +26,7 @@ struct CommandElement {
 
   // Returns how many robot frames of 8 ms the command frame `i` lasts.  For a joint this is 1; for
   // an ear of an ERS-210 it is 16 (128 ms; Hohl 2004, 5.3.4).  For a light, or an ear of an ERS-7,
-  // it is the period of the element; a period of 0 counts as 1.
+  // it is the member `period` of the command frame; a period of 0 counts as 1.
   uint32_t FrameLength(int i) const;
 
   // Returns the set point of command frame `i` in microradians.  REQUIRES: type is

@@ -119,9 +119,9 @@ OStatus Devices::SetGain(int joint, const GainWords& gains) {
   if (!device.gain_enabled) return oGAIN_DISABLED;
   device.gains = gains;
   std::copy(gains.begin() + kNumGains, gains.end(), device.asked_shifts.begin());
-  // If all gains of the joint are 0, does not give the shifts (powers of 2 that scale the gains) of
-  // this joint to the other joints.  Such gains switch the servo off, and the program that sets
-  // them does not care for the shifts.
+  // Gives the shifts of the joint (powers of 2 that scale the gains) to the other joints only if
+  // the joint has a gain that is not 0.  With all gains at 0, the servo is off and its shifts have
+  // no effect.
   if (has_one_shift_ && HasGain(joint)) ShareShifts(joint);
   return oSUCCESS;
 }

@@ -53,11 +53,11 @@ class Devices {
   // motors have power.  The result is valid until the next call.
   const std::vector<JointCommand>& Commands(bool motor_power);
 
-  // Returns how the hands of people and the faults act on `joint`, so that the caller can change
-  // it.
+  // Returns the disturbance of `joint` by people's hands and by faults, so that the caller can
+  // change the disturbance.
   JointDisturbance& Disturbance(int joint);
-  // Returns how the hands of people and the faults act on `joint`, for reading only; null when none
-  // act on it.
+  // Returns the disturbance of `joint` by people's hands and by faults, for reading only; null when
+  // nothing disturbs the joint.
   const JointDisturbance* DisturbanceOf(int joint) const;
 
   // Sets the object whose command vector is applied next.  SetTarget() stores this object as the
@@ -72,8 +72,8 @@ class Devices {
   bool OnFace(int led) const { return on_face_[static_cast<size_t>(led)]; }
   void SetFaceMode(OLED3Mode mode);
 
-  // Returns whether the servo of `joint` moves the joint: the motors have power, the gain is
-  // enabled, and the P gain is not 0.
+  // Returns whether the servo of `joint` moves the joint: the motors have power, the gains of the
+  // joint are enabled (EnableGain()), and the P gain is not 0.
   bool MovesJoint(int joint, bool motor_power) const;
 
   // Returns whether all joints have one register for the shifts (powers of 2 that scale their
@@ -106,7 +106,7 @@ class Devices {
   ObjectId commander_ = kNoObject;
   std::vector<bool> on_face_;  // for each light, the result of OnFace()
   std::vector<JointCommand> commands_;
-  // How the hands of people and the faults act on each joint; empty before the first call of
+  // The disturbance of each joint by people's hands and by faults; empty before the first call of
   // Disturbance().
   std::vector<JointDisturbance> disturbances_;
 };

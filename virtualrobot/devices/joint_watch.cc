@@ -63,9 +63,9 @@ void JointWatch::ServosChanged(const BodyState& body, bool motor_power,
     const bool has_sunk = HasSunk(joints_[j], devices_.joints[j].target_urad * kRadPerUrad);
     joints_[j].has_acted = joints_[j].has_acted || acts;
     if (!begins || joints_[j].told_start) continue;
-    // Does not report a servo that begins to act near its set point, because its joint does not
-    // jump. Does not report a limp joint that has only sunk from its set point, because this is no
-    // mistake of the program.
+    // Does not report a servo that begins to act near a set point that an object has sent, because
+    // the joint does not jump.  Does not report a limp joint that has only sunk from its set point,
+    // because this is no mistake of the program.
     const JointDevice& device = devices_.joints[j];
     const double measured = body.joints[j].angle_rad;
     const double target = device.target_urad * kRadPerUrad;

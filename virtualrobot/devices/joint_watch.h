@@ -4,7 +4,8 @@
 //   - set points jump,
 //   - set points have no effect, because power or gain is off,
 //   - set points are in radians instead of microradians,
-//   - joints of an ERS-7 are given different shifts of their gains, though all joints share one,
+//   - joints of an ERS-7 are given different shifts of their gains, although the joints share one
+//     register for the shifts,
 //   - a motor pushes with at least 78 % of its largest drive for 30 s.
 //
 // A servo acts when it has motor power and a P gain; otherwise its joint is limp.  A frame is 8 ms.
@@ -71,8 +72,8 @@ class JointWatch {
     int loaded_frames = 0;
     // Whether the servo has acted since boot, that is, has had motor power and a P gain.  Until
     // then, `now` and `before` have the range of the joint's positions in the present half second
-    // and in the half second before, by which HasSunk() tells a limp joint that has sunk from a
-    // wrong start.
+    // and in the half second before.  From these ranges, HasSunk() finds out whether a limp joint
+    // was near its set point a moment ago and has only sunk, which is no mistake.
     bool has_acted = false;
     Range_rad now, before;
   };

@@ -34,7 +34,8 @@ OPrimitiveType TypeOf(const std::string& locator) {
 }
 
 // Calls visit(locator, kind, index, sensor) for each primitive of a robot, in the order of their
-// ids.  The last two arguments are the members of Primitive with these names.
+// ids.  The arguments `index` and `sensor` are the values for the members Primitive::index and
+// Primitive::sensor.
 template <typename Visit>
 void VisitPrimitives(const RobotModel& model, const Visit& visit) {
   for (size_t i = 0; i < model.sensors.size(); ++i) {

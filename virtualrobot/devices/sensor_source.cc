@@ -24,12 +24,12 @@ constexpr double kRayMaxM = 2.0;
 // such a sensor sees grey paper, with a reflectance of 0.18, up to 0.8 m (docs/calibration.md).
 constexpr double kLightMinPerM2 = 0.18 / (0.8 * 0.8);
 
-// Time for which one of two sensors is measured before the turn of the other comes.  An ERS-7
-// measures its two distance sensors in turn (field-notes.md 8.5).
+// Time for which an ERS-7 measures one of its two distance sensors in the head before it changes to
+// the other distance sensor (field-notes.md 8.5).
 constexpr int64_t kTurnUs = 50'000;
-// An ERS-7 measures its two distance sensors in turn.  The field `signal` of such a sensor says
-// whether its value is new or was kept.  No document gives the two values of this field, so they
-// are our choice.
+// Values of the field `signal` in the sample of a distance sensor of an ERS-7, which measures its
+// two distance sensors in the head in turn: the value of this sample is new, or it was kept while
+// the other sensor was measured.  No document gives these numbers, so they are our choice.
 constexpr word kFreshSignal = 1, kKeptSignal = 0;
 
 int TurnOf(int64_t frame) { return static_cast<int>(frame * kFrameUs / kTurnUs % 2); }
@@ -91,7 +91,8 @@ SensorSource::SensorSource(const RobotModel& model, const PrimitiveTable& primit
   std::memset(static_cast<void*>(frames_.data()), 0, frames_.size() * sizeof frames_[0]);
 }
 
-// Takes the sample of a joint's sensor.  A joint whose state has not changed keeps its sample.
+// Takes the sample of a joint's sensor.  Keeps the last sample if the angle, the drive, the set
+// point and the state of the sensor have not changed since then.
 void SensorSource::SampleJoint(size_t index, int joint, const BodyState& state,
                                const Devices& devices) {
   const auto j = static_cast<size_t>(joint);
