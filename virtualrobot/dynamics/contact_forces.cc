@@ -100,8 +100,8 @@ bool ContactForces::SolveSticking(const ContactEquations& equations) {
 }
 
 // Solves the equations of the contacts in closed_ (those that press) by Cholesky's method, and sets
-// all other impulses to 0.  Uses loops of our own, because Eigen chooses the order of its sums by
-// the size of the processor's caches.
+// all other impulses to 0.  Does not use Eigen for this, because Eigen chooses the order of its
+// sums by the size of the processor's caches, so the last bits would depend on the processor.
 void ContactForces::SolveOpened(const ContactEquations& equations) {
   const int n = 3 * static_cast<int>(closed_.size());
   const auto row_of = [this](int i) { return 3 * closed_[i / 3] + i % 3; };

@@ -54,8 +54,8 @@ bool IsOverBase(const WorldThing& thing, const Vector3d& p) {
   return std::fabs(p.x()) <= thing.size_m.x() / 2 && std::fabs(p.y()) <= thing.size_m.y() / 2;
 }
 
-// Returns the height of the point `p` over the point `surface` of the heightfield.  `p` is in the
-// axes T of the thing.
+// Returns how high the point `p` is above `surface`, the point of the heightfield with the same x
+// and y.  `p` is in the axes T of the thing.
 double HeightOver(const WorldThing& thing, const Vector3d& p, const SurfacePoint& surface) {
   return p.z() + thing.size_m.z() / 2 - surface.height_m;
 }
@@ -71,8 +71,8 @@ std::optional<TouchPoint> TouchSide(const WorldThing& thing, const Vector3d& p, 
   nearest.z() = std::min(nearest.z(), surface.height_m - half.z());
   const Vector3d way = p - nearest;
   const double distance_m = way.norm();
-  // Leaves out a centre that is exactly on the side, because it gives no direction in which to
-  // push.
+  // Returns nothing for a centre that is exactly on the side, because the direction in which the
+  // side would push the ball is not known.
   if (distance_m >= radius_m || distance_m == 0) return std::nullopt;
   const Vector3d out = way / distance_m;
   return TouchPoint{p - radius_m * out, out, radius_m - distance_m};
@@ -136,8 +136,8 @@ void TouchBallOnHeights(const Vector3d& centre_W, double radius_m, const WorldTh
   } else {
     const SurfacePoint surface = SurfaceAt(thing, p.x(), p.y());
     const double height_m = HeightOver(thing, p, surface) * surface.normal_T.z();
-    // Takes the surface over the centre if the centre is below the surface, because
-    // TouchTriangles() ignores triangles that are above the centre.
+    // Pushes the ball out along the normal of the surface above its centre if the centre is below
+    // the surface, because TouchTriangles() ignores triangles that are above the centre.
     if (height_m <= 0) {
       found.push_back({p - radius_m * surface.normal_T, surface.normal_T, radius_m - height_m});
     } else {

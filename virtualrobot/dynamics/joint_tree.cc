@@ -221,8 +221,8 @@ void JointTree::FindForces(const std::vector<TorqueLine>& lines, double gravity_
 }
 
 // Factors the matrix of the equation of motion into L^T D L, with L a lower triangle with ones on
-// its diagonal.  Eliminates the hinges of the outermost parts first, because then only those
-// elements change whose two unknowns (velocities of hinges or trunk) are on one way to the trunk.
+// its diagonal.  Eliminates the hinges of the outermost parts first, because then the zeros of the
+// matrix (see the top of joint_tree.h) stay zeros.
 void JointTree::Factor() {
   for (int k = Unknowns() - 1; k >= 0; --k) {
     double* const row = RowOf(k);
@@ -258,8 +258,9 @@ void JointTree::AddTorque(int part, const Vector3d& torque_W) {
   AddAlong(part, {torque_W, Vector3d::Zero()}, along_.data());
 }
 
-// Computes the inverse of L^T (L is the result of Factor()) times `x`, for an `x` that is zero
-// except at the unknowns (velocities of hinges and trunk) on the way from `unknown` to the trunk.
+// Multiplies `x` in place by the inverse of L^T (L is the result of Factor()).  REQUIRES: `x` is
+// zero except at the unknowns (velocities of hinges and trunk) on the path from `unknown` to the
+// trunk.
 void JointTree::EliminateFrom(int unknown, double* x) const {
   for (int i = unknown; i >= 0; i = parent_[i]) {
     const double* const row = RowOf(i);
@@ -325,8 +326,8 @@ void JointTree::EndStep(const std::vector<double>& impulses) {
   Move();
 }
 
-// Adds the changes of velocity, which along_ has, to the velocities of trunk and hinges.  Then
-// moves all parts with the new velocities for one step.
+// Adds the changes of velocity in along_ to the velocities of trunk and hinges.  Then moves all
+// parts with the new velocities for one step.
 void JointTree::Move() {
   for (int k = 0; k < 3; ++k) {
     w_W_[k] += along_[k];

@@ -9,10 +9,10 @@
 //
 // M is the inertia matrix of the tree, t0 - B u' the torque lines of the servos, c the forces that
 // the present motion and gravity demand, f pushes, J the Jacobian of the contacts and p their
-// impulses.  An element of the matrix is zero if its two parts are not on one way to the trunk.
-// The factors of the matrix keep these zeros when the leaves of the tree are eliminated first
-// (Featherstone, "Rigid Body Dynamics Algorithms", 2008, chapters 6 and 8), so that the work grows
-// with the number of hinges and not with its third power.
+// impulses.  The element of the matrix for two hinges is zero if neither of them is on the path
+// from the other to the trunk.  The factors of the matrix keep these zeros when the leaves of the
+// tree are eliminated first (Featherstone, "Rigid Body Dynamics Algorithms", 2008, chapters 6 and
+// 8), so that the work grows with the number of hinges and not with its third power.
 //
 // Vectors are in the axes of the world W.  Moments and lines of force refer to the point O, the
 // place of the trunk's centre of mass at the beginning of the step.  All results have the same bits
@@ -146,8 +146,8 @@ class JointTree {
   void Move();
 
   const std::vector<TreePart> parts_;
-  // For each unknown (a velocity of the trunk or of a hinge): the next unknown on the way to
-  // unknown 0; -1 for unknown 0 itself.
+  // For each unknown (a velocity of the trunk or of a hinge): the index of the next unknown on the
+  // path to unknown 0, which belongs to the trunk; -1 for unknown 0 itself.
   std::vector<int> parent_;
 
   // The state of the tree: orientation, place and velocities of the trunk, and the angles and

@@ -81,9 +81,9 @@ TorqueLine Servo::MotorLine(double angle_rad, double speed_rad_s, double step_s)
   const double drive = Drive(angle_rad, speed_rad_s);
   if (drive > kDriveFull) return {stall_nm, slope_nm_s};
   if (drive < -kDriveFull) return {-stall_nm, slope_nm_s};
-  // Computes the P and D parts for the joint's angle and speed at the end of the step, not at its
-  // beginning.  So high gains on a light part stay stable with any length of the step.  The angle
-  // at the end is angle_rad + step_s * v, where v is the speed at the end.
+  // Computes the P and D parts of the drive for the joint's angle and speed at the end of the step,
+  // not at its beginning.  So high gains on a light part stay stable with any length of the step.
+  // The angle at the end is angle_rad + step_s * v, where v is the speed at the end.
   const double nm_per_count = stall_nm / kDriveFull;
   if (is_blind()) return {nm_per_count * drive, slope_nm_s};
   return {nm_per_count * (drive + d_ * speed_rad_s),
