@@ -11,7 +11,7 @@ namespace {
 // Largest number of attempts to solve the equations of all contacts at once, under the assumption
 // that no contact slides.  Each attempt leaves out the contacts that pulled at the ground in the
 // attempt before.  If all attempts fail, the contacts are solved one after the other (Sweep()).
-constexpr int kOpenRounds = 3;
+constexpr int kMaxRounds = 3;
 
 double Length(double x, double y) { return std::sqrt(x * x + y * y); }
 
@@ -85,8 +85,8 @@ bool ContactForces::LiesInCone(int contact) const {
 bool ContactForces::SolveSticking(const ContactEquations& equations) {
   closed_.resize(equations.contacts());
   for (int c = 0; c < equations.contacts(); ++c) closed_[c] = c;
-  for (int round = 0; round < kOpenRounds; ++round) {
-    SolveOpened(equations);
+  for (int round = 0; round < kMaxRounds; ++round) {
+    SolveClosed(equations);
     // Tries again without the contacts that pulled, because the other impulses change when these
     // are 0.
     if (std::erase_if(closed_, [this](int c) { return impulses_[3 * c] < 0; }) > 0) continue;
@@ -102,7 +102,7 @@ bool ContactForces::SolveSticking(const ContactEquations& equations) {
 // Solves the equations of the contacts in closed_ (those that press) by Cholesky's method, and sets
 // all other impulses to 0.  Does not use Eigen for this, because Eigen chooses the order of its
 // sums by the size of the processor's caches, so the last bits would depend on the processor.
-void ContactForces::SolveOpened(const ContactEquations& equations) {
+void ContactForces::SolveClosed(const ContactEquations& equations) {
   const int n = 3 * static_cast<int>(closed_.size());
   const auto row_of = [this](int i) { return 3 * closed_[i / 3] + i % 3; };
   factor_.resize(static_cast<size_t>(n) * n);

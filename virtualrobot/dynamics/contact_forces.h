@@ -69,7 +69,7 @@ class ContactForces {
 
  private:
   bool SolveSticking(const ContactEquations& equations);
-  void SolveOpened(const ContactEquations& equations);
+  void SolveClosed(const ContactEquations& equations);
   bool LiesInCone(int contact) const;
   double Sweep(const ContactEquations& equations);
 
