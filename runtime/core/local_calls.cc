@@ -31,7 +31,7 @@ void LocalCalls::CloseBox(uint64_t box) {
   Object* const self = t_current.object;
   self->boxes.open.erase(box);
   self->boxes.arrived.erase(box);
-  system_->time_events().ForgetBox(self->id, box);
+  if (self->boxes.with_event.erase(box) > 0) system_->time_events().ForgetBox(self->id, box);
 }
 
 bool LocalCalls::AcceptsReply(ObjectId asker, uint64_t box) const {
@@ -68,7 +68,8 @@ uint32_t LocalCalls::AddTimedEvent(const TimeEvents::Letter& letter, int64_t fir
 
 uint32_t LocalCalls::AddReplyEvent(const TimeEvents::Letter& letter, uint64_t box) {
   const uint32_t event = system_->time_events().AddReply(letter, box);
-  const Object* const self = t_current.object;
+  Object* const self = t_current.object;
+  self->boxes.with_event.insert(box);
   // Posts the message of the reply event (`letter`) now if the reply has come already, because the
   // arrival of a reply posts only messages that were ordered before it.
   if (self->boxes.arrived.contains(box)) system_->time_events().ReplyArrived(self->id, box);

@@ -78,6 +78,9 @@ struct ReplyBoxes {
   uint64_t last = 0;                         // the number of the newest box
   std::set<uint64_t> open;                   // boxes in which a reply may arrive, or has arrived
   std::map<uint64_t, OwnedMessage> arrived;  // replies that no handler has received yet
+  // The boxes among `open` for which the object has ordered reply events (SetReplyEvent()).  Such
+  // events may still wait in TimeEvents when their box is closed, and must be removed then.
+  std::set<uint64_t> with_event;
 };
 
 // An object's use of the robot's processor, if handlers take time; see cpu.h.

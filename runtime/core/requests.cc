@@ -45,6 +45,10 @@ OwnedMessage Requests::Await(uint64_t box, int64_t timeout_us, std::string_view 
   // before.
   if (wake != nullptr) system_->queue().TakeIf([wake](const Message& m) { return &m == wake; });
   self->boxes.open.erase(box);
+  // Removes the reply events that the object has ordered for this reply and that were not posted,
+  // because the reply came while the handler waited for it.  They can never be posted any more, but
+  // would count among the events of the object.
+  if (self->boxes.with_event.erase(box) > 0) system_->time_events().ForgetBox(self->id, box);
   return message;
 }
 

@@ -205,6 +205,30 @@ TEST_F(DispatcherTest, AReplyEventEndsWithItsReplyBox) {
   });
 }
 
+TEST_F(DispatcherTest, AReplyEventEndsWhenAHandlerThatWaitsReceivesTheReply) {
+  Recorder* asker = Add("asker");
+  Recorder* other = Add("other");
+  const ObjectId id = asker->host().id;
+  other->on_message = [&](int value) {
+    system.requests().Reply(system.requests().TakeTicket(), &value, sizeof value);
+  };
+  asker->on_message = [&](int value) {
+    OwnedMessage request = system.NewMessage(other->host().id, other->entry);
+    std::memcpy(request->payload, &value, sizeof value);
+    request->size = sizeof value;
+    uint64_t box = 0;
+    ASSERT_EQ(system.requests().Send(std::move(request), &box), sSUCCESS);
+    system.calls().AddReplyEvent({id, id, asker->entry, {}}, box);
+    EXPECT_EQ(system.calls().CountEvents(), 1);
+    int reply = 0;
+    system.requests().Wait(box, &reply, sizeof reply, nullptr, -1, "a reply");
+    log.push_back(fmt::format("reply {}, {} events", reply, system.calls().CountEvents()));
+  };
+  Post(asker, 1);
+  system.RunFor(100);
+  EXPECT_EQ(log, (Log{"asker:1@0", "other:1@0", "reply 1, 0 events"}));
+}
+
 TEST_F(DispatcherTest, AHandlerCanBeAbandonedAndItsObjectGoesOn) {
   Recorder* a = Add("a");
   a->on_message = [&](int value) {
