@@ -82,6 +82,12 @@ OwnedMessage TestGate::Admit(OwnedMessage message) {
   return message;
 }
 
+void TestGate::ForEach(const std::function<void(const Message&)>& visit) const {
+  for (const HeldMessages& held : held_) {
+    for (const OwnedMessage& message : held.messages_) visit(*message);
+  }
+}
+
 void TestGate::RepeatIfAsked(const Message& message) {
   for (RepeatedMessage& repeated : repeated_) {
     if (repeated.happened()) continue;

@@ -130,6 +130,7 @@ class TestGate : public openr_host::Gate {
   void Verify(const ReportAt& report);
 
   openr_host::OwnedMessage Admit(openr_host::OwnedMessage message) override;
+  void ForEach(const std::function<void(const openr_host::Message&)>& visit) const override;
 
   // Returns one line for each Hold() that holds messages now.
   std::string Text() const;

@@ -67,6 +67,7 @@ class Dispatcher {
     gate_ = gate;
     CheckDeliveries();
   }
+  const Gate* gate() const { return gate_; }
   // Makes the dispatcher call Admit() for every message again, to find out whether the receiver can
   // handle the message now.  Called when a gate, a model of the processor, or the boot of an object
   // begins, because these may hold back messages to any object.  Admit() ends this state when no

@@ -228,8 +228,9 @@ std::vector<StandingReady> ObjectTable::EndMessagesTo(Object* old) {
 
 // Makes the regions of object `id` that are in notifications on their way belong to no object.
 // EndAllOf() deletes all regions of the object, but the observers of these notifications have not
-// read the data yet: an observer may wait in a handler, or for the processor.  The ready that gives
-// such a region back deletes the region, if the object itself has kept no reference to it.
+// read the data yet: an observer may wait in a handler, or for the processor, or a gate may keep
+// its messages.  The ready that gives such a region back deletes the region, if the object itself
+// has kept no reference to it.
 void ObjectTable::KeepSentRegions(ObjectId id) {
   RegionTable& regions = system_->regions();
   const auto keep = [&regions, id](const Message& message) {
@@ -241,6 +242,7 @@ void ObjectTable::KeepSentRegions(ObjectId id) {
     }
   };
   system_->queue().ForEach(keep);
+  if (const Gate* const gate = system_->dispatcher().gate()) gate->ForEach(keep);
   for (const auto& cpu : system_->dispatcher().cpus()) {
     for (const OwnedMessage& message : cpu->waiting()) keep(*message);
   }

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "runtime/base/rng.h"
@@ -47,6 +48,8 @@ class Gate {
   // Returns `message` if it may be delivered now.  Otherwise the gate keeps it, gives it back later
   // with System::Readmit(), and returns null.
   virtual OwnedMessage Admit(OwnedMessage message) = 0;
+  // Calls `visit` for every message that the gate keeps.
+  virtual void ForEach(const std::function<void(const Message&)>& visit) const = 0;
 };
 
 // A schedule that chooses at random, with a generator that depends only on `seed`.

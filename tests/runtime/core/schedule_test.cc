@@ -146,6 +146,9 @@ class KeepFor : public Gate {
     if (message->target == kept_for) kept.push_back(std::move(message));
     return message;
   }
+  void ForEach(const std::function<void(const Message&)>& visit) const override {
+    for (const OwnedMessage& message : kept) visit(*message);
+  }
   ObjectId kept_for = kNoObject;
   std::vector<OwnedMessage> kept;
 };

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/core/dispatcher.h"
 #include "runtime/core/image_info.h"
 #include "runtime/core/load_image.h"
 #include "runtime/core/load_stick.h"
@@ -219,6 +220,50 @@ TEST_F(ImageTest, WhatTheOldImageHasSentArrivesUnchanged) {
   EXPECT_EQ(system->regions().CountOf(kNoObject), 0);  // the answer was given back
   EXPECT_EQ(Findings(), "");
   EXPECT_EQ(talker->Ask("count"), "1");
+  RunAs(talker, [&] {
+    for (RCRegion* const region : regions) region->RemoveReference();
+  });
+}
+
+// Keeps all notifications.
+class NotificationGate : public Gate {
+ public:
+  OwnedMessage Admit(OwnedMessage message) override {
+    if (message->kind == PayloadKind::kNotify) kept.push_back(std::move(message));
+    return message;
+  }
+  void ForEach(const std::function<void(const Message&)>& visit) const override {
+    for (const OwnedMessage& message : kept) visit(*message);
+  }
+  std::vector<OwnedMessage> kept;
+};
+
+TEST_F(ImageTest, WhatAGateKeepsOfTheOldImageArrivesUnchanged) {
+  Start();
+  NotificationGate gate;
+  RunAs(talker, [&] {
+    talker->out->SetData("count", sizeof "count");
+    talker->out->NotifyObservers();
+  });
+  system->Step();  // the image gets the question
+  system->dispatcher().set_gate(&gate);
+  system->RunFor(100);
+  ASSERT_EQ(gate.kept.size(), 1u);  // the answer
+  system->object_table().Reload(system->FindObject(0, "probe")->id);
+  system->RunFor(1000);
+  EXPECT_NE(printed.find("destroyed"), std::string::npos);
+  // New regions, whose memory would be that of the answer if the reload had freed it.
+  std::vector<RCRegion*> regions;
+  RunAs(talker, [&] {
+    for (int i = 0; i < 8; ++i) regions.push_back(new RCRegion(2));
+  });
+  system->dispatcher().set_gate(nullptr);
+  system->Readmit(std::move(gate.kept[0]));
+  gate.kept.clear();
+  system->RunFor(1000);
+  EXPECT_EQ(talker->answer, "1");
+  EXPECT_EQ(system->regions().CountOf(kNoObject), 0);  // the answer was given back
+  EXPECT_EQ(Findings(), "");
   RunAs(talker, [&] {
     for (RCRegion* const region : regions) region->RemoveReference();
   });
