@@ -62,6 +62,7 @@ std::unique_ptr<ImageObject> OpenImage(System* system, int robot, ObjectId id,
   image->path = path;
   // The regions of the object that the new image is to replace; none if there is no such object.
   const std::vector<uint32_t> old_regions = RegionsOf(*system, id);
+  const uint32_t last_event = system->time_events().last_id();
   const std::string problem = image->Load(location.path, system->run_folder());
   if (const Object* const old = system->object(id); old != nullptr && !old->is_absent) {
     for (const uint32_t region : RegionsOf(*system, id)) {
@@ -69,6 +70,7 @@ std::unique_ptr<ImageObject> OpenImage(System* system, int robot, ObjectId id,
       system->regions().SetOwner(region, kNoObject);
       image->early_regions.push_back(region);
     }
+    image->early_events = system->time_events().TakeNewerThan(last_event);
   }
   const auto refuse_loaded = [&](const std::string& why) {
     for (const uint32_t region : image->early_regions) system->regions().Delete(region);

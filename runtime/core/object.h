@@ -14,6 +14,7 @@
 #include "runtime/core/delivery_state.h"
 #include "runtime/core/fp_flags.h"
 #include "runtime/core/message.h"
+#include "runtime/core/time_events.h"
 
 class RCRegion;
 
@@ -187,6 +188,10 @@ class Object {
   // The regions belong to no object until ObjectTable::Place() has deleted the regions of that
   // object, and then to this object.
   std::vector<uint32_t> early_regions;
+  // The time events that constructors of an image have ordered although another object still has
+  // its id.  ObjectTable::Place() gives them back to TimeEvents after it has removed the events of
+  // that object.
+  TimeEvents::Events early_events;
 
   // Text after "state: " in the last INFO line that the object has printed with OSYSLOG1.  This
   // member and the next three members are statistics for the report of the run.

@@ -277,6 +277,7 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
     EndAllOf(id);
   }
   for (const uint32_t region : fresh->early_regions) system_->regions().SetOwner(region, id);
+  system_->time_events().PutBack(std::move(fresh->early_events));
   for (const Listener& listener : replace_listeners_) listener(id);
   PassToSuccessor(*old, fresh.get());
   fresh->delivery.set_off(old->delivery.is_off());

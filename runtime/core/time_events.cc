@@ -58,6 +58,18 @@ void TimeEvents::ForgetBox(ObjectId owner, uint64_t box) {
   });
 }
 
+TimeEvents::Events TimeEvents::TakeNewerThan(uint32_t id) {
+  Events taken;
+  for (auto it = events_.upper_bound(id); it != events_.end(); it = events_.erase(it))
+    taken.insert(std::move(*it));
+  return taken;
+}
+
+void TimeEvents::PutBack(Events events) {
+  for (auto& [id, event] : events) event.due_us = std::max(event.due_us, system_->now_us());
+  events_.merge(events);
+}
+
 int64_t TimeEvents::NextUs() const {
   int64_t next_us = INT64_MAX;
   for (const auto& [id, event] : events_) next_us = std::min(next_us, event.due_us);

@@ -26,6 +26,16 @@ class TimeEvents {
     std::vector<unsigned char> bytes;
   };
 
+  // A time event or a reply event.
+  struct Event {
+    Letter letter;
+    int64_t due_us = INT64_MAX;  // INT64_MAX if the event waits for a reply
+    int64_t period_us = 0;
+    uint64_t box = 0;    // the box whose reply the event waits for; 0 for a timed event
+    uint64_t cause = 0;  // number of the message whose handler has ordered the event
+  };
+  using Events = std::map<uint32_t, Event>;  // the key is the id of the event
+
   // Adds a time event, which posts the message `letter` after `first_us` and then every
   // `period_us`, or only once if the period is 0.  Returns the id of the event, which is at least
   // 1.
@@ -45,6 +55,15 @@ class TimeEvents {
   // because the object has ended or is being replaced.
   void ForgetObject(ObjectId id);
 
+  // Returns the id of the newest event; 0 if no event was added yet.
+  uint32_t last_id() const { return last_id_; }
+  // Takes away the events that were added after the event `id`, and returns them.  They post
+  // nothing until PutBack().
+  Events TakeNewerThan(uint32_t id);
+  // Adds `events`, which TakeNewerThan() has returned, again.  Time events that were due meanwhile
+  // are due now.
+  void PutBack(Events events);
+
   // Returns the virtual time at which the next time event is due; INT64_MAX if there is no time
   // event.
   int64_t NextUs() const;
@@ -58,20 +77,12 @@ class TimeEvents {
   void HashState(Hasher* hasher) const;
 
  private:
-  struct Event {
-    Letter letter;
-    int64_t due_us = INT64_MAX;  // INT64_MAX if the event waits for a reply
-    int64_t period_us = 0;
-    uint64_t box = 0;    // the box whose reply the event waits for; 0 for a timed event
-    uint64_t cause = 0;  // number of the message whose handler has ordered the event
-  };
-
   uint32_t Add(Event event);
   void Post(const Event& event);
   bool IsOff(const Event& event) const;
 
   System* const system_;
-  std::map<uint32_t, Event> events_;  // the key is the id of the event
+  Events events_;
   uint32_t last_id_ = 0;
 };
 

@@ -1,5 +1,7 @@
 #include "Imports.h"
 
+#include <MCOOP.h>
+#include <OPENR/OPENR.h>
 #include <OPENR/RCRegion.h>
 #include <math.h>
 #include <setjmp.h>
@@ -11,6 +13,16 @@
 #include <stdexcept>
 #include <vector>
 
+// Orders a message to the entry Tick of the object talker, half a second from now.
+static void
+OrderTick()
+{
+    OID talker;
+    Find("talker", &talker);
+    TimeEventInfoWithRelativeTime info(RelativeTime(0, 500));
+    SetTimeEvent(&info, talker, oentryBASE + 5, 0, 0, 0);
+}
+
 // Keeps an address of the stack on which constructors of global objects run, and a region that such
 // a constructor has made.
 struct Early {
@@ -20,6 +32,10 @@ struct Early {
             fclose(file);
             region = new RCRegion(32);
             strcpy(region->Base(), "made early");
+        }
+        if (FILE* file = fopen("/MS/OPEN-R/MW/DATA/P/EVENT.TXT", "r")) {
+            fclose(file);
+            OrderTick();
         }
         if (FILE* file = fopen("/MS/OPEN-R/MW/DATA/P/THROW.TXT", "r")) {
             fclose(file);

@@ -205,6 +205,25 @@ TEST_F(DispatcherTest, AReplyEventEndsWithItsReplyBox) {
   });
 }
 
+TEST_F(DispatcherTest, TimeEventsThatWereTakenAwayAreDueAtTheEarliestWhenTheyAreBack) {
+  Recorder* a = Add("a");
+  const auto order = [&](int value, int64_t first_us) {
+    const auto* const bytes = reinterpret_cast<const unsigned char*>(&value);
+    const ObjectId id = a->host().id;
+    system.time_events().AddTimed({id, id, a->entry, {bytes, bytes + sizeof value}}, first_us, 0);
+  };
+  order(1, 10);
+  const uint32_t last = system.time_events().last_id();
+  order(2, 20);
+  order(3, 150);
+  TimeEvents::Events taken = system.time_events().TakeNewerThan(last);
+  system.RunFor(100);
+  EXPECT_EQ(log, Log{"a:1@10"});
+  system.time_events().PutBack(std::move(taken));
+  system.RunFor(100);
+  EXPECT_EQ(log, (Log{"a:1@10", "a:2@100", "a:3@150"}));
+}
+
 TEST_F(DispatcherTest, AReplyEventEndsWhenAHandlerThatWaitsReceivesTheReply) {
   Recorder* asker = Add("asker");
   Recorder* other = Add("other");

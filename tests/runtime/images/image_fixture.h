@@ -33,6 +33,7 @@ class Talker : public CodeObject {
       const uint64_t box = system().requests().OpenBox();
       system().requests().Await(box, kSleepUs, "nothing", &timed_out);
     });
+    AddExtra("Tick", [this](void*) { ++ticks; });
   }
   OStatus DoStart(const OSystemEvent&) override {
     in->AssertReady();
@@ -54,6 +55,8 @@ class Talker : public CodeObject {
   OObserver* in;
   Selector sleep;  // the entry whose handler waits for kSleepUs
   std::string answer;
+  // The number of messages to Tick, the sixth entry, which a constructor of the probe orders.
+  int ticks = 0;
 };
 
 class ImageTest : public testing::Test {

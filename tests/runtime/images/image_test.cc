@@ -283,6 +283,17 @@ TEST_F(ImageTest, RegionsThatConstructorsMakeOutliveAReload) {
   EXPECT_EQ(talker->Ask("region"), "made early");
 }
 
+// The reload ends the events of the old object after the constructors of the new one have run.
+TEST_F(ImageTest, TimeEventsThatConstructorsOrderOutliveAReload) {
+  Write("OPEN-R/MW/DATA/P/EVENT.TXT", "");
+  Start();
+  system->object_table().Reload(system->FindObject(0, "probe")->id);
+  system->RunFor(400'000);
+  EXPECT_EQ(talker->ticks, 0);
+  system->RunFor(600'000);
+  EXPECT_EQ(talker->ticks, 1);  // the event of the old object has ended with it
+}
+
 TEST_F(ImageTest, AnImageThatWasCutOffIsRefused) {
   const fs::path image = root / "OPEN-R/MW/OBJS/PROBE.BIN";
   fs::resize_file(image,
