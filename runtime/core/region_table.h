@@ -85,7 +85,9 @@ class RegionTable {
   ObjectId OwnerOf(uint32_t id) const;
   // Returns the object that made the region, even if another object owns it now.  In a run with
   // several processes, the bytes of the region are in the process of this object.  Returns
-  // kNoObject if the region was deleted or its maker has ended.
+  // kNoObject if the region was deleted or its maker has ended.  Also returns kNoObject for a
+  // region that a constructor made while its object was loaded again (Object::early_regions),
+  // because the end of the old object with the same id has removed the maker.
   ObjectId MakerOf(uint32_t id) const;
   void SetOwner(uint32_t id, ObjectId owner);
 
