@@ -95,6 +95,11 @@ void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
 // Handles a notification to `object` that will not be delivered.  Gives the regions of `message`
 // back to the subject with SendDeassert(), so that the subject can use them again.
 void RefuseNotification(Object* object, const Message& message);
+// Handles a notification or a ready of `sender` that was refused after the function that had sent
+// it returned: `message` was in the outbox of `sender` (cpu.h).  The data of a notification become
+// pending again, as if Send() had failed.  The regions that a ready gives back are given back here;
+// the command of the ready is lost.
+void HandleLateRefusal(Object* sender, const Message& message);
 
 // The regions of one notification, at most MAX_NUM_DATA, oldest first.  Unlike a std::vector the
 // list needs no memory of its own, which would be one more cache line to read for each
@@ -194,6 +199,9 @@ struct SubjectState {
   // references to their regions.  Called when the program clears the buffer and when the connection
   // ends.
   void Clear(ObserverLink* link);
+  // Makes the data of `notify`, which Send() has sent to the observer of `link`, pending again as
+  // one notification, because the message was refused (HandleLateRefusal()).
+  void TakeBack(ObserverLink* link, const ONotifyMessage& notify);
   // Drops the oldest pending notification, the first element of ObserverLink::units, and gives up
   // the references to its regions.  REQUIRES: a notification is pending.
   void DropOldestUnit(ObserverLink* link);

@@ -2,11 +2,13 @@
 
 #include <OPENR/OPENR.h>
 #include <fmt/format.h>
+#include <sError.h>
 
 #include <utility>
 
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
+#include "runtime/core/connection_state.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {
@@ -74,7 +76,9 @@ void Cpu::End(int64_t now_us) {
   // Posts the messages to their receivers.  Post() does not put them into an outbox again, because
   // no object is current when processor time ends.
   for (ProcessorState::Outgoing& outgoing : std::exchange(object->processor.outbox, {})) {
-    system_->Post(std::move(outgoing.message), outgoing.delay_us);
+    const Message* const message = outgoing.message.get();
+    if (system_->Post(std::move(outgoing.message), outgoing.delay_us) != sSUCCESS)
+      HandleRefused(object, *message);  // a refused message stays in `outgoing`
   }
   // Puts the messages that were held for the object, and those that waited for the processor, at
   // the front of the queue, because they are older than all messages due now.  Begins with the
@@ -84,6 +88,18 @@ void Cpu::End(int64_t now_us) {
     system_->Readmit(std::move(waiting_.back()));
     waiting_.pop_back();
   }
+}
+
+// Handles a message of `sender` that Post() refuses when it leaves the outbox.  The function by
+// which the program has posted the message returned success, so the program cannot handle this.
+void Cpu::HandleRefused(Object* sender, const Message& message) {
+  if (message.kind == PayloadKind::kNotify || message.kind == PayloadKind::kReady)
+    HandleLateRefusal(sender, message);
+  if (message.reply_box == 0) return;
+  // Ends the wait of the object that has sent the request, as at a time-out, because nothing will
+  // reply.
+  const CurrentScope scope(system_, system_->object(message.sender));
+  system_->calls().BeginWait(message.reply_box, 0, "");
 }
 
 void Cpu::HashState(Hasher* hasher) const {

@@ -77,7 +77,8 @@ class Cpu {
   int64_t EndUs() const;
 
   // Ends the handler that has the processor, whose time is over: sends the messages that it posted,
-  // and lets other handlers run.  REQUIRES: EndUs() == now_us.
+  // and lets other handlers run.  A request that is refused then ends the wait for its reply as a
+  // time-out does.  REQUIRES: EndUs() == now_us.
   void End(int64_t now_us);
 
   void HashState(Hasher* hasher) const;
@@ -88,6 +89,8 @@ class Cpu {
     int64_t left_us;   // processor time that the handler still needed at `since_us`
     int64_t since_us;  // virtual time when the handler last got the processor
   };
+
+  void HandleRefused(Object* sender, const Message& message);
 
   System* const system_;
   std::vector<Job> jobs_;  // the last job runs; the jobs before it were interrupted

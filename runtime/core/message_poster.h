@@ -28,7 +28,7 @@ class MessagePoster {
   bool PostAtOnce(Message* message, Object* target);
   // Queues `message` in the queue of this process.  `target` is its receiver; null if no object has
   // the id of the receiver.  Called by LocalCalls::Post().  Returns an sError as System::Post()
-  // does.  REQUIRES: delay_us >= 0.
+  // does.  A refused message stays in `message`.  REQUIRES: delay_us >= 0.
   int32_t Post(OwnedMessage&& message, Object* target, int64_t delay_us);
   // Puts into the queue again a message to `target` that a gate or the processor (cpu.h) has held.
   // The message is due now and comes before all others of its class and priority.

@@ -143,4 +143,27 @@ void RefuseNotification(Object* object, const Message& message) {
   SendDeassert(object, message.selector, notify.subjectID, regions);
 }
 
+void HandleLateRefusal(Object* sender, const Message& message) {
+  System* const system = sender->system;
+  Object* const target = system->object(message.target);
+  if (message.kind == PayloadKind::kReady) {
+    const auto& ready = *reinterpret_cast<const OReadyMessage*>(message.payload);
+    const CurrentScope scope(system, target);
+    for (int i = 0; i < ready.numOfData; ++i) target->ReturnRegion(ready.rcRegion[i]);
+    return;
+  }
+  const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
+  for (const auto& subject : sender->subjects) {
+    if (subject->id != notify.subjectID) continue;
+    const ObserverID observer = OServiceEntry(OidOf(target->id), message.selector);
+    ObserverLink* const link = subject->Find(observer);
+    if (link == nullptr) continue;
+    const CurrentScope scope(system, sender);
+    return subject->TakeBack(link, notify);
+  }
+  // Gives the regions back with a message, because `sender` is in a worker process, or has removed
+  // this observer since.
+  RefuseNotification(target, message);
+}
+
 }  // namespace openr_host

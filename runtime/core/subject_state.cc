@@ -171,6 +171,22 @@ void SubjectState::SendPending(ObserverLink* link) {
   if (!link->units.empty()) link->waiting_since_us = system->now_us();
 }
 
+void SubjectState::TakeBack(ObserverLink* link, const ONotifyMessage& notify) {
+  for (int i = 0; i < notify.numOfData; ++i)
+    link->pending.insert(link->pending.begin() + i, notify.data[i].srcRCR);
+  link->units.insert(link->units.begin(), {notify.numOfData});
+  --link->sent;
+  if (link->waiting_since_us < 0) link->waiting_since_us = system->now_us();
+  // Makes the observer ready again, because its ready was used for this message, unless it has
+  // given another command since.
+  if (link->ready == 0) link->ready = 1;
+  // Drops the data if notifications that the same handler has sent after them fill the buffer.
+  if (link->units.size() <= link->max) return;
+  DropOldestUnit(link);
+  ++object->dropped_count;
+  if (++link->replaced == 1) ReportReplaced(*this, *link);
+}
+
 void SubjectState::Clear(ObserverLink* link) {
   for (RCRegion* region : link->fresh) region->RemoveReference();
   for (RCRegion* region : link->pending) region->RemoveReference();

@@ -1,7 +1,9 @@
 // Orders the robot leaves open, doors in front of handlers, handlers that take time.
 #include "runtime/core/schedule.h"
 
+#include <OPENR/RCRegion.h>
 #include <gtest/gtest.h>
+#include <sError.h>
 
 #include <map>
 #include <memory>
@@ -270,6 +272,97 @@ TEST_F(CpuTest, ATimeEventComesWhileTheHandlerThatHasTheProcessorWaits) {
   PostTo(waits, 1);
   system->RunFor(1000);
   EXPECT_EQ(log, (Log{"a:1@0", "c:7@50", "b:1@100"}));
+}
+
+// Handlers of the object "busy" take time.
+class BusyCosts : public CostModel {
+ public:
+  int64_t CostUs(const Object& object, uint32_t selector) override {
+    return object.name == "busy" && selector >= oentryBASE ? 100 : 0;
+  }
+};
+
+// The queue of a receiver is full when the processor time of the sender's handler is over.
+class LateRefusalTest : public testing::Test {
+ protected:
+  LateRefusalTest() : system_({.strict = true, .cost = std::make_shared<BusyCosts>()}) {
+    system_.AddRobot("ERS-210", nullptr);
+  }
+  void Start(const char* sender, const char* receiver) {
+    sender_ = system_.AddObject<SubjectProbe>(0, sender);
+    receiver_ = system_.AddObject<ObserverProbe>(0, receiver);
+    system_.Connect({0, "Sender.Out.Number.S", "Receiver.In.Number.O", "test"});
+    system_.Boot();
+    system_.RunFor(1000);
+    RunAs(receiver_, [this] { receiver_->in->AssertReady(); });
+  }
+
+  System system_;
+  SubjectProbe* sender_ = nullptr;
+  ObserverProbe* receiver_ = nullptr;
+};
+
+TEST_F(LateRefusalTest, ANotificationWaitsForTheNextOne) {
+  Start("busy", "receiver");
+  sender_->on_ready = [this](const OReadyEvent&) { sender_->Send(1); };
+  receiver_->host().queue_max = 0;
+  system_.RunFor(1000);
+  EXPECT_EQ(system_.findings().all().size(), 1u);
+  EXPECT_EQ(sender_->out->IsReady(), 1);
+  receiver_->host().queue_max = 32;
+  RunAs(sender_, [this] { sender_->Send(2); });
+  system_.RunFor(1000);
+  EXPECT_EQ(receiver_->events, (Log{"1,2"}));
+  EXPECT_EQ(receiver_->notify_counts, (std::vector<int>{2}));
+}
+
+// The observer asks for one notification at a time, so only the newest waits.
+TEST_F(LateRefusalTest, ANotificationIsReplacedByALaterOneOfItsHandler) {
+  Start("busy", "receiver");
+  sender_->on_ready = [this](const OReadyEvent&) {
+    sender_->Send(1);
+    sender_->Send(2);
+  };
+  receiver_->host().queue_max = 0;
+  system_.RunFor(1000);
+  EXPECT_EQ(system_.regions().CountOf(sender_->host().id), 1);
+  receiver_->host().queue_max = 32;
+  RunAs(sender_, [this] { sender_->Send(3); });
+  system_.RunFor(1000);
+  EXPECT_EQ(receiver_->events, (Log{"2,3"}));
+}
+
+TEST_F(LateRefusalTest, TheRegionsOfAReadyGoBack) {
+  Start("sender", "busy");
+  system_.RunFor(1000);
+  receiver_->on_notify = [this](const ONotifyEvent&) { receiver_->in->AssertReady(); };
+  RCRegion* region = nullptr;
+  RunAs(sender_, [&] {
+    region = new RCRegion(sizeof(int));
+    sender_->out->SetData(region);
+    sender_->out->NotifyObservers();
+  });
+  EXPECT_EQ(region->NumberOfReference(), 2);
+  sender_->host().queue_max = 0;
+  system_.RunFor(1000);
+  EXPECT_EQ(receiver_->events.size(), 1u);
+  EXPECT_EQ(region->NumberOfReference(), 1);
+  RunAs(sender_, [&] { region->RemoveReference(); });
+}
+
+TEST_F(LateRefusalTest, ARequestEndsTheWaitForItsReply) {
+  Log log;
+  Recorder* const asker = system_.AddObject<Recorder>(0, "busy", &log);
+  Recorder* const other = system_.AddObject<Recorder>(0, "other", &log);
+  other->host().queue_max = 0;
+  asker->on_message = [&](int value) {
+    const int32_t error =
+        system_.requests().Call(other->host().id, other->entry, &value, sizeof value, nullptr, 0);
+    log.push_back(fmt::format("error {}@{}", error, system_.now_us()));
+  };
+  PostTo(asker, 1);
+  system_.RunFor(1000);
+  EXPECT_EQ(log, (Log{"busy:1@0", fmt::format("error {}@100", static_cast<int>(sTIMEOUT))}));
 }
 
 TEST_F(CpuTest, SlicingChangesNothing) {
