@@ -49,6 +49,14 @@ bool CanWait(const char* function) {
   return false;
 }
 
+// Adds `us` to the time that has passed in the running handler of `object`.  `waited_us` is the
+// part of it that Wait() adds; the rest comes from calls of GetSystemTime().
+void PassTime(openr_host::Object* object, uint64_t us, uint64_t waited_us) {
+  if (object->handler.passed_us == 0) object->waited_us = 0;
+  object->handler.passed_us += us;
+  object->waited_us += waited_us;
+}
+
 }  // namespace
 
 extern "C" {
@@ -57,7 +65,8 @@ sError GetSystemTime(SystemTime* time) {
   const ApiScope scope;
   openr_host::Object* const object = t_current.object;
   if (object == nullptr || time == nullptr) return sINVALIDARG;
-  if (++object->handler.time_calls == kTimeCallsMax) {
+  PassTime(object, 1, 0);
+  if (object->handler.passed_us - object->waited_us == kTimeCallsMax) {
     t_current.system->AddFinding(
         Severity::kWarning,
         "1000000 calls of GetSystemTime() in one handler: a busy loop holds up "
@@ -70,8 +79,7 @@ sError GetSystemTime(SystemTime* time) {
   System& system = *t_current.system;
   const bool has_robot = object->robot < system.robot_count();
   const int64_t booted_us = has_robot ? system.robot(object->robot).booted_us : 0;
-  const int64_t now =
-      system.now_us() - booted_us + static_cast<int64_t>(object->handler.time_calls);
+  const int64_t now = system.now_us() - booted_us + static_cast<int64_t>(object->handler.passed_us);
   time->seconds = static_cast<longword>(now / 1'000'000);
   time->useconds = static_cast<longword>(now % 1'000'000);
   return sSUCCESS;
@@ -222,7 +230,7 @@ void ExitFromPrologue() {}
 // time itself stands still while a handler runs.
 sError Wait(longword nanosec) {
   if (t_current.object == nullptr) return sFAIL;
-  t_current.object->handler.time_calls += nanosec / 1000;
+  PassTime(t_current.object, nanosec / 1000, nanosec / 1000);
   return sSUCCESS;
 }
 

@@ -171,7 +171,7 @@ void Dispatcher::RunMeasured(Object* object) {
   // The message belongs to the object's state and not to a local variable, because the running
   // stack, with its local variables, is given up if the handler is abandoned.
   object->handler.running.reset(message);
-  object->handler.time_calls = 0;
+  object->handler.passed_us = 0;
   // The code of a handler was compiled for SSE.  It would run slowly if AVX code, such as the
   // string functions of the C library, has left bits in the upper halves of the vector registers
   // (upper_registers.h).

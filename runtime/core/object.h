@@ -48,9 +48,9 @@ struct StandingReady {
 // The state of an object's handler while the handler runs.
 struct HandlerState {
   OwnedMessage running;  // the message being handled; null if no handler runs
-  // The number of calls of GetSystemTime() in this handler.  Each call adds 1 us to the time, so
-  // that a loop that waits for a certain time ends.
-  uint64_t time_calls = 0;
+  // The time that has passed in this handler: 1 us for each call of GetSystemTime(), so that a loop
+  // that waits for a certain time ends, and the times of Wait() (MCOOP.h).
+  uint64_t passed_us = 0;
 };
 
 // The wait of a handler for a reply.  The members are valid only while DeliveryState::blocked() is
@@ -207,6 +207,10 @@ class Object {
   std::set<void*> private_regions;
 
   uint32_t random_state = 1;  // state of the object's own rand()
+
+  // The part of handler.passed_us that Wait() (MCOOP.h) has added.  It has no meaning while
+  // handler.passed_us is 0, so a delivery need not set it.
+  uint64_t waited_us = 0;
 
   // For each floating-point flag, the instruction that first raised the flag.  The index is the bit
   // number of the flag (fp_flags.h).  CrashLog sets the elements.  An element is null if no

@@ -89,5 +89,34 @@ TEST(McoopTest, NoCallWaitsForAnAnswerInAConstructor) {
             "answer; do it in DoInit or DoDestroy");
 }
 
+TEST(McoopTest, AProgramThatWaitsBetweenCallsOfGetSystemTimeIsNoBusyLoop) {
+  System system;
+  Object* const object = &system.AddObject<CodeObject>(0, "waiter")->host();
+  const CurrentScope scope(&system, object);
+  SystemTime time;
+  // 999 waits of 1 ms and 1000 calls, each of which takes 1 us.
+  GetSystemTime(&time);
+  for (int i = 0; i < 999; ++i) {
+    Wait(1'000'000);
+    GetSystemTime(&time);
+  }
+  EXPECT_EQ(time.seconds, 1u);
+  EXPECT_EQ(time.useconds, 0u);
+  EXPECT_TRUE(system.findings().all().empty());
+}
+
+TEST(McoopTest, AWaitHidesNoBusyLoopOnGetSystemTime) {
+  System system;
+  Object* const object = &system.AddObject<CodeObject>(0, "waiter")->host();
+  const CurrentScope scope(&system, object);
+  Wait(2'000'000'000);
+  SystemTime time;
+  for (int i = 0; i < 1'000'000; ++i) GetSystemTime(&time);
+  EXPECT_EQ(time.seconds, 3u);
+  ASSERT_EQ(system.findings().all().size(), 1u);
+  EXPECT_NE(system.findings().all()[0].text.find("1000000 calls of GetSystemTime()"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace openr_host

@@ -83,7 +83,7 @@ TEST_F(DeliveryStateTest, WhatEveryDeliveryReadsLiesOnOneCacheLineOfTheObject) {
   const auto line = [](const void* place) { return reinterpret_cast<uintptr_t>(place) / 64; };
   const uintptr_t first = line(&object.entry_count);
   EXPECT_EQ(line(&object.is_plain), first);
-  EXPECT_EQ(line(&object.handler.time_calls), first);
+  EXPECT_EQ(line(&object.handler.passed_us), first);
   EXPECT_EQ(line(&object.code_entries), first);
 }
 
