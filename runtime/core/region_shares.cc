@@ -2,6 +2,8 @@
 
 #include <sError.h>
 
+#include <algorithm>
+
 #include "runtime/core/region_table.h"
 
 namespace openr_host {
@@ -22,6 +24,24 @@ int32_t RegionShares::Check(ObjectId self, uint32_t region, MemoryProtectionInfo
                                                                  : sPERMISSIONDENIEDSHAREDMEM;
 }
 
+// Returns the rights of `object` to `region`.  If there are none yet, makes them, and before that
+// sometimes removes the rights to deleted regions.  This is not done when a region is deleted,
+// because regions are deleted for many messages and few programs use rights.
+RegionShares::Share& RegionShares::ShareOf(uint32_t region, ObjectId object) {
+  if (const auto found = shares_.find({region, object}); found != shares_.end())
+    return found->second;
+  if (shares_.size() >= cleanup_size_) {
+    // Keeps the record of an object that is attached, because the object may still detach.
+    std::erase_if(shares_, [this](const auto& entry) {
+      return !entry.second.attached && regions_->BaseOf(entry.first.first) == nullptr;
+    });
+    // Doubles the size if few rights were removed, so that the search takes little time for each
+    // new right.
+    cleanup_size_ = std::max(cleanup_size_, 2 * shares_.size());
+  }
+  return shares_[{region, object}];
+}
+
 bool RegionShares::MayWrite(ObjectId self, uint32_t region) const {
   return Check(self, region, MEMPROTINFO_RW) == sSUCCESS;
 }
@@ -32,11 +52,11 @@ int32_t RegionShares::Allow(ObjectId self, uint32_t region, MemoryProtectionInfo
   if (regions_->OwnerOf(region) != self) return sPERMISSIONDENIEDSHAREDMEM;
   if (!IsProtection(info)) return sINVALIDSHAREDMEMPROTECT;
   if (other == kNoObject) return sINVALIDOID;
-  shares_[{region, other}].allowed = info;
+  ShareOf(region, other).allowed = info;
   if (giving_ownership) {
     // The old owner, which gives the region to `other`, may still read and write the region, and
     // counts as attached (AttachMemoryRegion()).
-    shares_[{region, self}] = {MEMPROTINFO_RW, true};
+    ShareOf(region, self) = {MEMPROTINFO_RW, true};
     regions_->SetOwner(region, other);
   }
   return sSUCCESS;
@@ -45,7 +65,7 @@ int32_t RegionShares::Allow(ObjectId self, uint32_t region, MemoryProtectionInfo
 int32_t RegionShares::Attach(ObjectId self, uint32_t region, MemoryProtectionInfo info) {
   const int32_t error = Check(self, region, info);
   if (error != sSUCCESS) return error;
-  Share& share = shares_[{region, self}];
+  Share& share = ShareOf(region, self);
   if (share.attached) return sALREADYATTACHEDSHAREDMEM;
   share.attached = true;
   return sSUCCESS;

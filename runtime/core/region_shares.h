@@ -9,6 +9,7 @@
 
 #include <MemoryRegion.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -38,6 +39,10 @@ class RegionShares {
   // knows what owners have allowed, so in a worker process only the owner may write.
   bool MayWrite(ObjectId self, uint32_t region) const;
 
+  // Returns the number of records of rights and attached objects.  Those of deleted regions are
+  // removed only from time to time (ShareOf()), so this number may include some of them.
+  size_t count() const { return shares_.size(); }
+
  private:
   struct Share {
     MemoryProtectionInfo allowed = MEMPROTINFO_INVALID;
@@ -48,9 +53,12 @@ class RegionShares {
   // write), otherwise an sError.  The owner has all rights; other objects have the rights that
   // Allow() gave them.
   int32_t Check(ObjectId self, uint32_t region, MemoryProtectionInfo info) const;
+  Share& ShareOf(uint32_t region, ObjectId object);
 
   RegionTable* const regions_;
   std::map<std::pair<uint32_t, ObjectId>, Share> shares_;
+  // ShareOf() removes the rights to deleted regions when shares_ has this size.
+  size_t cleanup_size_ = 64;
 };
 
 }  // namespace openr_host
