@@ -58,7 +58,7 @@ int RunServer::Serve() {
     if (!problem.empty()) std::fprintf(stderr, "openr serve: %s\n", problem.c_str());
     if (!problem.empty()) exit_code = kExitWrong;
   }
-  WaitForAllCopies();
+  if (!is_copy_) WaitForAllCopies();
   return exit_code;
 }
 

@@ -24,8 +24,9 @@ class RunServer {
   explicit RunServer(RequestPipe* pipe) : pipe_(*pipe) {}
   ~RunServer();
 
-  // Serves requests until the other end of the pipe is closed, then finishes the run.  Waits
-  // for the forks of this process, because they use its files.  Returns the exit code.
+  // Serves requests until the other end of the pipe is closed, then finishes the run.  The process
+  // that has started the run then waits for its forks, and for the forks of these, because they use
+  // its files.  A fork does not wait, because only it uses its files.  Returns the exit code.
   int Serve();
   // Returns whether this process is a fork that the command "fork" has made.
   bool is_copy() const { return is_copy_; }

@@ -1,6 +1,7 @@
 // The part of RunServer for commands that use the robot's network, copy the run and read its state.
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -128,6 +129,9 @@ RunServer::Answer RunServer::DoFork(const Request& request) {
       throw std::runtime_error("this run cannot be copied: " + why);
     if (!record.empty() && !run_->is_recorded())
       throw std::runtime_error("the run has no recording that could go on in " + record);
+    // Makes this process the parent of copies whose own original ends (a "subreaper", prctl(2)), so
+    // that Serve() waits for them, too.
+    if (!is_copy_) prctl(PR_SET_CHILD_SUBREAPER, 1);
     ReadyPipe ready;
     const pid_t copy = CopyProcess(Flushed::kOwn, Orphan::kGoesOn);
     if (copy < 0) throw std::runtime_error(std::strerror(errno));

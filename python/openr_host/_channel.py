@@ -206,7 +206,7 @@ class Channel:
         return self._socket is None
 
     def close(self) -> None:
-        """Ends the process.  A process that was copied ends only with its last copy."""
+        """Ends the process.  The process that has started the run ends only with the last copy of the run."""
         if self._socket is not None:
             self._socket.close()
             self._socket = None

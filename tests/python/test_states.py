@@ -161,6 +161,21 @@ class ForkTest(unittest.TestCase):
                 counts.add(len(os.listdir(f"/proc/{run._channel.process}/fd")))
             self.assertEqual(len(counts), 1, counts)
 
+    def test_a_chain_of_states_leaves_no_processes(self):
+        with openr_host.Run(body="ideal") as run:
+            run.run(0.1)
+            first = run._channel._popen  # waits for all copies, and collects each that ends
+            ended = []
+            for _ in range(3):
+                with run.save() as state:
+                    ended += [run._channel.process, state._channel.process]
+                    run.go_back(state)
+            for process in ended[1:]:
+                self.assertTrue(has_ended(run, process), process)
+            self.assertIsNone(first.poll())
+            run.run(1)
+        self.assertEqual(first.wait(10), 0)
+
     def test_runs_in_parallel_are_those_in_turn(self):
         with standing() as run:
             def pan_at(degrees):
