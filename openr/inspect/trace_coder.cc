@@ -10,10 +10,10 @@ namespace {
 // Largest payload that is read from a file.  No region of this size fits into the robot's memory,
 // so a larger size means that the file is damaged.
 constexpr uint64_t kPayloadMax = 64 << 20;
-// The largest number of bytes that the last payloads of all senders may have together when a file
-// is read.  The file has only the size of a payload and its differences from the last payload, so a
-// damaged file of some hundred bytes could name many large payloads without differences.  This
-// limit keeps the reader from using all memory for them.
+// The largest number of bytes that the last payloads of all senders may have together.  Before a
+// message with which they would have more, the writer forgets all of them (kForget), and so does
+// the reader.  A damaged file of some hundred bytes could name many large payloads without
+// differences; the limit keeps the reader from using all memory for them.
 constexpr uint64_t kKeptMax = 512 << 20;
 
 void WriteEvent(const NetworkEvent& event, ByteWriter* out) {
@@ -56,8 +56,20 @@ NetworkEvent ReadEvent(ByteReader* in) {
 
 }  // namespace
 
+bool TraceCoder::HasRoomFor(int32_t sender, size_t size) const {
+  return kept_ + size <= kKeptMax || last_.contains({sender, size});
+}
+
 LastPayload& TraceCoder::LastOf(int32_t sender, size_t size) {
-  return last_.try_emplace({sender, size}, size).first->second;
+  const auto [found, is_new] = last_.try_emplace({sender, size}, size);
+  if (is_new) kept_ += size;
+  return found->second;
+}
+
+void TraceCoder::Forget() {
+  last_.clear();
+  kept_ = 0;
+  for (Link& link : links_) link.last = nullptr;
 }
 
 uint32_t TraceCoder::LinkOf(const TraceRecord& record) {
@@ -74,6 +86,14 @@ void TraceCoder::WriteMessage(const TraceRecord& record, std::string_view payloa
   constexpr size_t kHeadMax = 1 + 9 * ByteWriter::kVarintBytesMax + 8;
   ASSERT(number_of_link <= defined_links_ && number_of_link < links_.size());
   Link& link = links_[number_of_link];
+  const bool has_payload = payloads_ && !payload.empty();
+  if (has_payload && (link.last == nullptr || link.last->size() != payload.size())) {
+    if (!HasRoomFor(record.sender, payload.size())) {
+      out->U8(static_cast<uint8_t>(TraceEntry::Kind::kForget));
+      Forget();
+    }
+    link.last = &LastOf(record.sender, payload.size());
+  }
   char* at = out->Room(kHeadMax);
   *at++ = static_cast<char>(TraceEntry::Kind::kMessage);
   at = ByteWriter::PutVarint(number_of_link, at);
@@ -92,10 +112,7 @@ void TraceCoder::WriteMessage(const TraceRecord& record, std::string_view payloa
   out->SetEnd(at);
   number_ = record.number;
   time_us_ = record.time_us;
-  if (!payloads_ || payload.empty()) return;
-  if (link.last == nullptr || link.last->size() != payload.size())
-    link.last = &LastOf(record.sender, payload.size());
-  link.last->Write(payload, out);
+  if (has_payload) link.last->Write(payload, out);
 }
 
 void TraceCoder::ReadLink(ByteReader* in, TraceRecord* record) {
@@ -117,8 +134,7 @@ void TraceCoder::ReadPayload(bool in_pieces, ByteReader* in, TraceEntry* entry) 
   const uint64_t size = in->Varint();
   if (size > kPayloadMax) throw std::runtime_error("a message of " + Counted(size, "byte"));
   const int32_t sender = entry->record.sender;
-  if (!last_.contains({sender, size})) kept_ += size;
-  if (kept_ > kKeptMax)
+  if (!HasRoomFor(sender, size))
     throw std::runtime_error("messages of more than " + Counted(kKeptMax, "byte"));
   LastPayload& last = LastOf(sender, size);
   in_pieces ? last.ReadPieces(in) : last.Read(in);
@@ -163,6 +179,9 @@ void TraceCoder::Write(const TraceEntry& entry, ByteWriter* out) {
       return;
     case TraceEntry::Kind::kMessage:
       return;  // nothing is left to do: WriteMessage() has written the message already
+    case TraceEntry::Kind::kForget:
+      ASSERT(false, "only WriteMessage() writes a kForget");
+      return;
     case TraceEntry::Kind::kNetwork:
       out->Varint(static_cast<uint64_t>(entry.robot));
       out->Varint(entry.events.size());
@@ -203,8 +222,11 @@ void TraceCoder::Write(const TraceEntry& entry, ByteWriter* out) {
 
 TraceEntry TraceCoder::Read(ByteReader* in) {
   TraceEntry entry;
-  entry.kind = ReadEnum(in, TraceEntry::Kind::kMessage);
+  while ((entry.kind = ReadEnum(in, TraceEntry::Kind::kForget)) == TraceEntry::Kind::kForget)
+    Forget();
   switch (entry.kind) {
+    case TraceEntry::Kind::kForget:
+      break;  // was read by the loop above
     case TraceEntry::Kind::kObject:
       entry.id = static_cast<int32_t>(in->Zigzag());
       entry.robot = static_cast<int32_t>(in->Varint());

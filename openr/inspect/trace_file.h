@@ -82,6 +82,9 @@ struct TraceEntry {
     // input.
     kInput = 12,
     kMessage = 13,  // a delivered message; fields: record, payload
+    // The last payloads of all senders count as zeros from here on (TraceCoder).  A reader of
+    // entries does not see this kind.
+    kForget = 14,
   };
   enum class PathKind : uint8_t { kNothing = 0, kFile = 1, kFolder = 2 };
   Kind kind = Kind::kEnd;
@@ -140,6 +143,11 @@ class TraceCoder {
     }
   };
 
+  // Returns whether the last payload of the sender `sender` with the size `size` is kept already,
+  // or may be kept besides the other payloads.
+  bool HasRoomFor(int32_t sender, size_t size) const;
+  // Forgets the last payloads of all senders.
+  void Forget();
   // Returns the last payload of the sender `sender` with the size `size`.  Only bytes that differ
   // from the last payload are written.  This makes the file small, because an object's messages
   // often resemble each other.
@@ -152,7 +160,7 @@ class TraceCoder {
   uint64_t number_ = 0;
   int64_t time_us_ = 0;
   std::map<std::pair<int32_t, size_t>, LastPayload> last_;  // last payloads; key: sender and size
-  uint64_t kept_ = 0;  // number of bytes of all payloads in last_ that were read
+  uint64_t kept_ = 0;  // number of bytes of all payloads in last_
   std::vector<Link> links_;
   // The numbers of the links (paths from one sender to one entry of one receiver); used only for
   // writing.  Nothing depends on the order of the links in this map, so it is not sorted.

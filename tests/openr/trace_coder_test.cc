@@ -106,6 +106,27 @@ TEST(TraceCoderTest, ShortBytesCannotClaimAllMemory) {
   EXPECT_THROW(reader.Read(&in), std::runtime_error);
 }
 
+TEST(TraceCoderTest, PayloadsOfMoreThan512MiBComeBack) {
+  // The ninth payload exceeds the limit, and the writer forgets the payloads before it.  The tenth
+  // has the size of the first again, and another byte that is not zero.
+  const size_t most = 64 << 20;
+  const auto payload_of = [&](size_t i) {
+    std::string payload(i < 9 ? most - i : most, '\0');
+    payload[i * 100] = static_cast<char>('a' + i);
+    return payload;
+  };
+  ByteWriter out;
+  {
+    TraceCoder writer(true);
+    for (size_t i = 0; i < 10; ++i) writer.Write(MessageWith(payload_of(i)), &out);
+  }
+  EXPECT_LT(out.bytes().size(), 500u);
+  ByteReader in(out.bytes());
+  TraceCoder reader(true);
+  for (size_t i = 0; i < 10; ++i) EXPECT_TRUE(reader.Read(&in).payload == payload_of(i)) << i;
+  EXPECT_TRUE(in.AtEnd());
+}
+
 TEST(TraceCoderTest, TimesOfADamagedFileMayBeAnyNumber) {
   TraceEntry late = MessageWith("");
   late.record.time_us = std::numeric_limits<int64_t>::max();
