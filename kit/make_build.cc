@@ -99,10 +99,10 @@ std::vector<fs::path> TopFolders(const Project& project) {
 // all Makefiles.
 bool LeadsOutOfProject(const MakefileVariable& variable, const std::string& makefiles) {
   if (!variable.is_defined) return true;
-  static const std::regex kReference("\\$[({](\\w+)[)}].*");
+  static const std::regex kReference("^\\$[({](\\w+)[)}]");
   return std::any_of(variable.values.begin(), variable.values.end(), [&](const std::string& value) {
     std::smatch match;
-    if (std::regex_match(value, match, kReference) && match[1] != "CURDIR" && match[1] != "PWD" &&
+    if (std::regex_search(value, match, kReference) && match[1] != "CURDIR" && match[1] != "PWD" &&
         !IsDefinedIn(makefiles, match[1])) {
       return true;
     }

@@ -10,14 +10,51 @@ namespace {
 
 using Names = std::vector<std::string>;
 
+// The largest number of characters of a word in which paths are looked for.  No path of Linux is
+// longer.  std::regex calls itself for each character that it matches, so a word of some 30,000
+// characters, such as the data of a script that unpacks itself, would overflow the stack.
+constexpr size_t kWordMax = 4096;
+
 void AddOnce(const std::string& name, Names* names) {
   if (std::find(names->begin(), names->end(), name) == names->end()) names->push_back(name);
 }
 
-// Returns the texts that the group `group` of `pattern` matches in `text`, each once.
+// Cuts `text` into parts: text whose words have at most kWordMax characters, a longer word, text
+// whose words have at most kWordMax characters, and so on.  The last part is text, too.
+Names SplitAtLongWords(const std::string& text) {
+  constexpr char kBlanks[] = " \t\r\n";
+  Names parts(1);
+  for (size_t at = 0; at < text.size();) {
+    const size_t begin = std::min(text.find_first_not_of(kBlanks, at), text.size());
+    const size_t end = std::min(text.find_first_of(kBlanks, begin), text.size());
+    parts.back().append(text, at, begin - at);
+    if (end - begin <= kWordMax) {
+      parts.back().append(text, begin, end - begin);
+    } else {
+      parts.push_back(text.substr(begin, end - begin));
+      parts.emplace_back();
+    }
+    at = end;
+  }
+  return parts;
+}
+
+// Replaces what `pattern` matches in `text`, but leaves words alone that are longer than kWordMax.
+std::string ReplacedInWords(const std::string& text, const std::regex& pattern,
+                            const std::string& format) {
+  const Names parts = SplitAtLongWords(text);
+  std::string result;
+  for (size_t i = 0; i < parts.size(); ++i)
+    result += i % 2 == 0 ? std::regex_replace(parts[i], pattern, format) : parts[i];
+  return result;
+}
+
+// Returns the texts that the group `group` of `pattern` matches in `text`, each once.  Does not
+// look into words that are longer than kWordMax.
 Names AllMatches(const std::string& text, const std::regex& pattern, size_t group = 1) {
   Names names;
-  for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it) {
+  const std::string searched = WithoutLongWords(text);
+  for (std::sregex_iterator it(searched.begin(), searched.end(), pattern), end; it != end; ++it) {
     if ((*it)[group].matched) AddOnce((*it)[group], &names);
   }
   return names;
@@ -34,10 +71,10 @@ std::string Escaped(const std::string& literal) {
 
 MakefileVariable Describe(const std::string& name, const std::string& text) {
   MakefileVariable variable{name, false, {}, ""};
-  const std::regex assignment("(?:^|\n)[ \t]*(?:export[ \t]+)?" + name +
-                              "[ \t]*[:?+]?=[ \t]*([^#\n]*)");
+  const std::regex assignment("(?:^|\n)[ \t]*(?:export[ \t]+)?" + name + "[ \t]*[:?+]?=[ \t]*");
   for (std::sregex_iterator it(text.begin(), text.end(), assignment), end; it != end; ++it) {
-    std::string value = (*it)[1];
+    const auto begin = static_cast<size_t>(it->position(0) + it->length(0));
+    std::string value = text.substr(begin, text.find_first_of("#\n", begin) - begin);
     value.erase(value.find_last_not_of(" \t\r") + 1);
     variable.is_defined = true;
     AddOnce(value, &variable.values);
@@ -63,6 +100,13 @@ constexpr SdkUse kSdkUses[] = {
 
 }  // namespace
 
+std::string WithoutLongWords(const std::string& text) {
+  const Names parts = SplitAtLongWords(text);
+  std::string result;
+  for (size_t i = 0; i < parts.size(); i += 2) result += parts[i];
+  return result;
+}
+
 std::string AdaptMakefile(const std::string& text, const std::string& sdk_root) {
   std::string result;
   for (size_t i = 0; i < text.size(); ++i) {
@@ -84,11 +128,11 @@ std::string AdaptMakefile(const std::string& text, const std::string& sdk_root) 
   for (const std::string& root : roots) {
     if (root.empty() || root == sdk_root) continue;
     const std::regex whole("(^|[^\\w./)}-]|-[ILB])" + Escaped(root) + "(?=[^\\w.+-]|$)");
-    result = std::regex_replace(result, whole, "$1" + sdk_root);
+    result = ReplacedInWords(result, whole, "$1" + sdk_root);
   }
   static const std::regex kStick(
       "(^|[^\\w./)}-])(?!/[mM][sS]/OPEN-R)((?:/[\\w.+-]+)+?)/OPEN-R(?![\\w-])");
-  return std::regex_replace(result, kStick, "$1$${" + std::string(kStickVariable) + "}/OPEN-R");
+  return ReplacedInWords(result, kStick, "$1$${" + std::string(kStickVariable) + "}/OPEN-R");
 }
 
 std::vector<MakefileVariable> SdkVariables(const std::string& text) {

@@ -12,7 +12,12 @@ namespace openr_host {
 //   - a path of a Memory Stick ("/mnt/ms" in "/mnt/ms/OPEN-R", but not the robot's own "/MS")
 //     becomes ${OPENR_KIT_STICK};
 //   - CR LF becomes LF.
+// A word of more than 4096 characters stays as it is, because it can be no path.
 std::string AdaptMakefile(const std::string& text, const std::string& sdk_root);
+
+// Returns `text`, the text of a Makefile, without its words of more than 4096 characters, which can
+// be no paths.  A search in the result for a pattern of paths does not overflow the stack.
+std::string WithoutLongWords(const std::string& text);
 
 // A variable of a Makefile that stands for a folder of the SDK, or for a Memory Stick.
 struct MakefileVariable {

@@ -36,10 +36,11 @@ using Variables = std::map<std::string, std::string>;
 // Returns the variables of a Makefile whose value is a single path, each with the value of its
 // first assignment.  The value may contain other variables.
 Variables PathVariables(const std::string& makefile) {
+  const std::string text = WithoutLongWords(makefile);
   static const std::regex kDefinition(
       "(?:^|\n)[ \t]*(?:export[ \t]+)?(\\w+)[ \t]*[:?]?=[ \t]*([\\w./+(){}$-]+)[ \t\r]*(?=\n|#|$)");
   Variables variables;
-  for (std::sregex_iterator it(makefile.begin(), makefile.end(), kDefinition), end; it != end; ++it)
+  for (std::sregex_iterator it(text.begin(), text.end(), kDefinition), end; it != end; ++it)
     variables.emplace((*it)[1], (*it)[2]);
   return variables;
 }
@@ -68,10 +69,11 @@ std::string Expanded(const std::string& text, const Variables& variables) {
 // Returns the files that the text `makefile` includes.  The variables in `makefile` have been
 // replaced by their values before.
 std::vector<fs::path> IncludedFiles(const fs::path& folder, const std::string& makefile) {
-  static const std::regex kInclude("(?:^|\n)[ \t]*[-s]?include[ \t]+([^#\n]+)");
+  static const std::regex kInclude("(?:^|\n)[ \t]*[-s]?include[ \t]+");
   std::vector<fs::path> files;
   for (std::sregex_iterator it(makefile.begin(), makefile.end(), kInclude), end; it != end; ++it) {
-    std::istringstream words((*it)[1].str());
+    const auto begin = static_cast<size_t>(it->position(0) + it->length(0));
+    std::istringstream words(makefile.substr(begin, makefile.find_first_of("#\n", begin) - begin));
     for (std::string word; words >> word;) files.push_back((folder / word).lexically_normal());
   }
   return files;

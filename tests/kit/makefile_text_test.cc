@@ -3,7 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <string>
+
 #include "kit/image_match.h"
+#include "kit/referred_places.h"
+#include "runtime/base/temp_folder.h"
 
 namespace openr_host {
 namespace {
@@ -70,6 +76,52 @@ TEST(MakefileTextTest, PathsThatLeadUpwardAreFound) {
   EXPECT_THAT(
       UpwardPaths("-I../common ../../lib/x.mk $(TOP)/../no a/../b\n#include \"../h/x.h\"\n"),
       ElementsAre("../common", "../../lib/x.mk", "../h/x.h"));
+}
+
+// Returns a path of 100,000 characters: "BEGIN/ab/ab...".
+std::string LongPath(const std::string& begin) {
+  std::string path = begin;
+  while (path.size() < 100'000) path += "/ab";
+  return path;
+}
+
+TEST(MakefileTextTest, WordsThatAreTooLongForAPathStay) {
+  const std::string data = LongPath("/opt/sdk/OPEN_R");
+  EXPECT_EQ(AdaptMakefile("CXX=/opt/sdk/bin/mipsel-linux-g++\n" + data + "\nI=/opt/sdk/OPEN_R/x\n" +
+                              data + " /mnt/ms/OPEN-R/MW",
+                          "/kit"),
+            "CXX=/kit/bin/mipsel-linux-g++\n" + data + "\nI=/kit/OPEN_R/x\n" + data +
+                " ${OPENR_KIT_STICK}/OPEN-R/MW");
+  EXPECT_THAT(UpwardPaths("../a " + LongPath("..") + " ../b"), ElementsAre("../a", "../b"));
+  EXPECT_THAT(InstalledImages("OBJS/A.BIN " + LongPath("OBJS/") + ".BIN OBJS/" +
+                              std::string(100'000, 'x') + ".BIN OBJS/B.BIN"),
+              ElementsAre("A.BIN", "B.BIN"));
+  const auto variables = SdkVariables("S = /sdk\n" + LongPath("$(L)") + "\n$(S)/OPEN_R/lib\n");
+  ASSERT_EQ(variables.size(), 1u);
+  EXPECT_EQ(variables[0].name, "S");
+}
+
+TEST(MakefileTextTest, AValueMayBeLong) {
+  std::string value = "a.o";
+  while (value.size() < 100'000) value += " a.o";
+  EXPECT_TRUE(IsDefinedIn("OBJS = " + value + "\n", "OBJS"));
+  const auto variables = StickVariables("MS := " + value + " # here\n$(MS)/OPEN-R/MW\n");
+  ASSERT_EQ(variables.size(), 1u);
+  EXPECT_THAT(variables[0].values, ElementsAre(value));
+}
+
+TEST(MakefileTextTest, MakefilesWithLongLinesAreFollowed) {
+  const TempFolder folder;
+  const std::filesystem::path root(folder.path());
+  std::filesystem::create_directories(root / "program");
+  std::filesystem::create_directories(root / "common");
+  std::string include = "include";
+  while (include.size() < 100'000) include += " none.mk";
+  std::ofstream(root / "program/Makefile")
+      << LongPath("LONG=") << "\nLONG =" << LongPath("") << "\nC = ../common\n"
+      << include << " ../common/rules.mk\n-I$(C)\n";
+  EXPECT_THAT(FindReferredPlaces(root / "program").folders,
+              ElementsAre(root / "program", root / "common"));
 }
 
 TEST(ImageMatchTest, EqualNamesGoFirstThenBeginningsThenLettersThenTheRest) {
