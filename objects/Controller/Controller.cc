@@ -18,7 +18,7 @@ static const char STEP_IS_NOT_FOR_THE_ROBOT[] =
     "a function that returns the time step, and call robot_run() with it";
 
 Controller::Controller()
-    : robot_(0), roundedMs_(0), hasStepped_(false), isCameraOn_(false), isStopped_(false), core_(this)
+    : robot_(0), roundedMs_(0), hasStepped_(false), isCameraOn_(false), isStopped_(true), core_(this)
 {
     memset(&sensors_, 0, sizeof(sensors_));
     for (int i = 0; i < NUM_REGIONS; i++) ledRegion_[i] = earRegion_[i] = 0;
@@ -43,6 +43,7 @@ Controller::DoInit(const OSystemEvent&)
         OSYSLOG1((osyslogERROR, "Controller: robot design '%s' is not in RobotConstants", design));
         return oFAIL;
     }
+    isStopped_ = false;
     core_.Begin(robot_);
     SetControllerCore(&core_);
     const OStatus status = OpenLights();
@@ -53,6 +54,9 @@ OStatus
 Controller::DoStart(const OSystemEvent&)
 {
     ENABLE_ALL_SUBJECT;
+    // Begins nothing if DoInit does not know the robot, because the system calls DoStart even then.
+    // Without a ready event no message comes.
+    if (isStopped_) return oFAIL;
     ASSERT_READY_TO_ALL_OBSERVER;
     observer[obsImage]->DeassertReady();  // refuses images until camera_enable() asserts ready
     OSYSLOG1((osyslogINFO, "state: waiting"));

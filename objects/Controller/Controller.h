@@ -90,7 +90,7 @@ private:
     int roundedMs_;
     bool hasStepped_;
     bool isCameraOn_;
-    bool isStopped_;
+    bool isStopped_;  // true before DoInit has found the robot, and from DoStop on
     ControllerCore core_;
 };
 

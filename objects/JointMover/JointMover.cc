@@ -42,10 +42,10 @@ OStatus
 JointMover::DoStart(const OSystemEvent&)
 {
     ENABLE_ALL_SUBJECT;
+    if (robot_ == 0) return oFAIL;  // the system calls DoStart even if DoInit has failed
     core_.Begin(robot_);
     // If the effector is not ready yet, SendVectors() sends nothing, and the effector's first ready
-    // event makes JointMover send vectors.  SendVectors() also sends nothing if DoInit has failed,
-    // because the system calls DoStart even then.
+    // event makes JointMover send vectors.  SendVectors() also sends nothing if DoInit has failed.
     SendVectors();
     SendReports();
     return oSUCCESS;

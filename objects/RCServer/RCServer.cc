@@ -19,7 +19,7 @@ RCServer::RCServer()
       runEnd_(runGOES_ON),
       isEnding_(false),
       endFrame_(0),
-      isStopped_(false)
+      isStopped_(true)
 {
     memset(&sensors_, 0, sizeof(sensors_));
     memset(&ledEar_, 0, sizeof(ledEar_));
@@ -52,6 +52,7 @@ RCServer::DoInit(const OSystemEvent&)
         OSYSLOG1((osyslogERROR, "RCServer: robot design '%s' is not in RobotConstants", design));
         return oFAIL;
     }
+    isStopped_ = false;
     const std::string kept = handler_.Begin(robot);
     if (!kept.empty()) {
         OSYSLOG1((osyslogERROR, "RCServer: what uploads have left cannot be removed or renamed: %s",
@@ -64,6 +65,9 @@ OStatus
 RCServer::DoStart(const OSystemEvent&)
 {
     ENABLE_ALL_SUBJECT;
+    // Serves nobody if DoInit does not know the robot, because the system calls DoStart even then.
+    // Without a ready event no message comes.
+    if (isStopped_) return oFAIL;
     ASSERT_READY_TO_ALL_OBSERVER;
     observer[obsImage]->DeassertReady();  // refuses images until WantImage() asserts ready
     ipstack_ = antStackRef("IPStack");

@@ -118,7 +118,7 @@ private:
     RunEnd runEnd_;       // set by a request for shutdown or reboot
     bool isEnding_;       // whether the answer to the request for the end was sent
     Uint32 endFrame_;     // frame in which the answer to the request for the end was sent
-    bool isStopped_;
+    bool isStopped_;      // true before DoInit has found the robot, and from DoStop on
 };
 
 #endif  // RCServer_h_DEFINED

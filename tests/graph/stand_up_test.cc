@@ -42,6 +42,22 @@ TEST(StandUpTest, EveryJointEndsWhereThePostureWantsIt) {
   });
 }
 
+TEST(StandUpTest, ObjectsThatDoNotKnowTheRobotGoOn) {
+  openr::testing::Bench bench({.stick = OPENR_STICK, .body = "ideal"});
+  bench.system().robot(0).design = "ERS-1000";
+  bench.Boot();
+  bench.system().RunFor(2'000'000);
+  for (const char* const object : {"JointMover", "RCServer", "Controller"}) {
+    EXPECT_NE(bench.console().find(std::string(object) +
+                                   ": robot design 'ERS-1000' is not in RobotConstants"),
+              std::string::npos)
+        << bench.console();
+  }
+  bench.PressPause();  // the objects stop, too
+  bench.system().RunFor(1'000'000);
+  EXPECT_TRUE(bench.system().powered_off());
+}
+
 TEST(StandUpTest, TheOtherModelsStandToo) {
   for (const char* const robot : {"ers220", "ers7"}) {
     GraphOptions options;
