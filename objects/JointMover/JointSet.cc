@@ -131,9 +131,7 @@ JointSet::Wake(int joint, Sint32 urad)
 bool
 JointSet::IsMoving(int joint) const
 {
-    // A joint that waits for its gain begins to move when the gain is on.
-    if (gain_[joint] == gainWAITING) return wakeGoal_[joint] != trajectory_[joint].Position();
-    return trajectory_[joint].IsMoving();
+    return IsWaiting(joint) || trajectory_[joint].IsMoving();
 }
 
 bool

@@ -68,9 +68,10 @@ public:
     // Returns whether there is a command vector to send.  This is so if a joint moves, or if the
     // gain of a joint is to be switched on together with the next vector.
     bool IsBusy() const;
-    // Returns whether the joint is not at its goal yet.  This is so for a joint that waits for its
-    // gain, too, if it has to move when the gain is on.
+    // Returns whether the joint is not held at its goal yet, because it moves or waits for its gain.
     bool IsMoving(int joint) const;
+    // Returns whether the gain of the joint is to be switched on at the end of a command vector.
+    bool IsWaiting(int joint) const { return gain_[joint] == gainWAITING; }
 
     // Advances all joints by one frame of 8 ms, and writes their positions at the end of the frame
     // to `urad`.

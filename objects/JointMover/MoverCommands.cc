@@ -186,15 +186,18 @@ MoverCore::Play(const MoverCommand& command, const Uint8* bytes, size_t size, st
 }
 
 // Returns whether the robot must first move to key frame 0 of the motion, because a joint is far
-// from its position there.  Always returns true for a motion of one key frame, because this
-// movement is the whole motion.
+// from its position there, or because a joint waits for its gain: the joint would jerk if the
+// vectors of the motion moved its set point before the gain is on (see JointSet::Wake()).  Always
+// returns true for a motion of one key frame, because this movement is the whole motion.
 bool
 MoverCore::NeedsPreparation() const
 {
     if (motion_.NumKeyFrames() == 1) return true;
     for (int j = 0; j < motion_.NumJoints(); j++) {
-        if (motion_.RobotJoint(j) < 0) continue;
-        const Sint32 difference = joints_.Position(motion_.RobotJoint(j)) - motion_.Angle(0, j);
+        const int joint = motion_.RobotJoint(j);
+        if (joint < 0) continue;
+        if (joints_.IsWaiting(joint)) return true;
+        const Sint32 difference = joints_.Position(joint) - motion_.Angle(0, j);
         if (difference >= PREPARE_LIMIT_URAD || -difference >= PREPARE_LIMIT_URAD) return true;
     }
     return false;

@@ -182,6 +182,30 @@ TEST_F(MoverMotorsTest, AMotionRightAfterMotorOnWaitsUntilTheJointsAreAtItsFirst
   }
 }
 
+TEST_F(MoverMotorsTest, AMotionRightAfterMotorOnWaitsForTheGainsOfNearJoints) {
+  for (const int32_t hangs : {-200000, 0}) {
+    for (const bool is_vector_made : {false, true}) {
+      StandingDog dog;
+      dog.core.Do({moverkindMOTOR_OFF, MOVER_ALL_JOINTS, 0, {0}, 0, {}, {}});
+      dog.angle[tilt_] = hangs;
+      dog.core.Do({moverkindMOTOR_ON, MOVER_ALL_JOINTS, 0, {0}, 0, {}, {}});
+      VectorPlan plan;
+      if (is_vector_made) {
+        ASSERT_TRUE(dog.core.NextVector(&plan));
+        dog.under_way.push_back(plan);
+      }
+      ASSERT_EQ(dog.Start(MtnBytes::OneJoint(kTiltJoint, {0, 1000, 2000})), "");
+      EXPECT_EQ(dog.core.State(), moverPREPARE_MTN) << hangs << is_vector_made;
+      while (!dog.gain[tilt_]) ASSERT_TRUE(dog.PlayVector());
+      for (const auto& frame : dog.frames) EXPECT_EQ(frame.at(tilt_), hangs);
+      dog.Play();
+      EXPECT_EQ(dog.core.State(), moverACCEPTING_COMMANDS);
+      EXPECT_EQ(dog.angle[tilt_], 2000) << "the joint does not go back to where it hung";
+      EXPECT_LT(LargestStep(dog, tilt_), 50000);
+    }
+  }
+}
+
 TEST_F(MoverMotorsTest, AJointThatWaitsForItsGainDoesNotMoveAfterAStop) {
   Switch(moverkindMOTOR_OFF, MOVER_ALL_JOINTS);
   dog_.angle[tilt_] = -1000000;
