@@ -51,6 +51,9 @@ class ForgedTest : public ::testing::Test {
     region_here_ = system_.regions().New(kBytes, sender_->host().id);
     region_there_ = system_.regions().New(kBytes, remote_->id);
   }
+  // Returns why the worker has ended; "" if it has not.  Called again and again while the master
+  // waits for a sample of the worker.
+  virtual std::string Health() { return ""; }
   static BusOptions Options() {
     BusOptions options;
     options.run = "forged-" + std::to_string(getpid());
@@ -210,7 +213,7 @@ class ForgedTest : public ::testing::Test {
   std::string TextHere() { return {system_.regions().BaseOf(region_here_), kBytes}; }
 
   Bus bus_{Options()};
-  RemoteProcess process_{&bus_, "liar", false, [] { return std::string(); },
+  RemoteProcess process_{&bus_, "liar", false, [this] { return Health(); },
                          [](const std::string&) {}};
   System system_;
   SubjectProbe* sender_ = nullptr;
