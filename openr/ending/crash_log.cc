@@ -87,6 +87,18 @@ const char* MeaningOfAddress(const siginfo_t& info, const void* context) {
   return "an address that is not the object's";
 }
 
+// Returns the name and the cause of a SIGFPE.
+const char* MeaningOfFloat(const siginfo_t& info) {
+  switch (KindOf(info)) {
+    case 0:
+      return "SIGFPE (a division by zero)";
+    case kFpDenormal:
+      return "SIGFPE (a denormal number was used)";
+    default:
+      return "SIGFPE (a NaN was made, or a number does not fit its integer type)";
+  }
+}
+
 // Adds the name and the cause of the signal to `text`, such as "SIGSEGV (an address that is not the
 // object's)".  REQUIRES: a handler of an object runs.
 void AddName(int signal, const siginfo_t& info, const void* context, SignalText* text) {
@@ -98,9 +110,7 @@ void AddName(int signal, const siginfo_t& info, const void* context, SignalText*
       text->Add("SIGBUS (an address that cannot be)");
       break;
     case SIGFPE:
-      text->Add(KindOf(info) == 0 ? "SIGFPE (a division by zero)"
-                                  : "SIGFPE (a NaN was made, or a number does not fit its integer "
-                                    "type)");
+      text->Add(MeaningOfFloat(info));
       break;
     default:
       if (*AnnouncedFault() != 0) {
@@ -115,13 +125,14 @@ void AddName(int signal, const siginfo_t& info, const void* context, SignalText*
 // Lets the object go on after a floating-point error, because such an error is only a warning.
 // Stores the address of the instruction for this warning, which ImageObject adds when the handler
 // has returned.  Masks this kind of error, so that the instruction runs again without a signal.
-// Returns false if the error must end the run: a division of integers by 0 or, with --strict, a
-// NaN.
+// Returns false if the error must end the run: a division of integers by 0 or, with --strict, a NaN
+// or a denormal operand.
 bool ContinueInSignal(const siginfo_t& info, void* context) {
 #if defined(__x86_64__)
   const unsigned kind = KindOf(info);
   if (kind == 0 || t_current.object == nullptr) return false;
-  if (kind == kFpInvalid && t_current.system->options().strict) return false;
+  const bool stops_the_robot = kind == kFpInvalid || kind == kFpDenormal;
+  if (stops_the_robot && t_current.system->options().strict) return false;
   const CrashStack stack(*t_current.object, context);
   t_current.object->number_faults[std::countr_zero(kind)] = stack.OwnAddress();
   static_cast<ucontext_t*>(context)->uc_mcontext.fpregs->mxcsr |= kind << kFpMaskShift;

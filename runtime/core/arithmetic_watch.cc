@@ -22,16 +22,16 @@ void ArithmeticWatch::Begin(unsigned kinds) {
 }
 
 void ArithmeticWatch::Pause() {
-  if (++calls_ > 1 || kinds_ == 0) return;
+  if (++calls_ > 1) return;
   saved_fp_ = FpState();
-  SetFpTraps(0);
+  EndFpTraps();
 }
 
 void ArithmeticWatch::Resume() {
   ASSERT(calls_ > 0, "Resume() without Pause()");
-  if (--calls_ == 0 && kinds_ != 0) SetFpState(saved_fp_);
+  if (--calls_ == 0) SetFpState(saved_fp_);
 }
 
-void ArithmeticWatch::End() { SetFpTraps(0); }
+void ArithmeticWatch::End() { EndFpTraps(); }
 
 }  // namespace openr_host

@@ -1,6 +1,9 @@
 // ArithmeticWatch: finds the instruction of a handler that makes a NaN or an infinity, or uses a
 // denormal number: such operations raise SIGFPE while the handler's own code runs.
 //
+// Results that would be denormal numbers become 0 meanwhile, as on the robot (field-notes.md, 4.4).
+// So a denormal number that raises SIGFPE was not made by the handler's own arithmetic.
+//
 // Functions of the SDK and of the C library are not the handler's own code, so their operations do
 // not raise SIGFPE.  Objects of the classes ApiScope and LibraryScope (current.h) tell the
 // ArithmeticWatch when such a call begins and ends.
@@ -20,7 +23,8 @@ class ArithmeticWatch {
   static bool Catches();
 
   // Begins to watch a handler, at its beginning, for floating-point faults: from now on, operations
-  // that set one of the flags `kinds` (FpFlag) raise SIGFPE.
+  // that set one of the flags `kinds` (FpFlag) raise SIGFPE, and results that would be denormal
+  // numbers become 0.
   void Begin(unsigned kinds);
   bool has_begun() const { return has_begun_; }
 
@@ -40,7 +44,7 @@ class ArithmeticWatch {
   void Resume();
 
   // Ends the watch for floating-point faults at the end of the handler: floating-point operations
-  // raise no SIGFPE any more.
+  // raise no SIGFPE any more, and results may be denormal numbers.
   void End();
 
  private:

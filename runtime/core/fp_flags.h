@@ -30,9 +30,12 @@ constexpr unsigned kFpCaught = kFpInvalid | kFpDenormal | kFpDivByZero | kFpOver
 // The distance in bits between a flag in the register MXCSR and its mask bit in the same register.
 // While the mask bit is set, floating-point operations that set the flag raise no SIGFPE.
 constexpr int kFpMaskShift = 7;
+// Bit of the register MXCSR: results that would be denormal numbers become 0, as on the robot
+// (field-notes.md, 4.4).  The processor then sets the flag kFpUnderflow.
+constexpr unsigned kFpFlushToZero = 0x8000;
 
-// Without SSE2 the next three functions, which read and set the register MXCSR (the floating-point
-// flags and their mask bits), do nothing.
+// Without SSE2 the next four functions, which read and set the register MXCSR (the floating-point
+// flags, their mask bits, and kFpFlushToZero), do nothing.
 #if defined(__SSE2__)
 // Returns the register MXCSR (the floating-point flags and their mask bits), so that SetFpState()
 // can restore it later.
@@ -41,14 +44,20 @@ inline unsigned FpState() { return _mm_getcsr(); }
 // FpState() has returned.
 inline void SetFpState(unsigned state) { _mm_setcsr(state); }
 // Clears the flags `kinds`.  From now on a floating-point operation that sets one of them raises
-// SIGFPE, and an operation that sets other flags does not.
+// SIGFPE, and an operation that sets other flags does not.  Results that would be denormal numbers
+// become 0.
 inline void SetFpTraps(unsigned kinds) {
-  _mm_setcsr((_mm_getcsr() | kFpAll << kFpMaskShift) & ~(kinds << kFpMaskShift | kinds));
+  constexpr unsigned kSet = kFpAll << kFpMaskShift | kFpFlushToZero;
+  _mm_setcsr((_mm_getcsr() | kSet) & ~(kinds << kFpMaskShift | kinds));
 }
+// Undoes what SetFpTraps() has set, and leaves the flags as they are.  From now on no
+// floating-point operation raises SIGFPE, and results may be denormal numbers.
+inline void EndFpTraps() { _mm_setcsr((_mm_getcsr() | kFpAll << kFpMaskShift) & ~kFpFlushToZero); }
 #else
 inline unsigned FpState() { return 0; }
 inline void SetFpState(unsigned) {}
 inline void SetFpTraps(unsigned) {}
+inline void EndFpTraps() {}
 #endif
 
 #if defined(__SSE2__)
@@ -62,5 +71,17 @@ inline unsigned FpFlags() {
 }
 inline void ClearFpFlags() { std::feclearexcept(FE_ALL_EXCEPT); }
 #endif
+
+// While a FlushScope exists, results that would be denormal numbers become 0, as on the robot.
+class FlushScope {
+ public:
+  FlushScope() { SetFpState(saved_fp_ | kFpFlushToZero); }
+  ~FlushScope() { SetFpState(saved_fp_); }
+  FlushScope(const FlushScope&) = delete;
+  FlushScope& operator=(const FlushScope&) = delete;
+
+ private:
+  const unsigned saved_fp_ = FpState();
+};
 
 }  // namespace openr_host

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 
 #include "runtime/base/assert.h"
 #include "runtime/config/ocf.h"
@@ -162,6 +163,11 @@ std::string ImageObject::RedirectOwnImports() {
 }
 
 std::string ImageObject::RunConstructors() {
+  // Makes results 0 that would be denormal numbers, as an ArithmeticWatch does in handlers.  A
+  // handler that uses such a result would otherwise count as using a denormal number from
+  // elsewhere.  Not under Valgrind, whose processor cannot do this.
+  std::optional<FlushScope> flush;
+  if (!IsStackWatched()) flush.emplace();
   for (void (*const constructor)() : HeldConstructors(handle_)) {
     const CurrentScope scope(system, this, true);
     try {
@@ -272,10 +278,12 @@ void ImageObject::ReportFpFlags(uint32_t selector) {
          "a floating-point operation made an infinity (division by 0, log(0), a result too large)",
          "the robot is said to stop when it is used");
   }
-  // Does not report the use of denormals (numbers nearer to 0 than the processor's normal ones) if
-  // an operation of the same object has made a denormal.  The robot turns denormal results into 0,
-  // so on the robot the object would use no denormals.
-  if ((fresh & kFpDenormal) && !makes_denormals) {
+  // The robot turns denormal results (numbers nearer to 0 than the processor's normal ones) into 0,
+  // so it stops only at denormals that come from elsewhere.  A denormal that an ArithmeticWatch has
+  // found comes from elsewhere.  Without an ArithmeticWatch results are not turned into 0, so the
+  // use of denormals is not reported if an operation of the same object has made one.
+  const bool is_found = number_faults[std::countr_zero<unsigned>(kFpDenormal)] != nullptr;
+  if ((fresh & kFpDenormal) && (is_found || !makes_denormals)) {
     warn(kFpDenormal,
          "a denormal number was used in a floating-point operation (an int taken for a float, "
          "memory never set?)",

@@ -86,6 +86,20 @@ TEST(RobotFaultsTest, ANaNThatIsPrintedIsAWarningWithItsLineAndStrictlyTheEnd) {
   ExpectStop(RunFault("nanprint", true), "a NaN was printed");
 }
 
+// A small result of the object's own before it does not hide the denormal number.
+TEST(RobotFaultsTest, ADenormalFromElsewhereIsAWarningWithItsLineAndStrictlyTheEnd) {
+  for (const char* const word : {"denormal", "smallfirst"}) {
+    ExpectWarning(RunFault(word), "DoStart, at Faults.cc:[0-9]+: a denormal number was used");
+    ExpectStop(RunFault(word, true), "SIGFPE (a denormal number was used)");
+  }
+}
+
+// Results that would be denormal are 0 on the robot, so a program that makes them works.
+TEST(RobotFaultsTest, ADenormalOfItsOwnMakingIs0AndNoFinding) {
+  for (const bool is_strict : {false, true})
+    EXPECT_THAT(RunFault("small", is_strict).Findings(), IsEmpty());
+}
+
 // Whether the robot stops when it is used is not proven.
 TEST(RobotFaultsTest, AnInfinityIsAWarningStrictlyToo) {
   for (const bool is_strict : {false, true}) {

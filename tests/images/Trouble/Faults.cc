@@ -1,6 +1,7 @@
 #include "Faults.h"
 
 #include <OPENR/RCRegion.h>
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -92,6 +93,52 @@ PrintNaN()
     whole = text[0];
 }
 
+// The bytes are those of an int that is taken for a float.
+static void
+UseDenormal()
+{
+    const int bits = 1234;
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    volatile float factor = value;  // the compiler does not know it
+    number = factor * 2.0f;
+}
+
+// A constructor of the image makes these numbers.  The last ones are too small for a float.
+class Table {
+public:
+    Table()
+    {
+        for (int i = 0; i < SIZE; i++) values[i] = (float)exp(-i - zero);
+    }
+    double Sum() const
+    {
+        double sum = 0;
+        for (int i = 0; i < SIZE; i++) sum += values[i];
+        return sum;
+    }
+
+private:
+    enum { SIZE = 100 };
+    float values[SIZE];
+};
+
+static Table table;
+
+// Makes numbers that are too small for a double, without loss of a bit and with it, and uses them.
+// They are 0 on the robot.
+static void
+UseSmallResults()
+{
+    number = DBL_MIN;
+    for (int i = 0; i < 10; i++) number = number * 0.5;
+    if (number != 0) abort();
+    number = DBL_MIN * 1.7;
+    for (int i = 0; i < 10; i++) number = number * 0.9;
+    if (number != 0) abort();
+    number = table.Sum();
+}
+
 static void
 LeakRegions()
 {
@@ -116,6 +163,13 @@ MakeFault(const char* word)
         number = log(zero - 1);
     } else if (strcmp(word, "nanprint") == 0) {
         PrintNaN();
+    } else if (strcmp(word, "denormal") == 0) {
+        UseDenormal();
+    } else if (strcmp(word, "small") == 0) {
+        UseSmallResults();
+    } else if (strcmp(word, "smallfirst") == 0) {
+        UseSmallResults();
+        UseDenormal();
     } else if (strcmp(word, "infinity") == 0) {
         number = 1 / zero;
     } else if (strcmp(word, "convert") == 0) {
