@@ -57,7 +57,9 @@ TEST_F(FilesConformance, ANameBeyond8And3IsReportedAndRefusedWhenStrict) {
   EXPECT_EQ(Answer("long name"), "T long name taken\n");
   EXPECT_TRUE(Found("'LONGERTHAN8.TXT' is not an 8.3 name")) << Findings();
   Start({.strict = true});
+  EXPECT_FALSE(system->findings().HasError());
   EXPECT_EQ(Answer("long name"), "T long name refused\n");
+  EXPECT_TRUE(system->findings().HasError());
 }
 
 TEST_F(FilesConformance, StatTellsSizeAndMode0777Only) {

@@ -151,6 +151,14 @@ TEST(RobotFaultsTest, AMethodThatWritesToANullObjectStops) {
     ExpectStop(RunFault("nullmethod", is_strict), "SIGSEGV (an address that is not the object's)");
 }
 
+TEST(RobotFaultsTest, AWildPointerStops) {
+  for (const bool is_strict : {false, true}) {
+    const FaultRun run = RunFault("wild", is_strict);
+    ExpectStop(run, "SIGSEGV (an address that is not the object's)");
+    EXPECT_THAT(run.record, HasSubstr("at address 0x12345678\n"));
+  }
+}
+
 TEST(RobotFaultsTest, RegionsThatAreNeverGivenUpAreNamedWithTheLineThatMakesThem) {
   EXPECT_THAT(RunFault("regions").Findings(),
               ContainsRegex("65535 regions are alive, 65535 of them made at Faults.cc:[0-9]+"));
@@ -158,7 +166,8 @@ TEST(RobotFaultsTest, RegionsThatAreNeverGivenUpAreNamedWithTheLineThatMakesThem
 
 TEST(RobotFaultsTest, MemoryThatIsUsedUpIsNamedWithTheLineThatAsked) {
   EXPECT_THAT(RunFault("memory", true).Findings(),
-              ContainsRegex("error: no memory for 1048576 bytes, at Faults.cc:[0-9]+: "));
+              ContainsRegex("error: no memory for 1048576 bytes, at Faults.cc:[0-9]+: this object "
+                            "holds [0-9]+, all objects [0-9]+ of the 33554432 the robot has"));
 }
 
 // ---- The stack

@@ -331,10 +331,12 @@ TEST(CrashTest, TheRecordHasTheRobotsFormToo) {
 TEST(CrashTest, TheRobotsCodesOfOtherCrashes) {
   EXPECT_EQ(ParseEmonLog(RecordOf("divide"))->code, 9u);
   EXPECT_EQ(ParseEmonLog(RecordOf("callnull"))->code, 2u) << "a jump";
-  const ScratchFolder stick;
-  stick.MakeTrouble("nan");
-  RunFor("1s", {"--stick", stick.path(), "--strict"});
-  EXPECT_EQ(ParseEmonLog(stick.Read("OPEN-R/EMON.LOG"))->code, 15u);
+  for (const char* const word : {"nan", "denormal"}) {
+    const ScratchFolder stick;
+    stick.MakeTrouble(word);
+    RunFor("1s", {"--stick", stick.path(), "--strict"});
+    EXPECT_EQ(ParseEmonLog(stick.Read("OPEN-R/EMON.LOG"))->code, 15u) << word;
+  }
 }
 
 TEST(CrashTest, TheRecordListsTheObjectsOfOneRobot) {

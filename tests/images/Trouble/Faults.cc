@@ -187,6 +187,8 @@ MakeFault(const char* word)
         ExecuteData();
     } else if (strcmp(word, "nullmethod") == 0) {
         nobody->Set(1);
+    } else if (strcmp(word, "wild") == 0) {
+        *(volatile int*)0x12345678 = 1;
     } else if (strcmp(word, "zero") == 0) {
         DivideByConstantZero();
     } else if (strcmp(word, "regions") == 0) {
