@@ -97,6 +97,24 @@ TEST_F(OneBrokenOfThree, AnObjectThatCompiledBeforeAndNowDoesNotIsMissing) {
   EXPECT_THAT(result.err, HasSubstr("OBJECT.CFG:2: /MS/OPEN-R/MW/OBJS/MIDDLE.BIN was not built"));
 }
 
+// Each object has a Makefile of its own, and none calls the others.  Make finds nothing to do for
+// Last, whose image is older than a source that its Makefile does not name.
+TEST(BuildFailuresTest, MakeLinksAgainAnImageThatWasRemovedAsOld) {
+  const KitFolder folder("");
+  folder.AddObject("First", "First", "", KitFolder::Printing("First runs"));
+  folder.AddMakefile("First", "First");
+  folder.AddObject("Last", "Last", "", "    OSYSPRINT((\"Last has %d\\n\", NUMBER));");
+  folder.AddMakefile("Last", "Last", "DEFS=-DNUMBER=7\n");
+  folder.AddStick("MS", {"LAST.BIN"});
+  ASSERT_EQ(folder.Build().status, 0);
+  folder.Write("First/First.cc", "int broken(\n");
+  folder.Write("Last/Unused.cc", "int unused;\n");
+  const ProgramResult result = folder.Build();
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.err, Not(HasSubstr("the Makefiles made no image of Last")));
+  EXPECT_EQ(folder.Say(), "Last has 7\n");
+}
+
 // Two objects that each compile common/Util.cc.  First comes first.
 class OneSourceOfTwo : public ::testing::Test {
  protected:
