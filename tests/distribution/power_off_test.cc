@@ -1,6 +1,7 @@
-// A robot is switched off while the worker of one of its objects is lost.
+// A robot is switched off, or the run ends, while the worker of one of its objects is lost.
 #include <gmock/gmock.h>
 #include <signal.h>
+#include <sys/wait.h>
 
 #include "distribution/worker_group.h"
 #include "openr/simulation/simulation.h"
@@ -35,6 +36,10 @@ class PowerOffTest : public testing::Test {
     options.stick = stick_.path();
     options.restarts = 1;
     options.say = [this](const std::string& line) { said_ += line + "\n"; };
+    options.interrupts = [this] {
+      ++questions_;
+      return 0;
+    };
     workers_ = std::make_unique<WorkerGroup>(options);
     SimulationOptions simulation;
     simulation.stick = stick_.path();
@@ -84,6 +89,7 @@ class PowerOffTest : public testing::Test {
   std::unique_ptr<WorkerGroup> workers_;
   std::unique_ptr<Simulation> simulation_;
   std::string said_, printed_;
+  int questions_ = 0;  // number of times that the workers have asked whether Ctrl-C has come
 };
 
 TEST_F(PowerOffTest, OnlyObjectsOfTheRunningRobotAreRestarted) {
@@ -138,6 +144,20 @@ TEST_F(PowerOffTest, ARobotShutsDownWithoutItsLostObject) {
   EXPECT_THAT(said_, Not(HasSubstr("is back")));
   EXPECT_THAT(printed_, HasSubstr("got "));  // Ledger was asked to stop in the usual way
   EXPECT_EQ(system().findings().all().size(), 1u);
+}
+
+// DDS keeps a killed worker until its lease is over.  End() asks about Ctrl-C before each slice of
+// a wait, so the number of questions shows that it does not wait until this worker has heard of the
+// end.
+TEST_F(PowerOffTest, TheEndDoesNotWaitForAKilledWorkerToHearOfIt) {
+  ASSERT_NO_FATAL_FAILURE(Begin(1));
+  const int64_t pid = workers_->Describe()[0].pid;
+  KillProcess(pid, SIGKILL);
+  siginfo_t ended;
+  ASSERT_EQ(waitid(P_PID, static_cast<id_t>(pid), &ended, WEXITED | WNOWAIT), 0);
+  questions_ = 0;
+  workers_->End();
+  EXPECT_LE(questions_, 4);
 }
 
 }  // namespace
