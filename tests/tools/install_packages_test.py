@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """tools/install_packages.sh, with programs in place of apt-get, dpkg-query, id and sudo.  The last line is
 "N passed, N failed"."""
+import re
 import subprocess
 import sys
 import tempfile
@@ -51,5 +52,10 @@ for call in ("update", "install"):
     status, _, said = install(LIST, fails=call)
     verdict(f"a failure of {call} is one of the script, with its reason",
             status == 1 and "no network" in said and "one two cannot be installed" in said, said)
+
+# Debian 12 and 13 have other versions of compilers, so the lists name none of them.
+names = " ".join(line for path in ROOT.glob("cmake/debian-packages*.txt") for line in path.read_text().splitlines()
+                 if not line.startswith("#")).split()
+check("no package of the lists is a version of a compiler", [name for name in names if re.search(r"-\d+(-|$)", name)], [])
 
 sys.exit(finish())
