@@ -23,9 +23,10 @@ trap 'rm -rf "$scratch"' EXIT
 days=3650
 
 # plugins: prints the folder of the security plugins: that of libddsc.so, or one in it (Debian).
+# Debian's PATH of users other than root has no folder with ldconfig.
 plugins() {
   local library
-  library=$(ldconfig -p | awk '/libddsc\.so/ { print $NF; exit }')
+  library=$(PATH=$PATH:/usr/sbin:/sbin ldconfig -p | awk '/libddsc\.so/ { print $NF; exit }')
   [ -n "$library" ] || return 0
   find "$(dirname "$library")" -maxdepth 2 -name libdds_security_auth.so -printf '%h/\n' -quit
 }
@@ -34,8 +35,10 @@ where=$(plugins)
 key() { openssl genpkey -quiet -algorithm EC -pkeyopt ec_paramgen_curve:prime256v1 -out "$1"; }
 
 if [ ! -e ca.key ]; then
-  key ca.key
-  openssl req -x509 -new -key ca.key -out ca.pem -days "$days" -subj "/CN=openr"
+  # The key comes last, so that an authority that was not finished is made anew.
+  key "$scratch/ca.key"
+  openssl req -x509 -new -key "$scratch/ca.key" -out ca.pem -days "$days" -subj "/CN=openr"
+  mv "$scratch/ca.key" ca.key
 fi
 
 # embedded FILE: prints the file as the text of an XML element.
