@@ -22,6 +22,8 @@ import sys
 import tempfile
 import time
 
+from job_pool import JobPool
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FAILED = re.compile(r"^\[  FAILED  \] ([\w/]+\.[\w/]+)", re.MULTILINE)
 TOTALS = re.compile(r"^(\d+) passed, (\d+) failed(?:, (\d+) skipped)?$")
@@ -225,8 +227,7 @@ def main():
         print(f"{name}: {passed} passed, {failed} failed{extra} ({seconds:.1f} s)", flush=True)
         sums[:] = [a + b for a, b in zip(sums, (passed, failed, skipped))]
 
-    with concurrent.futures.ThreadPoolExecutor(max(1, len(waiting))) as waiters, \
-            concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+    with JobPool(max(1, len(waiting))) as waiters, JobPool(os.cpu_count()) as pool:
         todo = {waiters.submit(run, *job, scratch_root): job for job in waiting}
         todo.update({pool.submit(run, *job, scratch_root): job for job in others})
         for future in concurrent.futures.as_completed(todo):

@@ -10,7 +10,6 @@ allows that; where it does not, pages run one after the other.  --keep FOLDER le
 The last line is "N passed, N failed".
 """
 import argparse
-import concurrent.futures
 import os
 import pathlib
 import shutil
@@ -23,6 +22,9 @@ import time
 from page import Fault, missing_line, read_blocks
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+from job_pool import JobPool  # noqa: E402: the folder is put into the path first
+
 FOLDERS = ("docs/cookbook", "docs/guide")
 LIMIT_S = 900  # for one page, against commands that never end
 OUTPUT_LINES_MAX = 60
@@ -170,7 +172,7 @@ def main():
         return found, time.monotonic() - begin
 
     try:
-        with concurrent.futures.ThreadPoolExecutor(arguments.j if private_network else 1) as pool:
+        with JobPool(arguments.j if private_network else 1) as pool:
             todo = [(name, pool.submit(run, page, name)) for page, name in chosen(arguments.page)]
             for name, future in todo:
                 found, seconds = future.result()

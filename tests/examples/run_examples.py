@@ -14,7 +14,6 @@ out.
 The last line is "N passed, N failed" (", N skipped").
 """
 import argparse
-import concurrent.futures
 import os
 import pathlib
 import shutil
@@ -26,7 +25,11 @@ from example import Example
 import local_checks
 import network_checks
 
-EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+from job_pool import JobPool  # noqa: E402: the folder is put into the path first
+
+EXAMPLES = ROOT / "examples"
 HASHES = pathlib.Path(__file__).resolve().parent / "hashes.txt"
 
 
@@ -104,7 +107,7 @@ def main():
 
     scratch = pathlib.Path(os.environ.get("OPENR_TEST_SCRATCH") or tempfile.mkdtemp(prefix="openr-examples-"))
     try:
-        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        with JobPool(os.cpu_count()) as pool:
             passes = [(name, False) for name in found]
             passes += [(name, True) for name in found if is_live(name)]
             todo = {(name, apart): pool.submit(run, openr, name, found[name], scratch, apart)

@@ -22,6 +22,9 @@ import threading
 import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+sys.path.insert(0, os.path.join(ROOT, "tools"))
+from job_pool import JobPool  # noqa: E402: the folder is put into the path first
+
 WORK = os.path.join(ROOT, "build", "fuzz")  # corpora, crashes and logs
 PROGRAM = os.path.join(ROOT, "build", "clang-asan", "bin", "openr_fuzz")
 PROCESSES = 2
@@ -233,7 +236,7 @@ def run_all(names, work, seconds=None, quiet=QUIET_SECONDS, clock=time.monotonic
     how long one call takes, if that is known.  Returns how many calls returned True."""
     whole = None if seconds is None else seconds * -(-len(names) // PROCESSES)
     begin = clock()
-    with concurrent.futures.ThreadPoolExecutor(PROCESSES) as pool:
+    with JobPool(PROCESSES) as pool:
         calls = [pool.submit(work, name) for name in names]
         waiting = set(calls)
         while waiting:

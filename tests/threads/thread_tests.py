@@ -22,6 +22,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "tools"))
 import run_tests  # noqa: E402  (found in the folder above)
+from job_pool import JobPool  # noqa: E402
 
 HERE = ROOT / "tests/threads"
 SUPPRESSIONS = HERE / "suppressions.txt"
@@ -146,7 +147,7 @@ def main():
         for part, shard in run_tests.parts(name, watched.get("parts", 1)):
             shard["TSAN_OPTIONS"] = options(folder / name)
             jobs.append((part, [program, "--gtest_filter=" + ":".join(tests)], shard))
-    with concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
+    with JobPool(os.cpu_count()) as pool:
         todo = {pool.submit(run_tests.run, *job, None): job for job in jobs}
         for future in concurrent.futures.as_completed(todo):
             name, good, bad, left_out, output, seconds = future.result()
