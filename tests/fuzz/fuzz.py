@@ -162,6 +162,11 @@ def bytes_limit(found, largest):
     return max(limit, largest)
 
 
+def write_times(folder):
+    """Returns when each file of the folder was written."""
+    return {file.name: file.stat().st_mtime_ns for file in os.scandir(folder)}
+
+
 def fuzz(name, found, seconds, seed, planted=False):
     """Runs one target.  Returns what libFuzzer has counted, and the inputs that crash."""
     kept = os.path.join(WORK, "planted" if planted else "corpus", name)
@@ -170,7 +175,7 @@ def fuzz(name, found, seconds, seed, planted=False):
         kept += f"-{os.getpid()}"
     for folder in (kept, crashes):
         os.makedirs(folder, exist_ok=True)
-    before = set(os.listdir(crashes))
+    before = write_times(crashes)
     seeds = seed_folders(name, found)
     words, lines = dictionary(name, found, seeds)
     command = [PROGRAM, name, "--words", lines, "--seeds", seed_list(name, seeds)]
@@ -201,8 +206,9 @@ def fuzz(name, found, seconds, seed, planted=False):
     return {"status": run.returncode, "text": text,
             "executions": int(executions[-1]) if executions else 0,
             "edges": int(edges[-1]) if edges else 0,
-            "crashes": [os.path.join(crashes, new)
-                        for new in sorted(set(os.listdir(crashes)) - before)]}
+            # An input that crashed before as well is written again, under the same name.
+            "crashes": [os.path.join(crashes, file) for file, time_ns in sorted(write_times(crashes).items())
+                        if before.get(file) != time_ns]}
 
 
 def report(name, result):

@@ -124,6 +124,26 @@ verdict("a search for the planted bug may take ten times as long as its processo
         [[word for word in arguments_of(SEEDS, 1, planted) if word.startswith("-max_total_time")]
          for planted in (False, True)] == [["-max_total_time=5"], ["-max_total_time=50"]])
 
+
+def crashes_of_two_runs():
+    """Returns the names of the inputs that crash in each of two runs of a program that finds the same bug."""
+    with tempfile.TemporaryDirectory() as folder:
+        program = Path(folder) / "openr_fuzz"
+        program.write_text(f"#!/bin/sh\necho 1 >'{folder}/crashes/mtn/crash-1'\nexit 77\n", encoding="utf-8")
+        program.chmod(0o755)
+        other = Path(folder, "crashes/mtn/crash-0")  # of an earlier run
+        other.parent.mkdir(parents=True)
+        other.touch()
+        before, fuzz.PROGRAM, fuzz.WORK = (fuzz.PROGRAM, fuzz.WORK), str(program), folder
+        try:
+            return [[Path(crash).name for crash in fuzz.fuzz("mtn", SEEDS, 5, 1)["crashes"]] for _ in range(2)]
+        finally:
+            fuzz.PROGRAM, fuzz.WORK = before
+
+
+found = crashes_of_two_runs()
+verdict("an input that crashes again is reported again", found == [["crash-1"], ["crash-1"]], str(found))
+
 ENDED_BY_CPU, ENDED_BY_CLOCK = -24, 0  # statuses; the first is SIGXCPU
 check("a search that had its processor time says only that it found nothing",
       fuzz.planted_line("mtn", {"executions": 5000, "status": ENDED_BY_CPU}, False),
