@@ -152,8 +152,9 @@ def main():
         print("0 passed, 1 failed" if is_wrong else "0 passed, 0 failed, 1 skipped")
         return int(is_wrong)
     shots = (arguments.shots or build / "panel-shots").resolve()
-    shutil.rmtree(shots, ignore_errors=True)
-    shots.mkdir(parents=True)
+    if not arguments.shots:  # in a folder of a person, only pictures of the same names are written anew
+        shutil.rmtree(shots, ignore_errors=True)
+    shots.mkdir(parents=True, exist_ok=True)
     sys.stdout.reconfigure(line_buffering=True)
     with tempfile.TemporaryDirectory(prefix="openr-browser-") as folder:
         passed, failed = drive(str(build / "bin/openr"), pathlib.Path(folder), shots,
