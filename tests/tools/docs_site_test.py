@@ -3,6 +3,7 @@
 
 A small site is built where MkDocs is installed; `.ci/nightly` builds the whole one.
 """
+import os
 import pathlib
 import shutil
 import subprocess
@@ -72,9 +73,26 @@ def check_stage(folder):
             named)
 
 
-def built(folder, site):
+def check_folder(folder):
+    """MkDocs would remove the files of the folder for the site; here a program that only says so is in its place."""
+    (folder / "bin").mkdir()
+    (folder / "bin/mkdocs").write_text("#!/bin/sh\necho ERROR removed\nexit 1\n")
+    (folder / "bin/mkdocs").chmod(0o755)
+    path = f"{folder}/bin:{os.environ['PATH']}"
+    write(folder / "mine", {"letter.txt": "Dear"})
+    status, said = built(folder, "mine", path)
+    verdict("a folder with files of a person is refused", status == 1 and "mine has files" in said, said)
+    (folder / "empty").mkdir()
+    for time in ("first", "second"):
+        status, said = built(folder, "empty", path)
+        verdict(f"an empty folder, and one that was begun before, is taken: {time}", "removed" in said, said)
+        write(folder / "empty", {"index.html": ""})
+
+
+def built(folder, site, path=os.environ["PATH"]):
     done = subprocess.run([sys.executable, str(ROOT / "tools/docs_site/build.py"), "-o", str(folder / site),
-                           "--root", str(folder / "tree")], capture_output=True, text=True)
+                           "--root", str(folder / "tree")], capture_output=True, text=True,
+                          env={**os.environ, "PATH": path})
     return done.returncode, done.stdout + done.stderr
 
 
@@ -106,6 +124,7 @@ def main():
         verdict("a table after a line", lines_for_mkdocs("text\n| a |") == ["text", "", "| a |"])
         verdict("anchors", slug("1.2 Class `OObject` <OPENR/OObject.h>", "-") == "12-class-oobject-openroobjecth")
         check_stage(folder)
+        check_folder(folder)
         check_site(folder)
     return finish()
 

@@ -79,9 +79,11 @@ def main():
         sys.exit("docs: mkdocs is missing; its packages are in cmake/debian-packages-docs.txt")
     work = site.with_name(site.name + ".pages")
     pages = work / "pages"
+    config = work / "mkdocs.yml"
+    if not config.exists() and site.is_dir() and any(site.iterdir()):  # MkDocs would remove what is in it
+        sys.exit(f"docs: {site} has files that are not of a site of this program; name a folder that is empty or new")
     stage = Stage(arguments.root.resolve(), pages)
     stage.fill()
-    config = work / "mkdocs.yml"
     config.write_text(configured(pages, site, stage))
     done = subprocess.run(["mkdocs", "build", "--strict", "--clean", "-f", str(config)], check=False,
                           env={**os.environ, "PYTHONPATH": str(HERE), "PYTHONDONTWRITEBYTECODE": "1"},
