@@ -12,6 +12,7 @@ import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import browser_test  # noqa: E402: the folder is put into the path first
+from run_process import RunProcess  # noqa: E402
 
 PICTURE = browser_test.ROOT / "docs/pictures/panel.gif"
 # One palette for all frames; pixels that stay the same are not stored again.
@@ -27,14 +28,16 @@ def main():
         sys.exit(why)
     with tempfile.TemporaryDirectory(prefix="openr-picture-") as name:
         os.environ["XDG_RUNTIME_DIR"] = name
-        run = browser_test.Run(str(build / "bin/openr"), "--panel", "--panel-port", "0")
-        address = run.wait_for(browser_test.ADDRESS)
-        environment = {**os.environ, "OPENR_PANEL_URL": address, "OPENR_PANEL_SHOTS": f"{name}/shots"}
+        run = RunProcess(build / "bin/openr", "--panel", "--panel-port", "0")
         try:
+            address = run.wait_for(browser_test.ADDRESS, browser_test.START_LIMIT_S)
+            if not address:
+                sys.exit("".join(run.said) + "the run has no panel")
+            environment = {**os.environ, "OPENR_PANEL_URL": address[1], "OPENR_PANEL_SHOTS": f"{name}/shots"}
             subprocess.run(["node", "test/browser/frames.mjs"], cwd=browser_test.ROOT / "panel",
                            env=environment, check=True)
         finally:
-            run.end()
+            run.end(browser_test.END_LIMIT_S)
         subprocess.run(["ffmpeg", "-loglevel", "error", "-y", "-framerate", "6.25", "-i",
                         f"{name}/shots/%03d.png", "-vf", FILTER, str(PICTURE)], check=True)
     print(f"{PICTURE}: {PICTURE.stat().st_size} bytes")
