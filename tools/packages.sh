@@ -16,12 +16,13 @@
 # chroot and mount.  Files in DIR belong to the owner of DIR.  The roots are made in a new folder
 # in /tmp, or what TMPDIR names, and removed at the end.
 set -euo pipefail
+stands=$PWD  # where the person stands, to whom a relative DIR belongs
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 . tools/clean_root.sh
 
 this_suite=$suite
-build=build/release
+build=$PWD/build/release
 only_make=false
 read_flags --build=build --only-make=only_make --suite=suite -- "$@"
 
@@ -65,6 +66,7 @@ make_there() {
   done
 }
 
+case $build in /*) ;; *) build=$stands/$build ;; esac
 mkdir -p "$build"
 build=$(cd "$build" && pwd)
 if [ "$suite" = "$this_suite" ]; then packages=$build/packages; else packages=$build/packages-$suite; fi

@@ -11,16 +11,18 @@
 # Needs debootstrap, systemd-nspawn (package systemd-container) and root.  The container has a
 # network of its own, so a run on this computer does not disturb it.
 set -euo pipefail
+stands=$PWD  # where the person stands, to whom a relative DIR belongs
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 . tools/clean_root.sh
 
-packages=build/release/packages
+packages=$PWD/build/release/packages
 read_flags --packages=packages -- "$@"
+case $packages in /*) ;; *) packages=$stands/$packages ;; esac
 
 need_root
 command -v systemd-nspawn >/dev/null || give_up "systemd-nspawn is missing; apt-get install systemd-container"
-package=$(find "$packages" -maxdepth 1 -name 'openr-host_*.deb' 2>/dev/null | head -n 1)
+package=$(find "$packages" -maxdepth 1 -name 'openr-host_*.deb' 2>/dev/null | head -n 1) || true
 [ -n "$package" ] || give_up "$packages has no package openr-host; tools/packages.sh --only-make makes it"
 
 begin_roots
