@@ -39,9 +39,10 @@ uint64_t Dispatcher::Run(const Limits& limits) {
   stop_at_ =
       limits.until != nullptr ? 0 : delivered_ + std::min(limits.messages, UINT64_MAX - delivered_);
   if (system_->powered_off()) Stop();
+  // Takes the fiber before t_current changes, because TakeIdleFiber() may throw an exception.
+  Fiber* const fiber = TakeIdleFiber();
   const Current saved = t_current;
   t_current.system = system_;
-  Fiber* const fiber = TakeIdleFiber();
   running_ = fiber;
   fiber->SwitchFrom(&caller_);
   running_ = nullptr;
@@ -49,8 +50,15 @@ uint64_t Dispatcher::Run(const Limits& limits) {
   return delivered_ - run_began_at_;
 }
 
+// Takes a fiber (stack) out of idle_, or makes a new fiber if idle_ is empty.  If there is no
+// memory for the stack of a new fiber, ends the run as a crash of the current object, or throws an
+// exception if no object is current.  So a handler that needs another fiber takes it while the
+// object of the handler is still the current object, and before it changes the object's state.
 Fiber* Dispatcher::TakeIdleFiber() {
   if (idle_.empty()) {
+    // Reserves room for all fibers in idle_, so that push_back() takes no memory in functions that
+    // could not handle a failure, such as Recycle().
+    idle_.reserve(fibers_.size() + 1);
     fibers_.push_back(std::make_unique<Fiber>());
     fibers_.back()->Prepare(&FiberMain, this);
     return fibers_.back().get();
@@ -372,15 +380,15 @@ void Dispatcher::DeliverReply(Object* object, OwnedMessage message) {
   }
   Fiber* const waiting = object->delivery.blocked();
   object->delivery.set_blocked(nullptr);
-  t_current = {system_, object, object->is_image};
   idle_.push_back(running_);  // lets TakeIdleFiber() continue the loop of this fiber later
-  SwitchTo(waiting);
+  SwitchTo(waiting);          // to WaitFor(), which makes `object` the current object again
 }
 
 OwnedMessage Dispatcher::WaitFor(uint64_t box) {
   Object* const object = t_current.object;
   ASSERT(object != nullptr && running_ != nullptr, "only a handler can wait");
   if (!object->boxes.arrived.contains(box)) {
+    Fiber* const next = TakeIdleFiber();
     // Saves the current object, because other objects become current while this handler waits.  The
     // running fiber keeps the stack of this handler.  Another fiber continues Loop(), which
     // delivers messages, until DeliverReply() switches back to this fiber.  No object is current
@@ -391,7 +399,7 @@ OwnedMessage Dispatcher::WaitFor(uint64_t box) {
     object->delivery.set_blocked(running_);
     object->wait.box = box;
     object->wait.since_us = system_->now_us();
-    SwitchTo(TakeIdleFiber());
+    SwitchTo(next);
     t_current = saved;
   }
   const auto found = object->boxes.arrived.find(box);
@@ -403,11 +411,11 @@ OwnedMessage Dispatcher::WaitFor(uint64_t box) {
 
 void Dispatcher::Abandon() {
   ASSERT(running_ != nullptr && t_current.object != nullptr, "only a handler can be abandoned");
+  Fiber* const next = TakeIdleFiber();
   // Ends a direct call of an entry of the object itself, from which the handler is abandoned.
   // Otherwise later replies of the object would go to the stack that is given up here.
   t_current.object->self_reply = nullptr;
   FinishHandler(t_current.object);
-  Fiber* const next = TakeIdleFiber();
   // Does not prepare the running fiber (stack) for its next use here, because this code still runs
   // on it.  Recycle() does so after the switch to the next fiber.
   abandoned_ = running_;
