@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Lets the n-th system call of each kind fail in turn, and checks what openr makes of it.
 
-    fault_rounds.py --build build/release [--scenario NAME ...] [--call NAME ...] [--most N]
-                    [--one SCENARIO CALL N]
+    fault_rounds.py --build build/release [--scenario NAME ...] [--call NAME ...]
+                    [--most N] [--last N] [--one SCENARIO CALL N]
 
 strace makes the calls fail, so no part of openr is built for it.  In a program of several processes
 the n-th call of each of them fails.  After each failure these must hold:
@@ -17,8 +17,8 @@ the n-th call of each of them fails.  After each failure these must hold:
 At last all calls that open, read and write are slow, as on a worn-out stick: the command must do the
 same as otherwise.
 
---most N takes N calls of each kind, spread over the program; without it all are taken.  --one shows
-one failure again.  The last line is "N passed, N failed".
+--most N takes N calls of each kind, spread over the program, --last N the last N of each kind; without
+them all are taken.  --one shows one failure again.  The last line is "N passed, N failed".
 """
 import argparse
 import json
@@ -245,13 +245,14 @@ class Rounds:
         return [f"{name} is another" for name, content in self.scenario.written().items()
                 if content != self.expected[name]]
 
-    def run(self, calls, most):
+    def run(self, calls, most, last):
         # The dynamic linker and the C library make these calls before the program begins.
         before = self.scenario.counts(["--version"])
         for call, count in sorted(self.scenario.counts().items()):
             if call not in ERRORS or (calls and call not in calls) or call not in ONLY.get(self.scenario.name, ERRORS):
                 continue
             numbers = range(before.get(call, 0) + 1 if call != "execve" else 2, count + 1)
+            numbers = numbers[-last:] if last else numbers
             for n in numbers if not most else numbers[::max(1, len(numbers) // most)][:most]:
                 wrong, text = self.fail(call, n)
                 if wrong is None:
@@ -267,6 +268,7 @@ def main():
     parser.add_argument("--scenario", action="append", choices=names, help="default: all")
     parser.add_argument("--call", action="append", choices=sorted(ERRORS), help="default: all")
     parser.add_argument("--most", type=int, default=0, help="failures of one call in one scenario; 0: all")
+    parser.add_argument("--last", type=int, default=0, help="only the last N calls of each kind; 0: all")
     parser.add_argument("--one", nargs=3, metavar=("SCENARIO", "CALL", "N"))
     flags = parser.parse_args()
     if not shutil.which("strace"):
@@ -281,7 +283,7 @@ def main():
         for name in flags.scenario or names:
             begin = time.monotonic()
             rounds = Rounds(Scenario(openr, pathlib.Path(folder), name))
-            rounds.run(flags.call, flags.most)
+            rounds.run(flags.call, flags.most, flags.last)
             wrong = rounds.slow()
             verdict(f"{name}: slow files", not wrong, "\n".join(wrong))
             print(f"figures: {name}: {rounds.injected} failures, of which {rounds.reported} ended the program "
