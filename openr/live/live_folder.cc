@@ -93,14 +93,15 @@ std::vector<LiveRun> LiveRuns() {
     if (dot == std::string::npos ||
         std::from_chars(file.data() + dot + 1, end, run.process).ptr != end)
       continue;
-    if (!IsRunning(run.process)) {
-      // Removes the socket of a process that was killed and could not remove it.
-      unlink(run.socket.c_str());
-    } else if (IsOpen(run.socket)) {
-      // Accepts only a run with an open socket, because the process id of a run that has ended may
-      // now belong to another process.  Does not remove a socket that is not open, because its
-      // process may be a run that is just opening the socket.
+    // Accepts every open socket.  If a container shares the folder with others, the process of the
+    // socket may be in another container, where this process cannot see it.  A process id alone
+    // does not show a run either, because it may now belong to another process.
+    if (IsOpen(run.socket)) {
       runs.push_back(std::move(run));
+    } else if (!IsRunning(run.process)) {
+      // Removes the socket of a process that was killed and could not remove it.  Keeps a socket
+      // whose process exists, because the process may be a run that is just opening the socket.
+      unlink(run.socket.c_str());
     }
   }
   std::sort(runs.begin(), runs.end(), [](const LiveRun& a, const LiveRun& b) {

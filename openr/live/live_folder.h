@@ -23,9 +23,9 @@ std::string LiveFolder();
 // because the path of a socket can have at most 107 characters.
 std::string LiveSocketPath(const std::string& name);
 
-// Returns the runs of this user that go on, sorted by name.  Removes the sockets of
-// processes that have ended, because a killed process could not remove its own socket.  Does not
-// wait for any run.
+// Returns the runs of this user that go on, sorted by name.  Removes the sockets that no process
+// has open and whose processes have ended, because a killed process could not remove its own
+// socket. Does not wait for any run.
 std::vector<LiveRun> LiveRuns();
 
 // Returns the run with the name or the process id `wanted`.  Throws std::runtime_error with the

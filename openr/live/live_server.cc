@@ -33,6 +33,7 @@ constexpr int kPeriodMs = 8;  // shortest time between two events of a kind: one
 LiveServer::LiveServer(const std::string& name, Answer answer, LiveEvents* events,
                        Couplings* couplings)
     : name_(name), answer_(std::move(answer)), events_(events), couplings_(couplings) {
+  LiveRuns();  // removes the sockets of runs that were killed
   Open();
 }
 

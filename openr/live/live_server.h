@@ -34,9 +34,10 @@ class LiveServer {
   // The type of the function that returns the answer to a request; in a run it is AnswerLive().
   using Answer = std::function<nlohmann::ordered_json(const nlohmann::json& request)>;
 
-  // Makes the socket of this run.  `answer` answers the requests that ask for the state of the run
-  // or change it.  `events`, which must outlive the server, makes the events; null: no client can
-  // watch.  `couplings` must outlive the server, too; null: the request "couple" is refused.
+  // Makes the socket of this run, and removes the sockets of runs that were killed.  `answer`
+  // answers the requests that ask for the state of the run or change it.  `events`, which must
+  // outlive the server, makes the events; null: no client can watch.  `couplings` must outlive the
+  // server, too; null: the request "couple" is refused.
   // Throws std::runtime_error if the socket cannot be made.
   LiveServer(const std::string& name, Answer answer, LiveEvents* events,
              Couplings* couplings = nullptr);

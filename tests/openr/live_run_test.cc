@@ -4,6 +4,7 @@
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -188,6 +189,38 @@ TEST_F(LiveRunTest, ADeadRunWhoseProcessIdIsUsedAgainIsNotListed) {
   EXPECT_EQ(poke.status, 1);
   EXPECT_THAT(poke.output, HasSubstr("there is no run 'dead'; no run of this user goes on"));
   EXPECT_TRUE(std::filesystem::exists(path)) << "the process may be a run that is just opening it";
+}
+
+// Makes a socket whose name has the id of a process that does not exist here: either that process
+// was killed, or it is in another container.
+std::string BindForMissingProcess(int descriptor) {
+  const pid_t missing = fork();
+  if (missing == 0) _exit(0);
+  waitpid(missing, nullptr, 0);
+  const std::string path = LiveFolder() + "/elsewhere." + std::to_string(missing);
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  std::strncpy(address.sun_path, path.c_str(), sizeof address.sun_path - 1);
+  EXPECT_EQ(bind(descriptor, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+  return path;
+}
+
+TEST_F(LiveRunTest, ARunInAnotherContainerKeepsItsSocket) {
+  const int open = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  const std::string path = BindForMissingProcess(open);
+  ASSERT_EQ(LiveRuns().size(), 1u);
+  EXPECT_EQ(LiveRuns()[0].name, "elsewhere");
+  close(open);
+  EXPECT_TRUE(LiveRuns().empty());
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST_F(LiveRunTest, TheNextRunRemovesTheSocketOfAKilledRun) {
+  const int killed = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  const std::string path = BindForMissingProcess(killed);
+  close(killed);
+  const auto run = Start();
+  EXPECT_FALSE(std::filesystem::exists(path));
 }
 
 TEST_F(LiveRunTest, AFolderThatOthersCanEnterIsRefused) {
