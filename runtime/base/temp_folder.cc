@@ -1,7 +1,9 @@
 #include "runtime/base/temp_folder.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
+#include <sys/file.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
 
@@ -13,6 +15,8 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace openr_host {
 namespace {
@@ -20,6 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr char kMemoryFolder[] = "/dev/shm";
+
+constexpr std::string_view kBegin = "openr-host-run-";
 
 // Returns the prefix of the names of our temporary folders.  The prefix contains the number of the
 // PID namespace.  Containers may share the folder of temporary files but count their processes
@@ -29,19 +35,71 @@ std::string Prefix() {
   std::error_code error;
   std::string space = fs::read_symlink("/proc/self/ns/pid", error).string();
   std::erase_if(space, [](unsigned char c) { return std::isdigit(c) == 0; });
-  return fmt::format("openr-host-run-{}-", space);
+  return fmt::format("{}{}-", kBegin, space);
 }
 
-// Removes the temporary folders of processes that no longer exist.  The name of such a folder is
-// `prefix`, the process id and a random ending.
+// Opens the folder `path` and locks it.  Returns the descriptor, or -1 if the folder does not exist
+// or another process has locked it.  Such a lock ends with the last process that has the
+// descriptor: the process that has made the folder, or a fork of it.
+int Lock(const std::string& path) {
+  const int folder = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
+  if (folder >= 0 && flock(folder, LOCK_EX | LOCK_NB) == 0) return folder;
+  if (folder >= 0) close(folder);
+  return -1;
+}
+
+// Removes the temporary folders of processes that no longer exist.  The name of such a folder
+// begins with `prefix`, which has the number of the PID namespace, and continues with the process
+// id and a random ending.
 void RemoveStaleFolders(const fs::path& parent, const std::string& prefix) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(parent, error)) {
     const std::string name = entry.path().filename();
-    if (!name.starts_with(prefix)) continue;
-    const int pid = std::atoi(name.c_str() + prefix.size());
-    if (pid > 0 && kill(pid, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path(), error);
+    if (!name.starts_with(kBegin)) continue;
+    // Keeps the folder of a process of this namespace that exists.  The process id of a folder of
+    // another namespace shows nothing here, so only the lock shows whether such a folder is in use.
+    const bool is_ours = name.starts_with(prefix);
+    const int pid = is_ours ? std::atoi(name.c_str() + prefix.size()) : 0;
+    if (is_ours && (pid <= 0 || kill(pid, 0) == 0 || errno != ESRCH)) continue;
+    const int folder = Lock(entry.path());
+    if (folder < 0) continue;
+    fs::remove_all(entry.path(), error);
+    close(folder);
   }
+}
+
+// Makes a new folder whose name begins with `begin`, and locks it.  Returns the path, or "" with
+// errno set.  `lock` gets the descriptor that holds the lock.
+std::string MakeLockedFolder(const std::string& begin, int* lock) {
+  for (;;) {
+    std::string path = begin + "XXXXXX";
+    if (mkdtemp(path.data()) == nullptr) return "";
+    *lock = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (*lock < 0 && errno != ENOENT) {
+      const int why = errno;
+      rmdir(path.c_str());
+      errno = why;
+      return "";
+    }
+    // A file system may have no locks (ENOLCK and others).  The folder is then used without a lock.
+    const bool is_taken =
+        *lock >= 0 && flock(*lock, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    // Tries again with another name if another process has removed the folder, or is about to do
+    // so, because that process has seen the folder before it was locked.
+    if (*lock >= 0 && !is_taken && access(path.c_str(), F_OK) == 0) return path;
+    if (*lock >= 0) close(std::exchange(*lock, -1));
+  }
+}
+
+// Moves `descriptor` to a number that is free and at least 500, if the limit of descriptors allows
+// this.  Objects see the numbers of their descriptors, and these must not depend on how many
+// temporary folders the runtime has.
+int MoveUp(int descriptor) {
+  constexpr int kLeast = 500;
+  const int moved = fcntl(descriptor, F_DUPFD_CLOEXEC, kLeast);
+  if (moved < 0) return descriptor;
+  close(descriptor);
+  return moved;
 }
 
 // Returns whether small temporary files may be kept in kMemoryFolder (/dev/shm), which is in the
@@ -72,20 +130,22 @@ TempFolder::TempFolder(TempUse use) : process_(getpid()) {
   // Removes stale folders in memory too, even if the new folder will not be in memory, because
   // stale folders take memory that other programs need.
   if (parent != kMemoryFolder) RemoveStaleFolders(kMemoryFolder, prefix);
-  std::string name = (parent / fmt::format("{}{}-XXXXXX", prefix, process_)).string();
-  if (mkdtemp(name.data()) == nullptr) {
+  const std::string begin = (parent / fmt::format("{}{}-", prefix, process_)).string();
+  path_ = MakeLockedFolder(begin, &lock_);
+  if (path_.empty()) {
     const std::string why = std::strerror(errno);
     throw std::runtime_error(fmt::format(
         "{}: no temporary folder can be made there: {}; the environment variable TMPDIR names "
         "another place for them",
         fs::absolute(parent, error).string(), why));
   }
-  path_ = name;
+  lock_ = MoveUp(lock_);
 }
 
 TempFolder::~TempFolder() {
   std::error_code error;
   if (process_ == getpid()) fs::remove_all(path_, error);
+  close(lock_);
 }
 
 }  // namespace openr_host

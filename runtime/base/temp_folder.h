@@ -17,7 +17,9 @@ enum class TempUse {
 
 // Makes a folder and removes it in the destructor.  Only the process that made the folder removes
 // it; a fork of that process does not.  A killed process leaves its folder behind, so the
-// constructor also removes the folders of processes that no longer exist.
+// constructor also removes the folders of processes that no longer exist.  Every folder is locked
+// as long as its process or a fork of it exists.  So also the folders of killed processes in other
+// containers, whose process ids mean nothing here, can be told from folders in use.
 class TempFolder {
  public:
   // Makes the folder.  If that fails, throws std::runtime_error with the place and the system's
@@ -32,6 +34,7 @@ class TempFolder {
  private:
   std::string path_;
   const int process_;
+  int lock_ = -1;  // descriptor that holds the lock of the folder
 };
 
 }  // namespace openr_host

@@ -1,9 +1,12 @@
 #include "runtime/base/temp_folder.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
@@ -22,7 +25,7 @@ pid_t DeadProcess() {
 }
 
 // "openr-host-run-SPACE-PID-XXXXXX"
-TEST(TempFolderTest, FoldersOfDeadProcessesAreRemovedButForThoseOfOtherContainers) {
+TEST(TempFolderTest, FoldersOfDeadProcessesAreRemovedAlsoThoseOfOtherContainers) {
   const fs::path own = TempFolder().path();
   const std::string name = own.filename();
   const std::string pid = std::to_string(DeadProcess());
@@ -31,10 +34,60 @@ TEST(TempFolderTest, FoldersOfDeadProcessesAreRemovedButForThoseOfOtherContainer
   const fs::path dead = own.parent_path() / (name.substr(0, at) + "-" + pid + "-abcdef");
   const fs::path elsewhere = own.parent_path() / (name.substr(0, at) + "1-" + pid + "-abcdef");
   ASSERT_TRUE(fs::create_directory(dead) && fs::create_directory(elsewhere));
+  const int lock = open(elsewhere.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  ASSERT_EQ(flock(lock, LOCK_EX | LOCK_NB), 0);
   const TempFolder next;
   EXPECT_FALSE(fs::exists(dead));
-  EXPECT_TRUE(fs::exists(elsewhere));
-  fs::remove(elsewhere);
+  EXPECT_TRUE(fs::exists(elsewhere)) << "a living process has locked it";
+  close(lock);
+  const TempFolder after;
+  EXPECT_FALSE(fs::exists(elsewhere));
+  EXPECT_TRUE(fs::exists(next.path()));
+}
+
+// A fork goes on with the folder if the process that has made the folder was killed.
+TEST(TempFolderTest, AFolderIsLockedAsLongAsAForkOfItsProcessLives) {
+  int ends[2];
+  ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
+  pid_t fork_of_maker = 0;
+  std::string path(200, '\0');
+  const pid_t maker = fork();
+  if (maker == 0) {
+    const TempFolder folder;
+    fork_of_maker = fork();
+    if (fork_of_maker == 0) pause();
+    std::string text = folder.path();
+    text.resize(path.size());
+    write(ends[1], &fork_of_maker, sizeof fork_of_maker);
+    write(ends[1], text.data(), text.size());
+    _exit(0);  // without the destructor, as if killed
+  }
+  waitpid(maker, nullptr, 0);
+  ASSERT_EQ(read(ends[0], &fork_of_maker, sizeof fork_of_maker), ssize_t{sizeof fork_of_maker});
+  ASSERT_EQ(read(ends[0], path.data(), path.size()), static_cast<ssize_t>(path.size()));
+  path.resize(path.find('\0'));
+  const TempFolder next;
+  EXPECT_TRUE(fs::exists(path)) << path;
+  kill(fork_of_maker, SIGKILL);
+  // Tries several times, because the fork is no child of this process, which cannot wait for its
+  // end.
+  for (int i = 0; i < 1000 && fs::exists(path); ++i) {
+    const TempFolder after;
+    usleep(1000);
+  }
+  EXPECT_FALSE(fs::exists(path)) << path;
+  close(ends[0]);
+  close(ends[1]);
+}
+
+// Objects see the numbers of their descriptors.
+TEST(TempFolderTest, AFolderTakesNoLowDescriptor) {
+  const int before = dup(0);
+  close(before);
+  const TempFolder folder;
+  const int after = dup(0);
+  close(after);
+  EXPECT_EQ(after, before);
 }
 
 TEST(TempFolderTest, SmallFilesAreWhereTMPDIRSaysAndElseInMemoryOrAmongTheOthers) {
