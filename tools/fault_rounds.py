@@ -15,6 +15,9 @@ the n-th call of each of them fails.  After each failure these must hold:
   removed, the next start removes it;
 - the next start, without a failure, works and comes to the same hash.
 
+The run of the default stick is also done with limits of memory (prlimit --data), from 200 KiB up in
+steps of 200 KiB, so that small allocations fail as well.
+
 At last all calls that open, read and write are slow, as on a worn-out stick: the command must do the
 same as otherwise.
 
@@ -248,6 +251,30 @@ class Rounds:
         return [f"{name} is another" for name, content in self.scenario.written().items()
                 if content != self.expected[name]]
 
+    def low_memory(self):
+        """Runs the command with little memory, and with a little more each time.  Lets small allocations fail,
+        too.  Ends at the first limit that changes nothing."""
+        for kib in range(200, 1 << 16, 200):
+            limit = ["prlimit", f"--data={kib << 10}"]
+            if subprocess.run([*limit, self.scenario.openr, "--version"], capture_output=True).returncode != 0:
+                continue  # the kernel or the dynamic linker could not start the program
+            status, text = self.scenario.command(limit)
+            wrong = [f"leaves the process {line}" for line in self.scenario.wait_for_end()]
+            # libdw, which names the calls of a crash, ends the process itself when it gets no memory.
+            if status not in STATUSES and "libdw" not in text:
+                wrong.append(f"ends with status {status}")
+            elif status != 0 and not REASON.search(text) and "ended by time" not in text:
+                wrong.append(f"status {status} without a reason")
+            if re.search(r"^openr: std::bad_alloc$", text, re.M):
+                wrong.append("the reason does not say what to do")
+            again, text_again = self.scenario.command()
+            stays = [path for path in self.scenario.left_behind() if path not in self.kept]
+            if again != 0 or self.scenario.written() != self.expected or stays:
+                wrong.append(f"the next start: status {again}, leaves {stays}\n{text_again}")
+            verdict(f"{self.scenario.name}: {kib} KiB of memory", not wrong, "\n".join(wrong) + "\n" + text)
+            if status == 0:
+                return
+
     def run(self, calls, most, last):
         # The dynamic linker and the C library make these calls before the program begins.
         before = self.scenario.counts(["--version"])
@@ -289,6 +316,8 @@ def main():
             rounds.run(flags.call, flags.most, flags.last)
             wrong = rounds.slow()
             verdict(f"{name}: slow files", not wrong, "\n".join(wrong))
+            if name == "default" and not flags.call:
+                rounds.low_memory()
             print(f"figures: {name}: {rounds.injected} failures, of which {rounds.reported} ended the program "
                   f"with a reason, {time.monotonic() - begin:.0f} s", flush=True)
     return finish()

@@ -7,6 +7,7 @@
 #include <exception>
 #include <filesystem>
 #include <iterator>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -122,6 +123,12 @@ int RunProgram(int argc, char** argv) {
     } else {
       PrintFailure(error.what(), as_json);
     }
+    return kExitWrong;
+  } catch (const std::bad_alloc&) {
+    PrintFailure(
+        "no memory: this computer gives this process no more; end other programs, or raise the "
+        "limit of memory (ulimit -a shows it)",
+        as_json);
     return kExitWrong;
   } catch (const std::exception& error) {
     PrintFailure(error.what(), as_json);
