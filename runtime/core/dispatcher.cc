@@ -47,6 +47,7 @@ uint64_t Dispatcher::Run(const Limits& limits) {
   fiber->SwitchFrom(&caller_);
   running_ = nullptr;
   t_current = saved;
+  if (failure_ != nullptr) std::rethrow_exception(std::exchange(failure_, nullptr));
   return delivered_ - run_began_at_;
 }
 
@@ -68,7 +69,20 @@ Fiber* Dispatcher::TakeIdleFiber() {
   return fiber;
 }
 
-void Dispatcher::FiberMain(void* dispatcher) { static_cast<Dispatcher*>(dispatcher)->Loop(); }
+// The function with which a fiber begins.  Makes Run() throw each exception that leaves Loop(),
+// such as std::bad_alloc of a recording, because an exception cannot pass from one stack to
+// another.
+void Dispatcher::FiberMain(void* dispatcher) {
+  Dispatcher* const self = static_cast<Dispatcher*>(dispatcher);
+  for (;;) {
+    try {
+      self->Loop();
+    } catch (...) {
+      self->failure_ = std::current_exception();
+    }
+    self->ToCaller();
+  }
+}
 
 // Leaves the running fiber (a stack on which handlers run) and continues `fiber`.  Returns when
 // another fiber continues the fiber that was left.

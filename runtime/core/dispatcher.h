@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <string>
@@ -35,7 +36,8 @@ class Dispatcher {
 
   // Delivers messages until a limit is reached or no message is left, and returns the number of
   // delivered messages.  If limits.time_us is set and no other limit was reached before, the clock
-  // is at limits.time_us afterwards.  REQUIRES: not called in a handler.
+  // is at limits.time_us afterwards.  Throws the exceptions of code that is no handler, such as
+  // limits.until.  REQUIRES: not called in a handler.
   uint64_t Run(const Limits& limits);
 
   // Makes Run(), the loop that delivers messages, return when the running handler has ended.
@@ -122,6 +124,7 @@ class Dispatcher {
   // delivered messages, has this value.
   uint64_t many_at_;
   std::vector<std::unique_ptr<Cpu>> cpus_;  // by index of the robot; empty without a cost model
+  std::exception_ptr failure_;  // the exception that Run() is to throw when it is continued
 };
 
 }  // namespace openr_host

@@ -102,6 +102,17 @@ TEST_F(DispatcherTest, APredicateThatIsTrueAlreadyLetsNoMessageThrough) {
   EXPECT_EQ(log, Log{});
 }
 
+// Such code runs on the stack of a fiber, and no exception passes from one stack to another.
+TEST_F(DispatcherTest, AnExceptionOutsideOfHandlersReachesTheCallerOfTheRun) {
+  Recorder* a = Add("a");
+  Post(a, 1);
+  const auto fail = []() -> bool { throw std::runtime_error("no"); };
+  EXPECT_THROW(system.RunUntil(fail, 1000), std::runtime_error);
+  EXPECT_EQ(log, Log{});
+  system.RunFor(1000);
+  EXPECT_EQ(log, Log{"a:1@0"});
+}
+
 TEST_F(DispatcherTest, ACallWaitsForItsAnswerAndBlocksOnlyTheCaller) {
   Recorder* caller = Add("caller");
   Recorder* callee = Add("callee");
