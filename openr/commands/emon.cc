@@ -102,7 +102,8 @@ void AddEmonCommand(CLI::App* app, int* exit_code) {
   auto flags = std::make_shared<EmonFlags>();
   command->add_option("FILE", flags->file, "EMON.LOG of the robot's Memory Stick")->required();
   command->add_option("--image", flags->image,
-                      "Image of the object that crashed: its .BIN, or the ELF file from which "
+                      "Image of the object that crashed: its .BIN, beside which NAME.nosnap.elf, "
+                      "NAME.elf or NAME.DBG has the names of functions, or the ELF file from which "
                       "mkbin made it (NAME.nosnap.elf)");
   command->add_flag("--json", flags->is_json, "Print JSON");
   command->callback([flags, exit_code] { *exit_code = ExplainRecord(*flags); });

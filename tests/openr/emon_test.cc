@@ -183,6 +183,11 @@ TEST(EmonCommandTest, SaysCauseAndObjectWithoutAnImage) {
             "note: give --image to get the function and the line\n");
 }
 
+TEST(EmonCommandTest, HelpNamesTheFilesBesideAnImage) {
+  EXPECT_THAT(RunProgram({"emon", "--help"}).out,
+              HasSubstr("NAME.nosnap.elf, NAME.elf or NAME.DBG has the names"));
+}
+
 TEST(EmonCommandTest, RefusesWhatItCannotRead) {
   const ScratchFolder folder;
   folder.Write("text.log", "hello\n");
