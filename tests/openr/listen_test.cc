@@ -107,6 +107,15 @@ TEST(AccessTest, ThePanelIsKnownByItsAddressOnly) {
     EXPECT_FALSE(is_known("0.0.0.0", host)) << host;
 }
 
+TEST(AccessTest, FilesOfThePageNeedNeitherTokenNorOrigin) {
+  const Access access(kToken, "192.168.0.5", 8210);
+  WebRequest request;
+  request.host = "192.168.0.5:8210";
+  request.origin = "http://evil.example";
+  EXPECT_EQ(access.FileRefusal(request), "");
+  EXPECT_NE(access.SocketRefusal(request), "");
+}
+
 // Browsers leave out the port of HTTP.
 TEST(AccessTest, ThePanelAtPort80IsKnownWithoutThePort) {
   const Access access(kToken, "127.0.0.1", 80);

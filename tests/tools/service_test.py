@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Checks tools/openr-host.service: systemd reads it, and it allows what a run does.
+"""Checks tools/openr-host.service: systemd reads it, its exposure is that of the docs, and it allows
+what a run does.
 
 The system calls of a run are those that strace sees.  Without strace or systemd-analyze the checks
 are skipped.  The last line is "N passed, N failed, N skipped".
@@ -14,6 +15,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SERVICE = ROOT / "tools/openr-host.service"
+THREATS = ROOT / "docs/threats.md"
 
 
 def setting(name):
@@ -73,6 +75,20 @@ def systemd_complaints(openr, folder):
     return [line for line in said.splitlines() if SERVICE.name in line]
 
 
+def exposure_complaints():
+    """Returns how docs/threats.md differs from what systemd says about the exposure of the service.
+
+    Versions of systemd know different settings, so the figure is that of the version in the text.
+    """
+    told, version = re.search(r"exposure ([\d.]+) \(OK; systemd (\d+)\)", THREATS.read_text()).groups()
+    if not subprocess.run(["systemd-analyze", "--version"], text=True, stdout=subprocess.PIPE,
+                          check=True).stdout.startswith(f"systemd {version} "):
+        return []
+    said = subprocess.run(["systemd-analyze", "security", "--offline=true", "--no-pager", str(SERVICE)], text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT).stdout
+    return [] if f"{SERVICE.name}: {told} OK" in said else [f"{told} in {THREATS.name}", *said.splitlines()[-1:]]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release")
@@ -82,9 +98,10 @@ def main():
         folder = pathlib.Path(scratch)
         if not shutil.which("systemd-analyze") or not openr.exists():
             print(f"skipped: systemd-analyze or {openr} is not there")
-            skipped = 3
+            skipped = 4
         else:
             results.append(check("systemd reads the service", systemd_complaints(openr, folder)))
+            results.append(check("the exposure is that of docs/threats.md", exposure_complaints()))
             if not shutil.which("strace"):
                 print("skipped: strace is not there")
                 skipped = 2
