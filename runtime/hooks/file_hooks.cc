@@ -28,7 +28,6 @@
 using openr_host::ApiScope;
 using openr_host::HostPath;
 using openr_host::InObject;
-using openr_host::MemoryStick;
 using openr_host::OpenFiles;
 using openr_host::Severity;
 using openr_host::StickUse;
