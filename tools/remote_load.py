@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Lets eight clients of the remote control send 100 commands per second of virtual time each.
 
-    remote_load.py --build build/release [--seconds 600] [--seed 1] [--keep FOLDER]
+    remote_load.py --build build/release [--seconds 600] [--seed 1] [--fastest] [--keep FOLDER]
 
 The run goes on in steps of 5 frames (40 ms of virtual time).  Before each step every client sends 4
 commands, so the load does not depend on how fast the machine is.  Each command must get its answer,
@@ -9,12 +9,19 @@ in order and within the step.  All clients have subscribed to events meanwhile, 
 is turned away.  At the end the memory of the run is compared, and its recording is replayed.  The
 last line is "N passed, N failed".
 
+With --fastest the run goes on in real time, and each client sends without a pause for --seconds of
+virtual time: it has UNDER_WAY commands under way, and sends the next as soon as an answer comes.
+Each command must get its answer, in order; the answer may be BUSY, because JointMover takes only so
+many commands at a time.  How fast the run and the clients are depends on the machine and is only
+printed.
+
 A failed check can be seen again with the same seed; --keep leaves the recording in FOLDER.
 """
 import argparse
 import collections
 import pathlib
 import random
+import select
 import struct
 import sys
 import tempfile
@@ -30,6 +37,10 @@ STEP_FRAMES, STEP_COMMANDS = 5, 4
 STEPS_PER_SECOND = 25
 IDLE_SECONDS = 10  # the robot answers a silent ninth client after this time
 WARM_UP_STEPS = 5 * STEPS_PER_SECOND
+# Clients at their fastest: commands that each has under way, and turns after which the clock of the
+# run is looked at.  The robot answers in its frames, so a client with one command under way would wait
+# most of the time.
+UNDER_WAY, LOOK_TURNS = 50, 20
 # The memory of a run does not depend on the number of commands: with 480,000 commands in 600 s it
 # grew by 72 and 88 KiB.  A leak of 16 bytes a command, the smallest answer, would be 7500 KiB.
 GROWTH_KB = 1024
@@ -44,24 +55,28 @@ SENSORS_SIZE = 8 + 4 * 34
 STREAM_SIZES = {0: 4 + SENSORS_SIZE, 1: 4 + 8 + 4 + 1 + 2 * 4 * 18}
 # Joints of head, mouth and tail: smallest and largest angle that the load commands, in degrees.
 ANGLES = {0: (-70, 40), 1: (-80, 80), 2: (-25, 25), 3: (-40, -5), 16: (-20, 20), 17: (-20, 20)}
+# The angles while motions may begin: the head stays so near to the first key frame of each motion of
+# the stick (0 or -25 degrees of joint 0, 0 of the others) that its set points do not jump there.
+NEAR_ANGLES = {**ANGLES, 0: (-25, 0), 1: (-25, 25)}
 
 
 class LoadClient(rc.Client):
     """A client of the load: sends random commands, and compares each answer with its command."""
 
-    def __init__(self, port, dice, may_be_busy=False):
-        """may_be_busy: the robot may play a motion, or not stand yet, and then answer BUSY.
+    def __init__(self, port, dice, may_be_busy=False, angles=ANGLES):
+        """may_be_busy: the robot may answer BUSY, for example because it plays a motion.
 
-        The sizes of answers are not checked then.
+        angles: the smallest and the largest angle of each joint that moves.
         """
         super().__init__(port)
         self.dice = dice
         self.may_be_busy = may_be_busy
+        self.angles = angles
         self.expected = collections.deque()
         self.held = b""  # last bytes of a packet, sent in the next step
         self.streams = {}  # the subscriptions for which answers have come
         self.asked_streams = collections.deque()
-        self.answered = self.events = self.late = 0
+        self.answered = self.busy = self.events = self.late = 0
         self.wrong = []
 
     def send(self, data):
@@ -73,7 +88,7 @@ class LoadClient(rc.Client):
     # ---- Commands: each returns version, command, payload, status and size of the answer's payload.
 
     def move(self):
-        joint, (low, high) = self.dice.choice(list(ANGLES.items()))
+        joint, (low, high) = self.dice.choice(list(self.angles.items()))
         value = self.dice.randint(100 * low, 100 * high)
         return 1, rc.MOVE, struct.pack("<Bi", joint, value), rc.STATUS_OK, 4
 
@@ -120,10 +135,10 @@ class LoadClient(rc.Client):
     KINDS = {"move": 30, "speed": 10, "get": 20, "sensors": 10, "led": 10, "power": 5, "batch": 8,
              "subscribe": 3, "unsubscribe": 1, "refused": 3}  # percent of the commands
 
-    def send_commands(self, step, is_last):
+    def send_commands(self, step, is_last, count=STEP_COMMANDS):
         """Sends the commands of a step; now and then keeps the last bytes for the next step."""
         data = self.held
-        for kind in self.dice.choices(list(self.KINDS), self.KINDS.values(), k=STEP_COMMANDS):
+        for kind in self.dice.choices(list(self.KINDS), self.KINDS.values(), k=count):
             version, command, payload, status, size = getattr(self, kind)()
             tag = next(self.tags) % 0x10000
             data += rc.packet(command, payload, tag, version)
@@ -160,8 +175,11 @@ class LoadClient(rc.Client):
         self.late += step > asked.step
         is_good = answer[:3] == asked[:3] and (
             answer.status == asked.status or self.is_busy(answer.status))
-        if is_good and asked.size is not None and not self.may_be_busy:
+        has_size = asked.size is not None and not (
+            self.may_be_busy and (answer.command == rc.BATCH or answer.status == rc.STATUS_BUSY))
+        if is_good and has_size:
             is_good = len(answer.payload) == asked.size
+        self.busy += answer.status == rc.STATUS_BUSY
         if is_good and answer.command == rc.BATCH:
             is_good = self.is_good_batch(answer.payload)
         if not is_good:
@@ -253,6 +271,71 @@ def load(run, clients, steps):
     return memory_kb, time_s - begin_s, ninths
 
 
+def load_fastest(run, clients, seconds):
+    """Lets each client keep UNDER_WAY commands under way, until so much virtual time is over.
+
+    Returns the memory of the run after the warm-up, and the state of its clock at the end.
+    """
+    clock = run.clock()
+    begin_s, warm_up_s = clock["time_s"], WARM_UP_STEPS / STEPS_PER_SECOND
+    memory_kb = 0
+    while clock["time_s"] < begin_s + seconds and not all(client.is_closed for client in clients):
+        if not memory_kb and clock["time_s"] >= begin_s + warm_up_s:
+            memory_kb = run.memory_kb()
+        for _ in range(LOOK_TURNS):
+            send_next(clients)
+            receive_some(clients)
+        clock = run.clock()
+    end = time.monotonic() + rc.HANG_S
+    while any(client.expected and not client.is_closed for client in clients) and time.monotonic() < end:
+        receive_some(clients)
+    return memory_kb, clock
+
+
+def receive_some(clients):
+    """Waits until a client has received something, for at most a second; compares what has come."""
+    sockets = {client.socket: client for client in clients if not client.is_closed}
+    for ready in select.select(list(sockets), [], [], 1 if sockets else 0)[0]:
+        sockets[ready].receive(0)
+
+
+def send_next(clients):
+    """Lets each client send so many commands that UNDER_WAY are under way."""
+    for client in clients:
+        count = UNDER_WAY - len(client.expected)
+        if count > 0 and not client.is_closed:
+            client.send_commands(0, True, count)
+
+
+def check_fastest(run, seconds, seed):
+    clients = [LoadClient(run.port, random.Random(f"{seed}/{i}"), may_be_busy=True) for i in range(CLIENTS)]
+    run.wait_until_standing(clients[0])
+    begin = time.monotonic()
+    begin_kb, clock = load_fastest(run, clients, seconds)
+    wall_s = time.monotonic() - begin
+    growth_kb = run.memory_kb() - begin_kb
+    tell_fastest(clients)
+    verdict(f"the memory grows by at most {GROWTH_KB} KiB", growth_kb <= GROWTH_KB,
+            f"it grew by {growth_kb} KiB")
+    answered, busy, events = (sum(getattr(client, name) for client in clients)
+                              for name in ("answered", "busy", "events"))
+    print(f"figures: {CLIENTS} clients at their fastest, {answered} commands, {busy} of them answered by "
+          f"BUSY, and {events} events in {seconds} s of virtual time and "
+          f"{wall_s:.1f} s; {clock['speed']:.2f} x real time at the end; memory {begin_kb} KiB after "
+          f"{WARM_UP_STEPS // STEPS_PER_SECOND} s, {growth_kb:+} KiB at the end", flush=True)
+
+
+def tell_fastest(clients):
+    """Prints the verdicts about the answers that the clients at their fastest have got."""
+    for number, client in enumerate(clients):
+        verdict(f"client {number}: each of its commands is answered",
+                client.answered > client.busy and not client.expected,
+                f"{client.answered} answers, {client.busy} of them BUSY, {len(client.expected)} are missing")
+        verdict(f"client {number}: answers as asked and in order, events as subscribed", not client.wrong,
+                f"{len(client.wrong)} are wrong, the first: {' '.join(client.wrong[:1])}")
+        verdict(f"client {number}: is not closed", not client.is_closed)
+
+
 def check(run, seconds, seed):
     clients = [LoadClient(run.port, random.Random(f"{seed}/{i}")) for i in range(CLIENTS)]
     for client in clients:
@@ -290,6 +373,8 @@ def main():
     parser.add_argument("--build", required=True, type=pathlib.Path)
     parser.add_argument("--seconds", type=int, default=20, help="of virtual time, at least 16")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--fastest", action="store_true",
+                        help="in real time, without a pause between the commands")
     parser.add_argument("--keep", type=pathlib.Path, help="new folder for stick, recording and report")
     flags = parser.parse_args()
     if flags.seconds < 16:
@@ -297,10 +382,10 @@ def main():
     with tempfile.TemporaryDirectory(prefix="openr-load-") as scratch:
         folder = flags.keep or pathlib.Path(scratch)
         folder.mkdir(parents=True, exist_ok=True)
-        run = rc.Run(flags.build.resolve() / "bin/openr", folder, "--rate", "max")
+        run = rc.Run(flags.build.resolve() / "bin/openr", folder, "--rate", "1" if flags.fastest else "max")
         try:
             try:
-                check(run, flags.seconds, flags.seed)
+                (check_fastest if flags.fastest else check)(run, flags.seconds, flags.seed)
                 run.clock(pause=False)
             except (rc.Refused, OSError, ValueError) as error:
                 verdict("the run and its clients go on to the end", False, repr(error))
