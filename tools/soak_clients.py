@@ -7,6 +7,7 @@ import random
 import select
 import socket
 import struct
+import subprocess
 
 import remote_load as load
 import remote_run as rc
@@ -15,8 +16,36 @@ ANSWER_STEPS = 50  # an answer that has not come after so many steps is missing
 # Motions of the stick, and the largest number of loops.  Only WALK.MTN ends where it begins; the
 # others jump at the end of a loop, which is a finding.
 MOTIONS = {"BOW.MTN": 1, "LIE.MTN": 1, "SIT.MTN": 1, "STAND.MTN": 1, "WALK.MTN": 5}
+# JointMover begins a motion at once if no joint is 45 degrees or more from its first key frame, and
+# otherwise moves the joints there before (MoverCore.h).  A set point that jumps by more than 30 degrees
+# is a finding.  So a motion begins without a finding if all joints are nearer than NEAR_DEG, or if a
+# joint of a leg, which only motions and their players move, is further away than FAR_DEG.
+NEAR_DEG, FAR_DEG = 28, 47
+HEAD, LEGS = range(3), range(4, 16)  # numbers of joints, in the order of the columns of a motion
+# The robot must be ready for a motion in so many looks, one in each step, because a person may turn a
+# joint for two steps (INPUTS in soak.py), whose set point is elsewhere then.
+GOOD_LOOKS, LOOKS_MAX = 4, 100
 UPLOADED = tuple(f"SOAK{i}.MTN" for i in range(10))
 BUSY_TOO = (rc.STATUS_OK, rc.STATUS_BUSY)
+
+
+def first_angles(openr, motion):
+    """Returns {joint: angle in degrees} of the first key frame of a motion file."""
+    lines = subprocess.run([openr, "mtn", "dump", motion], check=True, capture_output=True,
+                           text=True).stdout.splitlines()
+    angles = lines[1].split(",")[-len([*HEAD, *LEGS]):]
+    return dict(zip([*HEAD, *LEGS], map(float, angles), strict=True))
+
+
+def far_joints(degrees, first):
+    """Returns the joints that keep a motion from beginning without a finding.
+
+    `degrees`: the angles of all joints.  `first`: first_angles() of the motion.
+    """
+    ways = {joint: abs(degrees[joint] - angle) for joint, angle in first.items()}
+    if any(ways[joint] > FAR_DEG for joint in LEGS):
+        return []
+    return [joint for joint, way in ways.items() if way >= NEAR_DEG]
 
 
 class Clients:
@@ -33,6 +62,9 @@ class Clients:
         self.wrong = []
         self.time_s = run.clock(pause=True)["time_s"]
         self.motion = (run.stick / rc.FOLDERS[rc.MOTION] / "STAND.MTN").read_bytes()
+        self.first = {name: first_angles(run.openr, run.stick / rc.FOLDERS[rc.MOTION] / name)
+                      for name in MOTIONS}
+        self.is_beginning = False  # whether a client lets the robot get ready for a motion
         self.image = (run.stick / rc.FOLDERS[rc.IMAGE] / "CONTROLL.BIN").read_bytes()
 
     def welcome(self, kind):
@@ -49,7 +81,7 @@ class Clients:
         """
         client = None
         try:
-            client = load.LoadClient(self.run.port, dice, may_be_busy=True)
+            client = load.LoadClient(self.run.port, dice, may_be_busy=True, angles=load.NEAR_ANGLES)
             yield from kind(client, dice)
         except OSError as error:
             if self.boots == boots:
@@ -111,16 +143,44 @@ class Clients:
         if client.wrong or client.expected or client.late:
             raise ValueError(f"{client.wrong[:1]}, {client.late} late, {len(client.expected)} missing")
 
+    def get_ready(self, client, first):
+        """Waits until a motion begins without a finding, and moves joints that are far from `first`.
+
+        Returns False if the robot does not get ready, for example because it plays a longer motion.
+        """
+        good_looks = 0
+        for _ in range(LOOKS_MAX):
+            look, = yield from self.ask(client, (rc.SENSORS, b""), statuses=(rc.STATUS_OK,))
+            far = far_joints([value / 100 for value in struct.unpack_from("<18i", look.payload, 8)], first)
+            is_standing = look.payload[5] == rc.READY
+            good_looks = good_looks + 1 if is_standing and not far else 0
+            if good_looks == GOOD_LOOKS:
+                return True
+            if is_standing and far:
+                yield from self.ask(client, *((rc.MOVE, struct.pack("<Bi", joint, round(100 * first[joint])))
+                                              for joint in far))
+        self.counts["motions given up"] += 1
+        return False
+
+    def play(self, client, name, like, loops=1, key_frames=0):
+        """Plays a motion whose first key frame is that of `like`; one client at a time begins one."""
+        while self.is_beginning:
+            yield
+        self.is_beginning = True
+        try:
+            if (yield from self.get_ready(client, self.first[like])):
+                request = struct.pack(f"<{len(name) + 1}pHB", name.encode(), loops, key_frames)
+                play, = yield from self.ask(client, (rc.MTN_PLAY, request))
+                self.counts["motions"] += play.status == rc.STATUS_OK
+        finally:
+            self.is_beginning = False
+
     def player(self, client, dice):
         """Plays motions, with events of their key frames."""
         yield from self.ask(client, (rc.SUBSCRIBE, struct.pack("<BH", 1, 0)))
         for _ in range(dice.randint(1, 3)):
             name, loops_max = dice.choice(list(MOTIONS.items()))
-            request = struct.pack(f"<{len(name) + 1}pHB", name.encode(), dice.randint(1, loops_max),
-                                  dice.choice([0, 4]))
-            play, = yield from self.ask(client, (rc.MTN_PLAY, request))
-            if play.status == rc.STATUS_OK:
-                self.counts["motions"] += 1
+            yield from self.play(client, name, name, dice.randint(1, loops_max), dice.choice([0, 4]))
             for _ in range(dice.randint(1, 100)):
                 look, = yield from self.ask(client, (rc.SENSORS, b""))
                 if look.payload[5] == rc.READY:
@@ -148,7 +208,8 @@ class Clients:
         part, = yield from self.ask(client, (rc.DOWNLOAD, b"\0" + text + struct.pack("<I", 0)))
         if part.payload != struct.pack("<I", len(data)) + data[:len(part.payload) - 4]:
             raise ValueError(f"{name} is downloaded as another file")
-        yield from self.ask(client, (rc.MTN_LIST, b"\0\0"), (rc.MTN_PLAY, text + b"\1\0\0"))
+        yield from self.ask(client, (rc.MTN_LIST, b"\0\0"))
+        yield from self.play(client, name, "STAND.MTN")
         if dice.random() < 0.5:
             yield from self.ask(client, (rc.DELETE, b"\0" + text))
 
