@@ -33,11 +33,13 @@ PLANTED_SECONDS = 60  # of processor time
 PLANTED_WAIT = 10  # times as long a busy machine may take for it
 MIN_BYTES, MAX_BYTES = 512, 2048  # limits for the bytes of an input (bytes_limit())
 SHOWN_BYTES = 4096  # a larger input is not printed
+INPUT_SECONDS = 10  # of wall time for an input in a search, of processor time when it runs alone
+INPUT_WAIT = 10  # times as long a busy machine may take for an input that runs alone
 # A line that says why an input crashed: of FuzzCheck(), of ASSERT(), of UndefinedBehaviorSanitizer, of an
 # exception, of AddressSanitizer or libFuzzer.  What a target itself prints may have the word ERROR, too.
 ERROR_LINE = re.compile(
     r"(?m)^(?:openr_fuzz: .*|.+:\d+: ASSERT\(.*|.+: runtime error: .*| +what\(\): .*|==\d+== ?ERROR: .*)$")
-OPTIONS = ["-timeout=10", "-rss_limit_mb=1536", "-malloc_limit_mb=600", "-print_final_stats=1",
+OPTIONS = ["-rss_limit_mb=1536", "-malloc_limit_mb=600", "-print_final_stats=1",
            "-mutate_depth=3",  # an input with more changes is hardly ever valid
            "-len_control=0",  # else no input is longer than the longest seed for a long time
            "-detect_leaks=0",  # else an input that leaves memory behind runs twice
@@ -167,6 +169,49 @@ def write_times(folder):
     return {file.name: file.stat().st_mtime_ns for file in os.scandir(folder)}
 
 
+def written_since(before, folder):
+    """Returns the files that were written in the folder since write_times(folder) returned `before`.
+    An input that crashed in an earlier run as well is written again, under the same name."""
+    return [os.path.join(folder, file) for file, time_ns in sorted(write_times(folder).items())
+            if before.get(file) != time_ns]
+
+
+def is_slow(name, path):
+    """Runs one input alone, whose time was over in a search.  Returns whether the input takes too
+    much processor time, waits for ever, or crashes.  The search counts wall time, which says little
+    on a busy machine."""
+    run = subprocess.run(["prlimit", f"--cpu={INPUT_SECONDS}", PROGRAM, name,
+                          f"-timeout={INPUT_SECONDS * INPUT_WAIT}", path], env=ENVIRONMENT,
+                         stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+    return run.returncode != 0
+
+
+def search(name, command, folders, seconds, crashes):
+    """Runs libFuzzer for these seconds, and goes on after an input whose time was over only because
+    the machine was busy.  Returns the last status, the whole output, and the sum of executions."""
+    end = time.monotonic() + seconds
+    texts, executions = [], 0
+    while True:
+        before = write_times(crashes)
+        left = max(1, round(end - time.monotonic()))
+        run = subprocess.run(command + [f"-max_total_time={left}"] + folders, env=ENVIRONMENT,
+                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+        texts.append(run.stdout.decode(errors="replace"))
+        counts = (re.findall(r"stat::number_of_executed_units:\s*(\d+)", texts[-1])
+                  or re.findall(r"^#(\d+)", texts[-1], re.MULTILINE))
+        executions += int(counts[-1]) if counts else 0
+        late = [path for path in written_since(before, crashes)
+                if os.path.basename(path).startswith("timeout-")]
+        if not late or any(is_slow(name, path) for path in late):
+            return run.returncode, "".join(texts), executions
+        for path in late:
+            os.remove(path)
+        texts[-1] = re.sub(r"(?m)^==\d+== ?ERROR: libFuzzer: timeout", "a busy machine: timeout",
+                           texts[-1])
+        if end - time.monotonic() < 1:
+            return 0, "".join(texts), executions
+
+
 def fuzz(name, found, seconds, seed, planted=False):
     """Runs one target.  Returns what libFuzzer has counted, and the inputs that crash."""
     kept = os.path.join(WORK, "planted" if planted else "corpus", name)
@@ -180,10 +225,12 @@ def fuzz(name, found, seconds, seed, planted=False):
     words, lines = dictionary(name, found, seeds)
     command = [PROGRAM, name, "--words", lines, "--seeds", seed_list(name, seeds)]
     command += (["--planted"] if planted else []) + OPTIONS
+    input_seconds = INPUT_SECONDS
     if planted:  # processor time, so that a busy machine finds what an idle one does
         command = ["prlimit", f"--cpu={seconds}"] + command
         seconds *= PLANTED_WAIT
-    command += [f"-max_total_time={seconds}", f"-artifact_prefix={crashes}/"]
+        input_seconds *= INPUT_WAIT
+    command += [f"-timeout={input_seconds}", f"-artifact_prefix={crashes}/"]
     folders = [kept] + seeds
     # Else an input is also kept for taking a known branch another number of times.
     command += [] if found.get("counts", True) else ["-use_counters=0"]
@@ -192,23 +239,15 @@ def fuzz(name, found, seconds, seed, planted=False):
              for folder in folders for file in os.listdir(folder)]
     command += [f"-max_len={bytes_limit(found, max(sizes, default=0))}"]
     command += [f"-seed={seed}"] if seed is not None else []
-    run = subprocess.run(command + folders, env=ENVIRONMENT,
-                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+    status, text, executions = search(name, command, folders, seconds, crashes)
     if planted or seed is not None:
         shutil.rmtree(kept)
-    text = run.stdout.decode(errors="replace")
     with open(os.path.join(WORK, f"{name}.log"), "w", encoding="utf-8") as log:
         log.write(text)
-    executions = re.findall(r"stat::number_of_executed_units:\s*(\d+)", text)
-    if not executions:
-        executions = re.findall(r"^#(\d+)", text, re.MULTILINE)
     edges = re.findall(r"cov: (\d+)", text)
-    return {"status": run.returncode, "text": text,
-            "executions": int(executions[-1]) if executions else 0,
-            "edges": int(edges[-1]) if edges else 0,
-            # An input that crashed before as well is written again, under the same name.
-            "crashes": [os.path.join(crashes, file) for file, time_ns in sorted(write_times(crashes).items())
-                        if before.get(file) != time_ns]}
+    return {"status": status, "text": text, "executions": executions,
+            "edges": max(map(int, edges), default=0),
+            "crashes": written_since(before, crashes)}
 
 
 def report(name, result):

@@ -144,6 +144,44 @@ def crashes_of_two_runs():
 found = crashes_of_two_runs()
 verdict("an input that crashes again is reported again", found == [["crash-1"], ["crash-1"]], str(found))
 
+
+def result_of_late_input(alone):
+    """Returns what fuzz() finds with a program whose first search ends at a time limit, and which
+    runs the shell command `alone` for the input by itself.  Searches after the first are good."""
+    with tempfile.TemporaryDirectory() as folder:
+        program = Path(folder) / "openr_fuzz"
+        program.write_text(f"""#!/bin/sh
+for word; do
+  case $word in
+    -artifact_prefix=*) late=${{word#*=}}timeout-1 ;;
+    */timeout-1) {alone} ;;
+  esac
+done
+echo 'stat::number_of_executed_units: 5'
+[ -e {folder}/begun ] && exit 0
+echo x | tee {folder}/begun >$late
+echo '==7== ERROR: libFuzzer: timeout after 12 seconds'
+exit 70
+""", encoding="utf-8")
+        program.chmod(0o755)
+        before = fuzz.PROGRAM, fuzz.WORK, fuzz.INPUT_SECONDS
+        fuzz.PROGRAM, fuzz.WORK, fuzz.INPUT_SECONDS = str(program), folder, 1
+        try:
+            return fuzz.fuzz("mtn", SEEDS, 5, 1)
+        finally:
+            fuzz.PROGRAM, fuzz.WORK, fuzz.INPUT_SECONDS = before
+
+
+late = result_of_late_input("exit 0")
+check("an input that was late on a busy machine is no crash, and the search goes on",
+      (late["status"], late["crashes"], late["executions"], fuzz.ERROR_LINE.findall(late["text"])),
+      (0, [], 10, []))
+for alone, why in (("while :; do :; done", "takes too much processor time"), ("exit 70", "waits for ever")):
+    late = result_of_late_input(alone)
+    check(f"an input that {why} is a crash",
+          (late["status"], [Path(crash).name for crash in late["crashes"]], late["executions"]),
+          (70, ["timeout-1"], 5))
+
 ENDED_BY_CPU, ENDED_BY_CLOCK = -24, 0  # statuses; the first is SIGXCPU
 check("a search that had its processor time says only that it found nothing",
       fuzz.planted_line("mtn", {"executions": 5000, "status": ENDED_BY_CPU}, False),
