@@ -25,6 +25,10 @@ constexpr double kAxisLabelRoom = 22;
 constexpr double kFootRoom = 52;   // height below the last row of diagrams
 constexpr double kPngScale = 1.5;  // pixels per unit of a picture in a PNG file
 
+// Most characters of a text that are measured to see how many fit into its room.  No room of a
+// chart is wide enough for more.
+constexpr size_t kShownMax = 400;
+
 struct Rgb {
   double r, g, b;
 };
@@ -65,6 +69,13 @@ Ticks TicksOf(const Span& span, int count) {
           std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)))};
 }
 
+// Returns `span`, made wider if it is so small that the numbers along its axis would not differ.
+Span Readable(const Span& span) {
+  const double least = std::max(1e-9, 1e-12 * std::max(std::abs(span.low), std::abs(span.high)));
+  if (span.high - span.low >= least) return span;
+  return {span.low - least / 2, span.high + least / 2};
+}
+
 void Widen(const std::vector<double>& values, Span* span) {
   for (const double value : values) {
     span->low = std::min(span->low, value);
@@ -81,6 +92,13 @@ std::string Printable(std::string text) {
   return text;
 }
 
+// Returns the first and the last characters of `text`, `kept` in all, and dots in place of the
+// others.
+std::string WithoutMiddle(const std::string& text, size_t kept) {
+  if (kept >= text.size()) return text;
+  return text.substr(0, kept / 2) + "..." + text.substr(text.size() - (kept - kept / 2));
+}
+
 class Painter {
  public:
   Painter(const Chart& chart, cairo_t* cairo) : chart_(chart), cairo_(cairo) {
@@ -94,6 +112,7 @@ class Painter {
       }
     }
     if (x_span_.high <= x_span_.low) x_span_.high = x_span_.low + 1;
+    x_span_ = Readable(x_span_);
   }
 
   void Draw() {
@@ -148,7 +167,7 @@ class Painter {
     if (span.low > span.high) return {-span_min / 2, span_min / 2};
     const double room =
         std::max(0.06 * (span.high - span.low), (span_min - (span.high - span.low)) / 2);
-    return {span.low - room, span.high + room};
+    return Readable({span.low - room, span.high + room});
   }
 
   void DrawPanel(const Panel& panel, const Rect& plot, bool is_lowest) {
@@ -280,12 +299,10 @@ class Painter {
 
   // Returns `text`.  If `text` is wider than `room`, replaces its middle part by dots.
   std::string Shortened(const std::string& text, double size, bool is_bold, double room) {
-    std::string shortened = text;
-    for (size_t left_out = 1;
-         left_out < text.size() && WidthOfText(shortened, size, is_bold) > room; ++left_out) {
-      const size_t kept = text.size() - left_out;
-      shortened = text.substr(0, kept / 2) + "..." + text.substr(text.size() - (kept - kept / 2));
-    }
+    size_t kept = std::min(text.size(), kShownMax);
+    std::string shortened = WithoutMiddle(text, kept);
+    while (kept > 1 && WidthOfText(shortened, size, is_bold) > room)
+      shortened = WithoutMiddle(text, --kept);
     return shortened;
   }
 

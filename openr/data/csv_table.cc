@@ -40,13 +40,14 @@ std::vector<std::string> FieldsOf(std::string_view line) {
   return fields;
 }
 
-// Returns the number in a field of a table; NaN if `text` is empty; nullopt if `text` is no number.
+// Returns the number in a field of a table; NaN if `text` is empty, "inf" or "nan", which cannot be
+// drawn; nullopt if `text` is no number.
 std::optional<double> NumberOfField(const std::string& text) {
   if (text.empty()) return std::numeric_limits<double>::quiet_NaN();
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size()) return {};
-  return number;
+  return std::isfinite(number) ? number : std::numeric_limits<double>::quiet_NaN();
 }
 
 class CsvReader {

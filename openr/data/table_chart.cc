@@ -4,6 +4,7 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "openr/data/quantity_unit.h"
@@ -18,6 +19,9 @@ using chart::Look;
 
 constexpr size_t kNowhere = std::string::npos;
 constexpr size_t kPanelsMax = 60;
+// Largest time and largest value of a chart.  The span of an axis with much larger numbers is not
+// finite.
+constexpr double kDrawnMax = 1e100;
 
 // A group of quantities with one angle of each joint, such as the measured angle.  The quantities
 // that all groups have for one joint share a panel of the chart.
@@ -64,13 +68,16 @@ bool IsLike(const std::string& name, const std::string& wanted) {
 // The unit of the quantities in kAngleGroups, whose names do not end with the unit.
 constexpr QuantityUnit kAngle{"deg", 1, 4};
 
-// Returns the part of `series` in the time that `request` asks for, as a curve.  If this part has
+// Returns the part of `series` in the time that `request` asks for, as a curve.  Leaves out points
+// with numbers above kDrawnMax.  If this part has
 // more than `points_max` points, divides the time into intervals and keeps only the lowest and the
 // highest point of each interval.  So no peak is lost.
 Curve CurveOf(const Series& series, const PlotRequest& request, size_t points_max) {
   Curve curve;
   for (size_t i = 0; i < series.values.size(); ++i) {
     if (series.time_s[i] < request.from_s || series.time_s[i] > request.until_s) continue;
+    if (!(std::abs(series.time_s[i]) <= kDrawnMax && std::abs(series.values[i]) <= kDrawnMax))
+      continue;
     curve.x.push_back(series.time_s[i]);
     curve.y.push_back(series.values[i]);
   }

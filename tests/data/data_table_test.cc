@@ -49,6 +49,13 @@ std::string SmallMcap() {
   return bytes;
 }
 
+TEST(CsvTableTest, InfinityIsNoValueAndNoTime) {
+  const Table table = ReadCsvTable("run.csv", "time_s,a\n0,inf\n1,2\n2,-inf\n");
+  ASSERT_EQ(table.series.size(), 1U);
+  EXPECT_THAT(table.series[0].values, ElementsAre(2));
+  EXPECT_THAT(ErrorOfCsv("time_s,a\ninf,1\n"), HasSubstr("'inf' in column time_s is no time"));
+}
+
 TEST(CsvTableTest, EmptyFieldsAreNoValuesAndTextIsNoQuantity) {
   const Table table = ReadCsvTable("run.csv", "time_ms,a,\"b,c\",who\n0,,1,dog\n8,2,-1.5e2,dog\n");
   ASSERT_EQ(table.series.size(), 2U);
@@ -415,6 +422,21 @@ TEST_F(PlotCommandTest, AFileNamedMcapThatIsNoneIsRefusedAsMcap) {
   const ProgramResult refused = Openr({"plot", At("bad.mcap"), "-o", At("a.svg")});
   EXPECT_EQ(refused.status, 1);
   EXPECT_THAT(refused.err, HasSubstr("bad.mcap: is no MCAP file\n"));
+}
+
+// The names and numbers are those of another program, so they may be of any size.
+TEST_F(PlotCommandTest, LongNamesAndNumbersThatHardlyDifferAreDrawn) {
+  const std::string long_name(200'000, 'n');
+  std::ofstream(At("name.csv")) << "time_s," << long_name << "\n0,1\n1,2\n";
+  std::ofstream(At("values.csv")) << "time_s,a\n0,100000000000000000\n1,100000000000000016\n";
+  std::ofstream(At("times.csv")) << "time_s,a\n9000000000000,1\n9000000000000.002,2\n";
+  std::ofstream(At("large.csv")) << "time_s,a\n0,1e308\n1,-1e308\n2,5\n";
+  for (const char* const name : {"name.csv", "values.csv", "times.csv", "large.csv"}) {
+    const std::string svg = At(std::string(name) + ".svg");
+    const ProgramResult result = Openr({"plot", At(name), "*", "-o", svg});
+    EXPECT_EQ(result.status, 0) << name << ": " << result.err;
+    EXPECT_EQ(Content(svg).find("nan"), std::string::npos) << name;
+  }
 }
 
 TEST_F(PlotCommandTest, WrongFilesAndNamesAreRefused) {
