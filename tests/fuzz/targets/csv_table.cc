@@ -1,0 +1,25 @@
+// The fuzz target csv_table: comma-separated values for openr plot.
+#include <stdexcept>
+
+#include "openr/data/table.h"
+#include "tests/fuzz/fuzz_targets.h"
+#include "tests/fuzz/table_checks.h"
+#include "tests/fuzz/target_list.h"
+
+namespace openr_host {
+
+bool fuzz::csv_table(std::string_view bytes) {
+  bool has_found = false;
+  try {
+    const Table table = ReadCsvTable("table.csv", bytes);
+    DrawFuzzedTable(table);
+    for (const Series& series : table.series) {
+      has_found |= series.name.find(',') != std::string::npos && series.values.size() > 2 &&
+                   series.values[2] < -70;
+    }
+  } catch (const std::runtime_error&) {
+  }
+  return has_found;
+}
+
+}  // namespace openr_host
