@@ -140,6 +140,8 @@ class CommandedRobot {
       FuzzCheck(std::abs(value) <= kTurnCentideg, "a turn at most");
       if (value == kTurnCentideg) moved_.insert(joint);
     }
+    // All joints have the same branches.
+    ReachFuzzState(moved_.size());
     has_found_ |= moved_.size() > 2;
     return true;
   }

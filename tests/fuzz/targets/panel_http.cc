@@ -78,6 +78,8 @@ class EchoPage final : public WebPage {
     parts_ += part.empty() ? 0 : 1;
     if (!is_text) connection_->CloseWhenSent(1003, "only text is read");
     if (!is_last) return;
+    // All counts of parts, and all names of runs, have the same branches.
+    ReachFuzzState(static_cast<uint64_t>(2 * std::min(parts_, 9) + (names_run_ ? 1 : 0)));
     if (names_run_ && parts_ > 2) service_->Find();
     if (!message_.empty()) waiting_.push_back(message_);
     message_.clear();
