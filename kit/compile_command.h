@@ -37,6 +37,12 @@ std::vector<std::string> CarriedFlags(const std::vector<std::string>& arguments,
 // Returns the flags that the host's compiler does not know, according to its messages `output`.
 std::vector<std::string> UnknownFlags(const std::string& output);
 
+// Flag of g++: functions of the C++ library do not call the helpers that -finstrument-functions
+// asks for (image_source.cc), because each of these functions returns its value.  Without this
+// flag, a source that includes <iostream> would take up to four times as long to compile.
+inline constexpr char kNoHelpersInLibrary[] =
+    "-finstrument-functions-exclude-file-list=/usr/include/c++/";
+
 // Returns whether `output`, messages of the compiler, warns of a function that may end without
 // returning a value.
 bool TellsOfMissingReturn(const std::string& output);

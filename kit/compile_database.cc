@@ -16,12 +16,12 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-// Flags of compile-flags.txt that clang 14 refuses.  The compile commands for editors do not
-// contain these flags.  An editor uses clang only to show errors in sources, and these flags change
-// the generated code but not the errors.
-constexpr std::array<std::string_view, 4> kFlagsOfGccAlone = {
+// Flags of compile-flags.txt and of the compile tool that clang 14 refuses.  The compile commands
+// for editors do not contain these flags.  An editor uses clang only to show errors in sources, and
+// these flags change the generated code but not the errors.
+constexpr std::array<std::string_view, 5> kFlagsOfGccAlone = {
     "-fno-gnu-unique", "-fno-aggressive-loop-optimizations", "-fno-lifetime-dse",
-    "-ftrivial-auto-var-init=zero"};
+    "-ftrivial-auto-var-init=zero", kNoHelpersInLibrary};
 
 // Returns the words of `command`, a call of the compiler.  The build compiled a private copy of
 // `original`, which is a file of the user; the words are changed so that they name `original`,

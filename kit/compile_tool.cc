@@ -193,7 +193,7 @@ int CompileRun::Run() {
   if (result.good() && TellsOfMissingReturn(result.output) && !IsClang(compiler_)) {
     // Adds a flag with which each function calls a helper (image_source.cc) just before it returns.
     // The helper makes the function return 0 if the function sets no return value.
-    extra_.push_back("-finstrument-functions");
+    extra_.insert(extra_.end(), {"-finstrument-functions", kNoHelpersInLibrary});
     const ProcessResult again = Try(extra_);
     if (again.good()) result = again;
   }

@@ -222,6 +222,8 @@ TEST_F(EditorTest, TheCommandsForEditorsNeedNoMakefile) {
 // clangd compiles with clang, which takes an unknown flag for an error.
 TEST_F(EditorTest, ClangKnowsTheFlagsOfTheCommandsForEditors) {
   if (!HasProgram("clang++")) GTEST_SKIP() << "clang++ is not installed";
+  // A function that returns no value, because a source with one is compiled with more flags.
+  folder_.Write("Wag/Wag.cc", folder_.Read("Wag/Wag.cc") + "int Nothing() {}\n");
   ASSERT_EQ(folder_.Build({"--compile-commands"}).status, 0);
   const Json commands = Json::parse(folder_.Read("compile_commands.json"));
   ASSERT_EQ(commands.size(), 1u);
