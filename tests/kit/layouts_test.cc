@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "cli/process.h"
+#include "runtime/base/read_file.h"
 #include "tests/kit/kit_folder.h"
 
 namespace openr_host {
@@ -16,40 +17,56 @@ using ::testing::Not;
 constexpr char kBoth[] = "longword number; char text[LINE_SIZE];";
 
 // examples/TalkListen, in which Talker sends Listener a Line with number and text.
+// All tests share a folder, because openr build then compiles only what a test has changed.
 class LayoutsTest : public ::testing::Test {
  protected:
+  static void SetUpTestSuite() { folder_ = new KitFolder(""); }
+  static void TearDownTestSuite() { delete folder_; }
+
   LayoutsTest() {
-    std::filesystem::copy(std::string(OPENR_DOCS) + "/../examples/TalkListen", folder_.File(""),
-                          std::filesystem::copy_options::recursive);
-    std::filesystem::remove_all(folder_.File("common"));
+    namespace fs = std::filesystem;
+    const fs::path example = std::string(OPENR_DOCS) + "/../examples/TalkListen";
+    for (const auto& entry : fs::recursive_directory_iterator(example)) {
+      const std::string name = entry.path().lexically_relative(example);
+      if (entry.is_regular_file() && !name.starts_with("common/"))
+        WriteIfChanged(name, ReadFile(entry.path()).value_or(""));
+    }
+    // Removes the images, because a test may have changed them.
+    fs::remove_all(folder_->File("MS/OPEN-R/MW/OBJS"));
+  }
+
+  // Leaves a file with the same text alone, so that it does not count as newer than its object
+  // file.
+  static void WriteIfChanged(const std::string& name, const std::string& text) {
+    if (folder_->Read(name) != text) folder_->Write(name, text);
   }
 
   // Writes the header of one object.
   void Declare(const std::string& object, const std::string& members) const {
-    folder_.Write(object + "/Line.h",
-                  "#include <Types.h>\n#include <stdint.h>\n"
-                  "const size_t LINE_SIZE = 32;\nstruct Line { " +
-                      members + " };\n");
+    WriteIfChanged(object + "/Line.h",
+                   "#include <Types.h>\n#include <stdint.h>\n"
+                   "const size_t LINE_SIZE = 32;\nstruct Line { " +
+                       members + " };\n");
   }
   void Replace(const std::string& file, const std::string& from, const std::string& to) const {
-    std::string text = folder_.Read(file);
+    std::string text = folder_->Read(file);
     const size_t at = text.find(from);
     ASSERT_NE(at, std::string::npos) << file;
-    folder_.Write(file, text.replace(at, from.size(), to));
+    folder_->Write(file, text.replace(at, from.size(), to));
   }
   std::string Built() const {
-    const ProgramResult built = folder_.Build();
+    const ProgramResult built = folder_->Build();
     EXPECT_EQ(built.status, 0) << built.err;
     return Checked();
   }
-  std::string Checked() const { return RunProgram({"check", folder_.File("")}).out; }
+  std::string Checked() const { return RunProgram({"check", folder_->File("")}).out; }
   std::string BuiltWith(const std::string& talker, const std::string& listener) const {
     Declare("Talker", talker);
     Declare("Listener", listener);
     return Built();
   }
 
-  const KitFolder folder_{""};
+  static inline const KitFolder* folder_ = nullptr;
 };
 
 TEST_F(LayoutsTest, FieldsInAnotherOrderAreAWarningWithTheirPlaces) {
@@ -77,10 +94,10 @@ TEST_F(LayoutsTest, AFieldThatNobodySendsIsAWarningUnlessTheObserverAsksForTheSi
 TEST_F(LayoutsTest, AnImageOfAnOlderHeaderIsAWarning) {
   EXPECT_THAT(BuiltWith(kBoth, kBoth), Not(HasSubstr("same struct")));
   const std::string image = "MS/OPEN-R/MW/OBJS/LISTENER.BIN";
-  const std::string old = folder_.Read(image);
+  const std::string old = folder_->Read(image);
   const std::string changed = "longword mood; longword number; char text[LINE_SIZE];";
   EXPECT_THAT(BuiltWith(changed, changed), Not(HasSubstr("same struct")));
-  folder_.Write(image, old);
+  folder_->Write(image, old);
   EXPECT_THAT(Checked(), HasSubstr("'number' begins at byte 4 in Talker, at byte 0 in Listener"));
 }
 
@@ -88,8 +105,8 @@ TEST_F(LayoutsTest, AnImageOfAnOlderHeaderIsAWarning) {
 TEST_F(LayoutsTest, ImagesOfTwoSectionsAreCompared) {
   BuiltWith(kBoth, "word number; char text[LINE_SIZE];");
   const std::string config = "MS/OPEN-R/MW/CONF/OBJECT.CFG";
-  const std::string lines = folder_.Read(config);
-  folder_.Write(config, "[ERS-210]\n" + lines + "[ERS-7]\n" + lines);
+  const std::string lines = folder_->Read(config);
+  folder_->Write(config, "[ERS-210]\n" + lines + "[ERS-7]\n" + lines);
   EXPECT_THAT(Checked(), HasSubstr("'number' has 4 bytes in Talker, 2 in Listener"));
 }
 
@@ -97,8 +114,8 @@ TEST_F(LayoutsTest, ALongTextWithoutASemicolonIsRead) {
   std::string table =
       "#define LINE_OF(e) ((const Line*)(e).Data(0))\nstatic const int table[] = {1";
   for (int i = 0; i < 100'000; ++i) table += ", 1";
-  const std::string source = folder_.Read("Talker/Talker.cc");
-  folder_.Write("Talker/Talker.cc", source + table + "};\nconst int* Table() { return table; }\n");
+  const std::string source = folder_->Read("Talker/Talker.cc");
+  folder_->Write("Talker/Talker.cc", source + table + "};\nconst int* Table() { return table; }\n");
   EXPECT_THAT(BuiltWith(kBoth, "word number; char text[LINE_SIZE];"),
               HasSubstr("'number' has 4 bytes in Talker, 2 in Listener"));
 }
@@ -149,7 +166,7 @@ TEST_F(LayoutsTest, BytesAndTypesOfTheSameNameByChanceAreNoWarning) {
 
 TEST_F(LayoutsTest, AnImageWithoutDebugInformationIsNoWarning) {
   EXPECT_THAT(BuiltWith(kBoth, "char text[LINE_SIZE]; longword number;"), HasSubstr("same struct"));
-  const std::string image = folder_.File("MS/OPEN-R/MW/OBJS/LISTENER.BIN");
+  const std::string image = folder_->File("MS/OPEN-R/MW/OBJS/LISTENER.BIN");
   ASSERT_TRUE(RunProcess({"strip", "--strip-debug", image}).good());
   EXPECT_THAT(Checked(), Not(HasSubstr("same struct")));
 }
