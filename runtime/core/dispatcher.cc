@@ -187,12 +187,13 @@ void Dispatcher::RunMeasured(Object* object) {
   ASSERT(object->waiting >= 0, "{} gets a message, none was counted as waiting", object->name);
   if (++delivered_ >= many_at_) [[unlikely]]
     NoteManyDeliveries(object);
-  system_->trace().Deliver(*message, system_->now_us());
-  ++object->message_count;
   ASSERT(object->handler.running == nullptr, "{} runs one handler at a time", object->name);
   // The message belongs to the object's state and not to a local variable, because the running
-  // stack, with its local variables, is given up if the handler is abandoned.
+  // stack, with its local variables, is given up if the handler is abandoned.  The object gets the
+  // message before the trace, which may throw an exception.
   object->handler.running.reset(message);
+  system_->trace().Deliver(*message, system_->now_us());
+  ++object->message_count;
   object->handler.passed_us = 0;
   // The code of a handler was compiled for SSE.  It would run slowly if AVX code, such as the
   // string functions of the C library, has left bits in the upper halves of the vector registers
