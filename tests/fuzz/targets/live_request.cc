@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "openr/live/console_log.h"
 #include "openr/live/couplings.h"
@@ -63,7 +64,10 @@ class RequestedRun {
  public:
   RequestedRun() {
     // Checkpoints would be forks of the fuzz program.
-    rewind_.Begin({.simulation = &simulation_, .no_rewind_reason = "the run is fuzzed"});
+    RewindParts parts;
+    parts.simulation = &simulation_;
+    parts.no_rewind_reason = "the run is fuzzed";
+    rewind_.Begin(std::move(parts));
     simulation_.system().Boot();
   }
 
