@@ -39,7 +39,7 @@ std::vector<std::string> UnknownFlags(const std::string& output);
 
 // Flag of g++: functions of the C++ library do not call the helpers that -finstrument-functions
 // asks for (image_source.cc), because each of these functions returns its value.  Without this
-// flag, a source that includes <iostream> would take up to four times as long to compile.
+// flag, a source that includes <iostream> would take up to three times as long to compile.
 inline constexpr char kNoHelpersInLibrary[] =
     "-finstrument-functions-exclude-file-list=/usr/include/c++/";
 

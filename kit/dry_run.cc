@@ -46,7 +46,9 @@ bool BeginsWith(const std::string& line, const std::regex& pattern, std::smatch*
 std::vector<std::string> ExpandedTargets(const std::string& targets,
                                          const std::vector<std::string>& lines) {
   static const std::regex kReference("\\$[({](\\w+)[)}]");
-  static const std::regex kAssignment("\\s*(?:export\\s+)?(\\w+)\\s*[:?+]*=");
+  // Limits the length of the name, because std::regex calls itself for each character that it
+  // matches, so a long line without blanks would overflow the stack.
+  static const std::regex kAssignment("\\s*(?:export\\s+)?(\\w{1,200})\\s*[:?+]*=");
   std::vector<std::string> words = SplitBlanks(targets);
   std::smatch reference, assignment;
   if (!std::regex_search(targets, reference, kReference)) return words;
@@ -67,7 +69,7 @@ bool IsTargetFor(const std::string& target, const std::string& name) {
     return base != "%" && name.size() >= before.size() + after.size() && name.starts_with(before) &&
            name.ends_with(after);
   }
-  static const std::regex kSuffixRule("\\.\\w+(\\.\\w+)");
+  static const std::regex kSuffixRule("\\.\\w{1,200}(\\.\\w{1,200})");
   std::smatch match;
   return base == name ||
          (std::regex_match(base, match, kSuffixRule) && name.ends_with(match[1].str()));

@@ -175,8 +175,11 @@ std::vector<std::string> VariableArguments(const MakePlan& plan) {
 std::string ErrorOfMake(const std::string& line) {
   static const std::regex kErrorOfMake(
       "(?:\\S*make(?:\\[\\d+\\])?: |([^\\s:]+:\\d+): )\\*\\*\\* (.*?)\\.?(?:  Stop\\.)?");
+  // Reads no long line, such as data that a command has printed, because std::regex calls itself
+  // for each character that it matches, and could overflow the stack.
+  constexpr size_t kLineMax = 4096;
   std::smatch match;
-  if (!std::regex_match(line, match, kErrorOfMake)) return "";
+  if (line.size() > kLineMax || !std::regex_match(line, match, kErrorOfMake)) return "";
   return (match[1].matched ? match[1].str() + ": " : "") + match[2].str();
 }
 

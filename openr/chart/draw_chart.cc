@@ -326,7 +326,7 @@ class Painter {
   }
 
   static std::string Number(double value, int decimals) {
-    char text[32];
+    char text[128];  // a number up to 1e100 has at most 101 digits before the point
     std::snprintf(text, sizeof text, "%.*f", decimals, value == 0 ? 0.0 : value);
     return text;
   }

@@ -69,9 +69,9 @@ bool IsLike(const std::string& name, const std::string& wanted) {
 constexpr QuantityUnit kAngle{"deg", 1, 4};
 
 // Returns the part of `series` in the time that `request` asks for, as a curve.  Leaves out points
-// with numbers above kDrawnMax.  If this part has
-// more than `points_max` points, divides the time into intervals and keeps only the lowest and the
-// highest point of each interval.  So no peak is lost.
+// with numbers above kDrawnMax.  If this part has more than `points_max` points, divides the time
+// into intervals and keeps only the lowest and the highest point of each interval.  So no peak is
+// lost.
 Curve CurveOf(const Series& series, const PlotRequest& request, size_t points_max) {
   Curve curve;
   for (size_t i = 0; i < series.values.size(); ++i) {
@@ -136,7 +136,7 @@ class ChartMaker {
     const bool has_values =
         std::any_of(table_.series.begin(), table_.series.end(),
                     [](const Series& series) { return !series.values.empty(); });
-    return has_values ? "there are no values in this time"
+    return has_values ? "there are no values in this time, or only numbers above 1e100"
                       : "has names of quantities, but no values";
   }
 

@@ -63,7 +63,7 @@ std::string LiveFolder() {
     throw std::runtime_error(fmt::format("{}: cannot be made: {}", folder, std::strerror(errno)));
   // Checks that the folder for the sockets of runs is a folder of this user.  The folder may lie in
   // the folder for temporary files, in which everybody may write, so another user may have made a
-  // file or folder of this name. lstat() does not follow links, so a link to another folder is
+  // file or folder of this name.  lstat() does not follow links, so a link to another folder is
   // refused, too.
   struct stat status;
   if (lstat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) ||

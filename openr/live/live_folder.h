@@ -25,7 +25,7 @@ std::string LiveSocketPath(const std::string& name);
 
 // Returns the runs of this user that go on, sorted by name.  Removes the sockets that no process
 // has open and whose processes have ended, because a killed process could not remove its own
-// socket. Does not wait for any run.
+// socket.  Does not wait for any run.
 std::vector<LiveRun> LiveRuns();
 
 // Returns the run with the name or the process id `wanted`.  Throws std::runtime_error with the

@@ -207,6 +207,8 @@ TEST(BuildFailuresTest, TheCauseIsTheFirstComplaintOfMake) {
   EXPECT_EQ(CauseOf("Makefile:7: *** missing separator.  Stop.\n"),
             "Makefile:7: missing separator");
   EXPECT_EQ(CauseOf("all went well\n"), "");
+  EXPECT_EQ(CauseOf(std::string(100'000, 'x') + "\nmake: *** No rule to make target 'y'.  Stop.\n"),
+            "No rule to make target 'y'");
 }
 
 TEST(BuildFailuresTest, ALibraryForAnotherProcessorIsCalledThat) {

@@ -16,6 +16,12 @@ TEST(DryRunTest, OrdinaryRulesOnlyPrintTheirCommands) {
                          "a.o b.o: def.h\nall: $(OBJS); @-echo +\n"));
 }
 
+TEST(DryRunTest, LinesMayBeLong) {
+  const std::string data(100'000, 'f');
+  EXPECT_FALSE(DryRunRunsCommands("define DATA\n" + data + "\nendef\nP = walk\n$(P) ." + data +
+                                  ": walk.cc\n\tcp $< $@\n"));
+}
+
 TEST(DryRunTest, LinesThatCallMakeRun) {
   EXPECT_TRUE(DryRunRunsCommands("all:\n\tfor d in A B; do \\\n\t  (cd $$d; $(MAKE)); done\n"));
   EXPECT_TRUE(DryRunRunsCommands("all:\n\t${MAKE} -C Walker\n"));
