@@ -2,9 +2,11 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <linux/magic.h>
 #include <signal.h>
 #include <sys/file.h>
 #include <sys/statvfs.h>
+#include <sys/vfs.h>
 #include <unistd.h>
 
 #include <cctype>
@@ -38,20 +40,33 @@ std::string Prefix() {
   return fmt::format("{}{}-", kBegin, space);
 }
 
-// Opens the folder `path` and locks it.  Returns the descriptor, or -1 if the folder does not exist
-// or another process has locked it.  Such a lock ends with the last process that has the
+// Opens the folder `path` and locks it.  Returns the descriptor, or -1 with errno set: EWOULDBLOCK
+// if another process has locked the folder.  Such a lock ends with the last process that has the
 // descriptor: the process that has made the folder, or a fork of it.
 int Lock(const std::string& path) {
   const int folder = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
-  if (folder >= 0 && flock(folder, LOCK_EX | LOCK_NB) == 0) return folder;
-  if (folder >= 0) close(folder);
+  if (folder < 0 || flock(folder, LOCK_EX | LOCK_NB) == 0) return folder;
+  const int why = errno;
+  close(folder);
+  errno = why;
   return -1;
 }
 
-// Removes the temporary folders of processes that no longer exist.  The name of such a folder
-// begins with `prefix`, which has the number of the PID namespace, and continues with the process
-// id and a random ending.
+// Returns whether other computers may use the file system of `folder`, too.  This computer does not
+// see their locks.
+bool IsOnNetwork(const fs::path& folder) {
+  constexpr uint32_t kCifs = 0xff534d42;  // not in linux/magic.h
+  struct statfs facts {};
+  if (statfs(folder.c_str(), &facts) != 0) return true;
+  const auto type = static_cast<uint32_t>(facts.f_type);
+  return type == NFS_SUPER_MAGIC || type == V9FS_MAGIC || type == FUSE_SUPER_MAGIC ||
+         type == SMB2_SUPER_MAGIC || type == kCifs;
+}
+
+// Removes the temporary folders of processes that no longer exist.  The name of a folder of this
+// PID namespace begins with `prefix`, and continues with the process id and a random ending.
 void RemoveStaleFolders(const fs::path& parent, const std::string& prefix) {
+  const bool is_on_network = IsOnNetwork(parent);
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(parent, error)) {
     const std::string name = entry.path().filename();
@@ -61,10 +76,12 @@ void RemoveStaleFolders(const fs::path& parent, const std::string& prefix) {
     const bool is_ours = name.starts_with(prefix);
     const int pid = is_ours ? std::atoi(name.c_str() + prefix.size()) : 0;
     if (is_ours && (pid <= 0 || kill(pid, 0) == 0 || errno != ESRCH)) continue;
+    if (!is_ours && is_on_network) continue;
     const int folder = Lock(entry.path());
-    if (folder < 0) continue;
+    // If the file system has no locks, the process id alone shows that nobody uses the folder.
+    if (folder < 0 && (!is_ours || errno == EWOULDBLOCK)) continue;
     fs::remove_all(entry.path(), error);
-    close(folder);
+    if (folder >= 0) close(folder);
   }
 }
 

@@ -199,8 +199,8 @@ struct SubjectState {
   // references to their regions.  Called when the program clears the buffer and when the connection
   // ends.
   void Clear(ObserverLink* link);
-  // Makes the data of `notify`, which Send() has sent to the observer of `link`, pending again as
-  // one notification, because the message was refused (HandleLateRefusal()).
+  // Makes the notifications in `notify`, which Send() has sent to the observer of `link`, pending
+  // again, because the message was refused (HandleLateRefusal()).
   void TakeBack(ObserverLink* link, const ONotifyMessage& notify);
   // Drops the oldest pending notification, the first element of ObserverLink::units, and gives up
   // the references to its regions.  REQUIRES: a notification is pending.

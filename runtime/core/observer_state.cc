@@ -153,8 +153,10 @@ void HandleLateRefusal(Object* sender, const Message& message) {
     return;
   }
   const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
+  bool is_here = false;  // whether the subject is in this process
   for (const auto& subject : sender->subjects) {
     if (subject->id != notify.subjectID) continue;
+    is_here = true;
     const ObserverID observer = OServiceEntry(OidOf(target->id), message.selector);
     ObserverLink* const link = subject->Find(observer);
     if (link == nullptr) continue;
@@ -164,6 +166,12 @@ void HandleLateRefusal(Object* sender, const Message& message) {
   // Gives the regions back with a message, because `sender` is in a worker process, or has removed
   // this observer since.
   RefuseNotification(target, message);
+  // Makes the observer ready again for a subject in a worker process, because its ready was used
+  // for this message, and RefuseNotification() has told the subject that it is not ready.
+  if (!is_here) {
+    system->object_table().AssertAgain(
+        sender->id, {{notify.subjectID.GetSelector(), target->id, message.selector}});
+  }
 }
 
 }  // namespace openr_host

@@ -40,7 +40,14 @@ OwnedMessage Requests::Await(uint64_t box, int64_t timeout_us, std::string_view 
   // If the wait for the reply has timed out, `message` is the empty reply that
   // LocalCalls::BeginWait() has posted from the object to itself.
   *timed_out = message->kind == PayloadKind::kHashed && message->sender == self->id;
-  if (*timed_out) return message;  // leaves the box open, because the reply may still come
+  if (*timed_out) {
+    // Removes `wake`, the message that would end the wait at the time-out, if another message has
+    // ended the wait, because the request was refused (cpu.h).  Leaves the box open, because the
+    // reply may still come.
+    if (wake != nullptr && wake != message.get())
+      system_->queue().TakeIf([wake](const Message& m) { return &m == wake; });
+    return message;
+  }
   // Removes `wake`, the message that would end the wait at the time-out, because the reply came
   // before.
   if (wake != nullptr) system_->queue().TakeIf([wake](const Message& m) { return &m == wake; });
@@ -78,7 +85,9 @@ int32_t Requests::Call(ObjectId target, uint32_t selector, const void* data, siz
   // something that takes wall time but no virtual time, because the time-out is in virtual time.
   for (;;) {
     const int32_t result = Wait(box, reply, reply_size, nullptr, timeout_us, why);
-    if (result != sTIMEOUT || !system_->object(target)->wait.is_untimed) return result;
+    // A wait without a limit ends with sTIMEOUT only if the request was refused (cpu.h).
+    const bool may_repeat = timeout_us >= 0 && system_->object(target)->wait.is_untimed;
+    if (result != sTIMEOUT || !may_repeat) return result;
   }
 }
 

@@ -174,17 +174,24 @@ void SubjectState::SendPending(ObserverLink* link) {
 void SubjectState::TakeBack(ObserverLink* link, const ONotifyMessage& notify) {
   for (int i = 0; i < notify.numOfData; ++i)
     link->pending.insert(link->pending.begin() + i, notify.data[i].srcRCR);
-  link->units.insert(link->units.begin(), {notify.numOfData});
+  // The message does not say how many data each of its notifications has.  So all get the same
+  // number of data, and the first one also gets what is left.
+  const int count = notify.numOfNotify;
+  link->units.insert(link->units.begin(), static_cast<size_t>(count),
+                     ObserverLink::Unit{notify.numOfData / count});
+  link->units.front().data += notify.numOfData % count;
   --link->sent;
   if (link->waiting_since_us < 0) link->waiting_since_us = system->now_us();
   // Makes the observer ready again, because its ready was used for this message, unless it has
   // given another command since.
   if (link->ready == 0) link->ready = 1;
-  // Drops the data if notifications that the same handler has sent after them fill the buffer.
-  if (link->units.size() <= link->max) return;
-  DropOldestUnit(link);
-  ++object->dropped_count;
-  if (++link->replaced == 1) ReportReplaced(*this, *link);
+  // Drops the oldest data if there is no room for all, because the same handler has sent more
+  // notifications after the message.
+  while (link->units.size() > link->max) {
+    DropOldestUnit(link);
+    ++object->dropped_count;
+    if (++link->replaced == 1) ReportReplaced(*this, *link);
+  }
 }
 
 void SubjectState::Clear(ObserverLink* link) {

@@ -288,9 +288,11 @@ class LateRefusalTest : public testing::Test {
   LateRefusalTest() : system_({.strict = true, .cost = std::make_shared<BusyCosts>()}) {
     system_.AddRobot("ERS-210", nullptr);
   }
-  void Start(const char* sender, const char* receiver) {
+  // `most`: the largest number of notifications in one message; `least` of them must have come.
+  void Start(const char* sender, const char* receiver, size_t least = 1, size_t most = 1) {
     sender_ = system_.AddObject<SubjectProbe>(0, sender);
     receiver_ = system_.AddObject<ObserverProbe>(0, receiver);
+    RunAs(receiver_, [=, this] { receiver_->in->SetBufCtrlParam(0, least, most); });
     system_.Connect({0, "Sender.Out.Number.S", "Receiver.In.Number.O", "test"});
     system_.Boot();
     system_.RunFor(1000);
@@ -330,6 +332,20 @@ TEST_F(LateRefusalTest, ANotificationIsReplacedByALaterOneOfItsHandler) {
   RunAs(sender_, [this] { sender_->Send(3); });
   system_.RunFor(1000);
   EXPECT_EQ(receiver_->events, (Log{"2,3"}));
+}
+
+TEST_F(LateRefusalTest, SeveralNotificationsOfAMessageStaySeveral) {
+  Start("busy", "receiver", 3, 4);
+  sender_->on_ready = [this](const OReadyEvent&) {
+    for (int value = 1; value <= 3; ++value) sender_->Send(value);
+  };
+  receiver_->host().queue_max = 0;
+  system_.RunFor(1000);
+  receiver_->host().queue_max = 32;
+  RunAs(sender_, [this] { sender_->Send(4); });
+  system_.RunFor(1000);
+  EXPECT_EQ(receiver_->events, (Log{"1,2,3,4"}));
+  EXPECT_EQ(receiver_->notify_counts, (std::vector<int>{4}));
 }
 
 TEST_F(LateRefusalTest, TheRegionsOfAReadyGoBack) {

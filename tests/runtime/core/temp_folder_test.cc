@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -24,8 +25,24 @@ pid_t DeadProcess() {
   return child;
 }
 
+// A folder of its own for temporary files, because the programs that run beside this one remove old
+// folders from the common one.
+class OwnTmpdir {
+ public:
+  OwnTmpdir() { setenv("TMPDIR", folder_.path().c_str(), 1); }
+  ~OwnTmpdir() { had_ ? setenv("TMPDIR", kept_.c_str(), 1) : unsetenv("TMPDIR"); }
+  OwnTmpdir(const OwnTmpdir&) = delete;
+  OwnTmpdir& operator=(const OwnTmpdir&) = delete;
+
+ private:
+  const bool had_ = std::getenv("TMPDIR") != nullptr;
+  const std::string kept_ = had_ ? std::getenv("TMPDIR") : "";
+  const TempFolder folder_;
+};
+
 // "openr-host-run-SPACE-PID-XXXXXX"
 TEST(TempFolderTest, FoldersOfDeadProcessesAreRemovedAlsoThoseOfOtherContainers) {
+  const OwnTmpdir place;
   const fs::path own = TempFolder().path();
   const std::string name = own.filename();
   const std::string pid = std::to_string(DeadProcess());
@@ -47,6 +64,8 @@ TEST(TempFolderTest, FoldersOfDeadProcessesAreRemovedAlsoThoseOfOtherContainers)
 
 // A fork goes on with the folder if the process that has made the folder was killed.
 TEST(TempFolderTest, AFolderIsLockedAsLongAsAForkOfItsProcessLives) {
+  const OwnTmpdir place;
+  prctl(PR_SET_CHILD_SUBREAPER, 1);  // lets this process wait for the fork of its child
   int ends[2];
   ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
   pid_t fork_of_maker = 0;
@@ -69,12 +88,8 @@ TEST(TempFolderTest, AFolderIsLockedAsLongAsAForkOfItsProcessLives) {
   const TempFolder next;
   EXPECT_TRUE(fs::exists(path)) << path;
   kill(fork_of_maker, SIGKILL);
-  // Tries several times, because the fork is no child of this process, which cannot wait for its
-  // end.
-  for (int i = 0; i < 1000 && fs::exists(path); ++i) {
-    const TempFolder after;
-    usleep(1000);
-  }
+  waitpid(fork_of_maker, nullptr, 0);
+  const TempFolder after;
   EXPECT_FALSE(fs::exists(path)) << path;
   close(ends[0]);
   close(ends[1]);
