@@ -1,4 +1,4 @@
-// What must hold for each table that openr plot can read.
+// Checks of each table that openr plot can read.
 #pragma once
 
 #include "openr/data/table.h"

@@ -24,7 +24,7 @@ namespace {
 
 constexpr size_t kPartMax = size_t{64} << 10;
 
-// What the panel's service does with requests, without a run behind it.
+// A service that answers requests as the panel does, without a run behind it.
 class FuzzedService final : public WebService {
  public:
   WebAnswer Answer(const WebRequest& request) override {
