@@ -57,6 +57,7 @@ class Clients:
         self.number = 0  # of clients so far
         self.boots = 0
         self.uploads_image = False  # whether a client uploads CONTROLL.BIN
+        self.uploading = set()  # the names of UPLOADED that clients use now
         self.is_off = False  # from the answer to REBOOT until the robot takes connections again
         self.counts = collections.Counter()
         self.wrong = []
@@ -197,11 +198,20 @@ class Clients:
             raise ValueError(f"{name} on the stick is another file")
 
     def motion_uploader(self, client, dice):
-        """Uploads a motion, plays it, and perhaps deletes it again.
+        """Uploads a motion under a name that no other client uses now, plays it, and perhaps deletes it again.
 
-        Each name belongs to one client at a time, because two uploads of one name replace each other.
+        Two uploads of one name would replace each other.
         """
-        name = UPLOADED[self.number % len(UPLOADED)]
+        at = self.number % len(UPLOADED)
+        # One name is always free, because there are fewer clients than names.
+        name = next(each for each in UPLOADED[at:] + UPLOADED[:at] if each not in self.uploading)
+        self.uploading.add(name)
+        try:
+            yield from self.upload_and_play(client, dice, name)
+        finally:
+            self.uploading.discard(name)
+
+    def upload_and_play(self, client, dice, name):
         data = self.motion + dice.randbytes(dice.randint(1, 50000))
         yield from self.upload(client, rc.MOTION, name, data)
         text = struct.pack(f"<{len(name) + 1}p", name.encode())

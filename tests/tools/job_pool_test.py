@@ -12,6 +12,8 @@ sys.path[:0] = [str(ROOT / "tests/support"), str(ROOT / "tools")]
 from job_pool import JobPool  # noqa: E402
 from verdicts import finish, verdict  # noqa: E402
 
+# A shell that has begun this test with '&' lets it ignore Ctrl-C.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 PATIENCE_S = 20
 jobs, is_running = [], threading.Event()
 

@@ -3,6 +3,7 @@
 import contextlib
 import io
 import os
+import signal
 import sys
 import tempfile
 from pathlib import Path
@@ -27,6 +28,8 @@ def script(path, text):
 
 
 with tempfile.TemporaryDirectory() as scratch:
+    # A shell that has begun this test with '&' lets it and its programs ignore Ctrl-C.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     folder = Path(scratch)
     script(folder / "build/bin/openr", RUN)
     script(folder / "bin/node", f'#!/bin/sh\necho "$OPENR_PANEL_URL" >{folder}/url\n')

@@ -44,8 +44,9 @@ class Liar final : public ForgedTest {
  private:
   void TestBody() override {}
 
-  // Ends the handler for whose end the master waits, because no sample has ended it.  Ends the
-  // worker instead if there are many such handlers.
+  // Ends the handler for whose end the master waits, because no sample has come for 10 ms of wall
+  // time.  On a busy machine a sample may only be late, so an input may end more handlers there.
+  // Ends the worker instead after many such waits.
   std::string Health() override {
     if (++ended_handlers_ > kEndedHandlersMax) return "process 'liar' has ended";
     channel_->Send(Stopped());
