@@ -15,9 +15,9 @@
 namespace openr_host {
 namespace {
 
-// Opens `target`, the meaning of the name `file`, for writing, and locks it if it is a regular
-// file.  Returns the descriptor, and sets `status` to the status of the open file.  On failure
-// returns -1 and sets `problem`.
+// Opens `target`, the file or stream that the name `file` means, for writing.  Locks it if it is a
+// regular file.  Returns the descriptor, and sets `status` to the status of the open file.  On
+// failure returns -1 and sets `problem`.
 int OpenLocked(const std::string& file, const OutputTarget& target, struct stat* status,
                std::string* problem) {
   const int descriptor =
@@ -115,8 +115,9 @@ void GrowingFile::Append(std::string_view bytes, std::string_view end) {
     go_back();
     WriteAll(descriptor_, end_);
   }
-  // Cuts off bytes behind the new end of the file.  They are the rest of a longer old `end_`, or
-  // come from a write that has failed.  A device or a pipe cannot be cut, so a failure is ignored.
+  // Cuts off bytes behind the new end of the file.  Such bytes are there if a write has failed.
+  // They are also there if the new bytes are fewer than those of the old `end_`, the text that
+  // completed the file until now.  A device or a pipe cannot be cut, so a failure is ignored.
   [[maybe_unused]] const int result =
       ftruncate(descriptor_, static_cast<off_t>(size_ + end_.size()));
 }

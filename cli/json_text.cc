@@ -77,8 +77,9 @@ nlohmann::json PlainMember(std::string_view text, const char* name) {
   const auto json = nlohmann::json::parse(text, keeps, false);
   if (!json.is_object()) return nullptr;
   const auto member = json.find(name);
-  // Tests is_primitive(), because `json` may still have a member that the parser has dropped.  The
-  // value of such a member is_discarded(), and must not be returned.
+  // Returns the member only if its value is_primitive().  `json` may still have a member whose list
+  // or object the parser has dropped; the value of such a member is_discarded(), and must not be
+  // returned.
   return member != json.end() && member->is_primitive() ? *member : nlohmann::json();
 }
 

@@ -11,7 +11,8 @@ namespace openr_host {
 
 constexpr int kTemporaryNamesMax = 100;  // number of tries to find a name that no other file has
 
-// The open stream or the file that a file name means.
+// The target that the name of an output file means: an open stream of this process, as for the name
+// /dev/stdout, or a file.
 struct OutputTarget {
   int stream = -1;   // descriptor of an open stream of this process; -1: the target is a file
   std::string path;  // path of the target file, after symbolic links were followed
@@ -19,7 +20,7 @@ struct OutputTarget {
   struct stat status {};  // status of the target file; set only if `exists`
 };
 
-// Returns what the name `file` means, after symbolic links were followed.
+// Returns the open stream or the file that the name `file` means.  Follows symbolic links.
 OutputTarget OutputTargetOf(const std::string& file);
 
 // Returns whether new content for `target` is written to a new file that then replaces it, and not

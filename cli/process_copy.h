@@ -36,7 +36,7 @@ enum class Flushed {
   kAll,  // all streams of the C library, also the files of objects
 };
 
-// Says what happens to a copy when its original ends.
+// Says what happens to a copy of a process when the original process ends.
 enum class Orphan {
   kGoesOn,    // the copy goes on
   kIsKilled,  // the kernel kills the copy when the thread that has made it ends, also by a crash
