@@ -44,8 +44,9 @@ std::string NewSessionName() {
 }
 
 std::string MakerOf(const std::string& session) {
-  // A session name consists of host, process id and count, with '-' between them.  The search for
-  // each '-' begins at the end, because a host name may contain '-', too.
+  // A session name consists of the host name and the process id of the process that has made it,
+  // and the number of session names that this process has made, with '-' between them.  The search
+  // for each '-' begins at the end, because a host name may contain '-', too.
   const size_t count = session.rfind('-');
   const size_t pid = count == 0 ? count : session.rfind('-', count - 1);
   if (count == std::string::npos || pid == std::string::npos) return session;
@@ -103,8 +104,8 @@ void ProcessSlot::NotifyAbandoned() {
     try {
       abandoned.channel->Send(to_worker);
     } catch (const std::runtime_error&) {
-      // Ignores the failed send: the abandoned worker is unreachable again, and this must not end
-      // the worker that has the slot now.
+      // Ignores the error.  Send() fails, for example, if the abandoned worker has become
+      // unreachable again.  Such an error must not end the worker that has the slot now.
     }
   }
 }
@@ -136,8 +137,9 @@ void ProcessSlot::AnswerJoinRequest(const openr_wire_JoinRequest& request) {
   } else if (is_closed_) {
     answer.refusal = arena.Text(fmt::format("the run goes on without process '{}'", process_));
   } else if (has_joined_ && requester_id_ != id) {
-    // Gives no answer if the joined process has ended.  The run will soon notice its end, and the
-    // requester will ask again.
+    // If the process that has joined has ended, gives no answer to this join request.  The master
+    // will soon notice that end.  The process that has sent the request repeats it until it gets an
+    // answer.
     if (liveness_.HasEnded()) return;
     answer.session = arena.Text(kTakenSession);
     answer.refusal = arena.Text(fmt::format("the run has its process '{}' already: pid {} on {}",

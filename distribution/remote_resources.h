@@ -65,7 +65,8 @@ class RemoteResources {
   // Records the bytes of heap that the worker's objects use on `robot`.  Throws ProcessLost if the
   // number is too large.
   void RecordHeap(int robot, uint64_t bytes);
-  // Records that the worker has counted `count` dropped notifications of `object` so far.
+  // Records that `count` data and messages of `object` have been lost so far, as the worker has
+  // counted them (Object::dropped_count).
   void RecordDropped(RemoteObject* object, uint64_t count);
 
   // Releases a memory region that the worker sent, and sends no ready message for it.  To be called
