@@ -338,8 +338,8 @@ void ImageCheck::AddServices(const ObjectFolder& object, const std::string& sect
 }
 
 void ImageCheck::CheckPlacedNames() {
-  // Sorts the objects by folder, so that the remarks do not depend on the order of lines in
-  // OBJECT.CFG.
+  // Puts the objects that OBJECT.CFG loads into the order of their folders in `objects_`, so that
+  // the order of the remarks does not depend on the order of lines in OBJECT.CFG.
   std::vector<PlacedObject> in_order;
   for (const ObjectFolder* object : objects_) {
     for (const PlacedObject& placed : placed_) {

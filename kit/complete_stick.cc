@@ -223,10 +223,10 @@ class StickCompletion {
         fmt::format("OBJECT.CFG:{}: {} was not built: {}", record.place.line, record.path, why));
   }
 
-  // Puts on this stick all images to which no other stick is nearer (IsOfThisStick()), and writes
-  // an OBJECT.CFG that names these images and the usable images that already lie in the stick's
-  // folder OBJS.  Called when the stick has no OBJECT.CFG, because without this file nothing says
-  // which images the stick needs.
+  // Puts on this stick all images of this build, except images whose .ocf file is nearer to another
+  // stick in the tree of folders (IsOfThisStick()).  Then writes an OBJECT.CFG that names these
+  // images and the usable images that already lie in the stick's folder OBJS.  Called when the
+  // stick has no OBJECT.CFG, because without this file nothing says which images the stick needs.
   void ListEverything() {
     if (built_.empty()) return;
     ListInstalled();

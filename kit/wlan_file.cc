@@ -120,7 +120,9 @@ std::string SetWlanKey(const std::string& key, const std::string& value, WlanCon
   // knows which values are allowed.
   const WlanResult result = ParseWlanConfig("", key + "=" + value);
   if (!result.diagnostics.empty()) return result.diagnostics[0].message;
-  // Gives the parser the values of all keys, because the parser begins with the robot's defaults.
+  // Makes a new text of WLANCONF.TXT with the values of all keys, and lets the parser read it.  A
+  // text with only `key` would not do, because the parser gives each key that is not in the text
+  // the robot's default, and the values that `config` has would be lost.
   std::string text;
   for (const WlanQuestion& other : WlanQuestions()) {
     const std::string old = other.key == key ? value : WlanValue(*config, other.key);
