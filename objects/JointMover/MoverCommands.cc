@@ -228,8 +228,8 @@ MoverCore::Stop()
 void
 MoverCore::EndMotion()
 {
-    // Reports the end while file_ still has the name of the motion, from which Report() sees that a
-    // motion is over.
+    // Calls Enter(), which reports the end of the motion, before file_ is cleared.  Report() says
+    // that a motion is over only while file_ has the name of the motion.
     Enter(moverACCEPTING_COMMANDS);
     memset(file_, 0, sizeof(file_));
     memset(inMotion_, 0, sizeof(inMotion_));

@@ -107,8 +107,8 @@ RCServer::NotifySensor(const ONotifyEvent& event)
     sensorReader_.Read(vector, &sensors_);
     handler_.SetSensors(sensors_);
     observer[event.ObsIndex()]->AssertReady(event.SenderID());
-    // Does here what depends on time, because OPEN-R has no timers: sensor vectors, which come
-    // every 32 ms, are the clock.
+    // Does the work that depends on time in this handler, because OPEN-R gives objects no timers.
+    // A sensor vector comes every 32 ms, so the sensor vectors serve as a clock.
     RetryListening(sensors_.frame);
     PlaceWaiting(sensors_.frame);
     SendEvents();
@@ -151,8 +151,8 @@ RCServer::ReadyMover(const OReadyEvent& event)
     SendMover();
 }
 
-// Sends waiting commands to JointMover, as many as one event can carry.  The other commands are
-// sent at JointMover's next ready event.
+// Sends waiting commands to JointMover in one notification, at most MAX_NUM_DATA of them.  The
+// other commands are sent at JointMover's next ready event.
 void
 RCServer::SendMover()
 {

@@ -31,7 +31,8 @@ public:
     // at most 8 characters before its ending .MTN, and no path; the only image is CONTROLL.BIN.
     int CheckName(int kind, const std::string& given, StickName* name, std::string* why) const;
 
-    // Returns the path of the file `name` in the folder of `kind`.
+    // Returns the path of the file `name`.  `kind` is an RcFileKind and selects the folder: the
+    // folder of motions or the folder of images.
     std::string Path(int kind, const std::string& name) const;
     std::string Path(const StickName& file) const { return Path(file.kind, file.name); }
 

@@ -72,6 +72,7 @@ MtnPlayer::Position(int j) const
     if (shownFrame_ == 0) return from;
     const Sint32 to = shown_->Angle(shownGap_ + 1, j);
     const int frames = 2 * (shown_->Interpolation(shownGap_) + 1);
-    // Multiplies in 64 bits, because the angles of a long gap would not fit 32 bits.
+    // Multiplies in 64 bits: between two key frames that are far apart in time, the product of the
+    // difference of the angles and the number of the frame would not fit 32 bits.
     return from + (Sint32)DivideRounded((Sint64)(to - from) * shownFrame_, frames);
 }

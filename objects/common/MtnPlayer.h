@@ -23,9 +23,10 @@
 // Maximum number of frames of a command vector (ocommandMAX_FRAMES, Level 2 Reference Guide 4.2.1).
 const int MAX_VECTOR_FRAMES = 16;
 
-// Number of key frames per vector when no number is given.  Two key frames without interpolation
-// make a vector of 32 ms, which is the period of the sensor vectors.  Because two vectors are in
-// the effector, a stop acts within 64 ms.
+// Number of key frames per vector when no number is given.  A key frame without interpolation lasts
+// two frames of 8 ms, so two such key frames make a vector of 32 ms, which is the period of the
+// sensor vectors.  JointMover sends the next vector while a vector plays, so that the effector has
+// two vectors at a time.  So a stop acts within 64 ms.
 const int DEFAULT_KEYFRAMES_PER_VECTOR = 2;
 
 class MtnPlayer {
