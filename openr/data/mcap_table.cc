@@ -167,8 +167,8 @@ class McapReader {
     const std::string_view text = record->Rest();
     auto json = TryParseJson<nlohmann::json>(text);
     // Text that cannot be read may be JSON that is nested too deeply, so it is read again without
-    // its lists.  Lists have no numbers to draw, and AddMembers() finds objects that are nested too
-    // deeply.
+    // its JSON arrays.  The arrays are not needed, because AddMembers() takes numbers only from
+    // JSON objects.  If JSON objects are nested too deeply, AddMembers() refuses the file.
     if (json.is_discarded()) json = ParseWithoutLists(text);
     if (json.is_object()) AddMembers(QuantityOfTopic(topic), time_s, json, 1);
   }

@@ -181,8 +181,9 @@ class Reader {
     if (log_.stack.size() < kStackWordsMax) log_.stack.emplace(address, value);
   }
 
-  // Reads a line of a crash record's list of objects: name, context, thread, OID and, in some
-  // records, the meta space.  Returns false for any other line.
+  // Reads a line of the list of objects in a crash record.  Such a line has the name of the object,
+  // its context, thread and object id (OID) and, in some records, its meta space (the environment
+  // of the object, such as mCOOP).  Returns false for any other line.
   bool ReadObject(const std::string& text) {
     if (!section_.empty() && section_.find("object list") == std::string::npos) return false;
     const size_t end = text.find_first_of(" \t");

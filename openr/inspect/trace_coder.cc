@@ -10,10 +10,13 @@ namespace {
 // Largest payload that is read from a file.  No region of this size fits into the robot's memory,
 // so a larger size means that the file is damaged.
 constexpr uint64_t kPayloadMax = 64 << 20;
-// The largest number of bytes that the last payloads of all senders may have together.  Before a
-// message with which they would have more, the writer forgets all of them (kForget), and so does
-// the reader.  A damaged file of some hundred bytes could name many large payloads without
-// differences; the limit keeps the reader from using all memory for them.
+// The largest number of bytes of all payloads that the writer keeps; the reader keeps the same
+// payloads.  The last payload of each sender and size is kept, because the next payload of this
+// sender and size is stored as its differences from the last.  Before a message for which the limit
+// would be exceeded, the writer forgets all kept payloads and writes kForget, at which the reader
+// forgets them, too.  Without the limit, a damaged file of some hundred bytes could make the reader
+// use all memory, because a large payload without differences from the last needs only some bytes
+// in the file.
 constexpr uint64_t kKeptMax = 512 << 20;
 
 void WriteEvent(const NetworkEvent& event, ByteWriter* out) {

@@ -146,8 +146,9 @@ void TraceWriter::AddNames(const System& system, const TraceRecord& record) {
     const auto [known, is_new] = objects_.emplace(id, object->predecessors);
     if (!is_new && known->second == object->predecessors) continue;
     known->second = object->predecessors;
-    // Forgets which entries of this object have their names in the file already, because an object
-    // that was loaded again may have other entries.
+    // Removes the entries of this object from `entries_`, which has the entries whose names are in
+    // the file already.  An object that was loaded again may have other entries, so the names of
+    // its entries must be written again.
     std::erase_if(entries_, [id](const auto& entry) { return entry.first == id; });
     TraceEntry entry;
     entry.kind = TraceEntry::Kind::kObject;

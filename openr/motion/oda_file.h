@@ -11,7 +11,8 @@ namespace openr_host {
 struct OdaMember {
   std::string type;  // type of the member: "OMTN", "WAVE", "MIDI", "LED", "SYN" or "OSND"
   std::string name;  // name in the container: at most 128 bytes, not always readable text
-  // File name to save this member of a container under, 8+3 characters, different for each member.
+  // Name for a file that has the content of this member, such as a motion.  The name has 8+3
+  // characters, and each member of an ODA container has a different name.
   std::string file;
   std::string_view bytes;  // content, a part of the container's bytes
 };

@@ -33,8 +33,8 @@ NetworkEvent EventOf(NetworkEvent::Kind kind, NetHandle handle) {
 void JointClient::SetTargets(const std::map<int, JointTarget>& targets) {
   for (const auto& [joint, target] : targets) {
     JointTarget& wanted = wanted_[joint];
-    // Keeps the limit of speed that the waiting target of the joint has if its new target gives no
-    // limit.
+    // If the new target of the joint gives no limit of speed, keeps the limit of the target that it
+    // replaces, which has waited for its turn to be sent to the robot.
     const double speed_rad_s = wanted.speed_rad_s;
     wanted = target;
     if (target.speed_rad_s <= 0) wanted.speed_rad_s = speed_rad_s;

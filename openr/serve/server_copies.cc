@@ -101,8 +101,8 @@ RunServer::Answer RunServer::DoReceive(const Request& request) {
     throw std::runtime_error("the connection is closed");
   if (!is_there()) run_->RunUntilHolds(is_there, LimitOf(request));
   Answer answer = Time();
-  // Takes no bytes when fewer than the wanted number have come, so that a later request gets the
-  // wanted number at once.
+  // Takes no bytes from the connection when fewer than `count` have come.  The bytes then wait in
+  // the connection, so that a later request can get all wanted bytes together.
   if (clients.StateOf(connection).waiting >= count)
     answer.bytes = clients.Take(connection, count == 0 ? SIZE_MAX : count);
   answer.json["open"] = clients.StateOf(connection).is_open;
