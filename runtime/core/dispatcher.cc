@@ -267,8 +267,9 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
   CallEntry(object);
   t_current.object = nullptr;
   object->handler.running.reset();
-  // The object is not plain any more (Object::is_plain) if, for example, messages to it were held
-  // while its handler waited.  FinishHandler() puts these messages back into the queue.
+  // Object::is_plain is false if a message to the object needs more than a call of its handler.
+  // For example, messages to the object were held while its handler waited.  FinishHandler() puts
+  // these messages back into the queue.
   if (!object->is_plain) [[unlikely]]
     FinishHandler(object);
 }

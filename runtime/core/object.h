@@ -184,13 +184,14 @@ class Object {
   // notice that another object has this id now, whose entries may have other names.
   int predecessors = 0;
 
-  // The regions that constructors of an image have made although another object still has its id.
-  // The regions belong to no object until ObjectTable::Place() has deleted the regions of that
-  // object, and then to this object.
+  // The regions that the constructors of this image have made while the object that this image
+  // replaces still had the same id.  They belong to no object at first.  After EndAllOf() has ended
+  // everything that belongs to the replaced object, ObjectTable::Place() makes this object the
+  // owner of these regions.
   std::vector<uint32_t> early_regions;
-  // The time events that constructors of an image have ordered although another object still has
-  // its id.  ObjectTable::Place() gives them back to TimeEvents after it has removed the events of
-  // that object.
+  // The time events that the constructors of this image have ordered while the object that this
+  // image replaces still had the same id.  ObjectTable::Place() gives them back to TimeEvents after
+  // it has removed the time events of the replaced object.
   TimeEvents::Events early_events;
 
   // Text after "state: " in the last INFO line that the object has printed with OSYSLOG1.  This

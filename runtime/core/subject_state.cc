@@ -182,8 +182,9 @@ void SubjectState::TakeBack(ObserverLink* link, const ONotifyMessage& notify) {
   link->units.front().data += notify.numOfData % count;
   --link->sent;
   if (link->waiting_since_us < 0) link->waiting_since_us = system->now_us();
-  // Makes the observer ready again, because its ready was used for this message, unless it has
-  // given another command since.
+  // Makes the observer ready again, because Send() has used its ready for this message, which was
+  // then refused.  If the observer has asserted or deasserted ready since then, `ready` is not 0
+  // and stays as it is.
   if (link->ready == 0) link->ready = 1;
   // Drops the oldest data if there is no room for all, because the same handler has sent more
   // notifications after the message.
