@@ -19,7 +19,7 @@ class BenchStick : public openr_host::MemoryStick {
   // Throws std::runtime_error when OPEN-R is missing or the disk has no room for the copy.
   explicit BenchStick(const std::string& model);
 
-  // ---- For tests.  Names of files are written as on the robot: "/MS/OPEN-R/MW/DATA/P/TABLE.TXT"
+  // ---- Functions for tests.  File names are as on the robot: "/MS/OPEN-R/MW/DATA/P/TABLE.TXT"
 
   // Creates or replaces a file, and creates the folders above it.  Throws std::runtime_error when
   // the name is not below /MS.

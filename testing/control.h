@@ -16,8 +16,8 @@ class ControlledScope {
   ControlledScope(const ControlledScope&) = delete;
   ControlledScope& operator=(const ControlledScope&) = delete;
 
-  // Returns the functions of the host that objects have called and that a controlled run refuses,
-  // in order, as "Blinker, in Alarm (message #45), asked for a thread".
+  // Returns a text for each call of a function of the host that this scope has refused, in the
+  // order of the calls: "Blinker, in Alarm (message #45), asked for a thread".
   const std::vector<std::string>& refused() const { return refused_; }
 
   // Returns whether a ControlledScope exists on the calling thread.  If so, adds to refused() that

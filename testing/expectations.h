@@ -43,8 +43,8 @@ class Expectations {
     MessageSpec spec;
     Place place;
     std::optional<SeenMessage> early;  // last message that fits, but came before its turn
-    // The last message that fits except for its payload, and the reason why the payload does not
-    // fit.  They are for the text of a failure.
+    // The last message that fits `spec` in everything but its payload, and the reason why its
+    // payload does not fit.  Both are for the text of a failure.
     std::optional<SeenMessage> other;
     std::string why_other;
   };

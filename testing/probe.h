@@ -52,7 +52,8 @@ class ProbeObserver {
   const std::vector<ReceivedEvent>& events() const { return events_; }
   size_t count() const { return events_.size(); }
 
-  // Returns all data of all events, each as a T.
+  // Returns all data of events(), the notifications that this observer has received.  Each datum is
+  // returned as a T.
   template <typename T>
   std::vector<T> values(Place place = Place::Here()) const {
     std::vector<T> all;
