@@ -48,7 +48,8 @@ class StiffRobot {
   std::vector<double> angles_rad_;  // angles that SetAngle() has set
   std::vector<double> placed_rad_;  // angles for which X_BL_ and hull_ were computed
   std::vector<Eigen::Isometry3d> X_BL_;
-  // For each part: its mass in kg times its centre of mass in metres, a vector in the frame B.
+  // For each part: its mass in kg times the position of its centre of mass in metres.  The position
+  // is a vector in the coordinate frame B, the base frame of the robot.
   std::vector<Eigen::Vector3d> moments_;
   // For each part, whether Move() has to compute its pose again.  Only Move() uses this vector.  It
   // is a member and no local variable, so that Move() does not allocate memory in each call.

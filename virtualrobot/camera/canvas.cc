@@ -233,7 +233,8 @@ void Canvas::DrawBall(const Vector3d& centre_W, double radius_m, const Vector3d&
   const Linear up = AlongRays(Vector3d::UnitZ()), rise = AlongRays(R_CW_.col(2));
   // At the point t d, where the ray meets the ball, the outward normal of the ball is (t d -
   // centre) / radius.  The share of the directed light at this point is the scalar product of the
-  // normal with the direction to the light: t * light(d) - light_of_centre.
+  // normal with the direction to the light.  That is t * light(d) - light_of_centre, where light(d)
+  // is (to_light . d) / radius and light_of_centre is (to_light . centre) / radius.
   const Linear light = AlongRays(to_light / radius_m);
   const double light_of_centre = to_light.dot(centre) / radius_m, per_c = 1 / c;
   const bool is_sunk = centre_W.z() < radius_m;

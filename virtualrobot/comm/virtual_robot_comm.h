@@ -22,8 +22,9 @@ class OVirtualRobotComm : public CodeObject {
   explicit OVirtualRobotComm(RobotParts* robot);
   ~OVirtualRobotComm() override;
 
-  // Sets the object that plays and records sound in each frame of this object.  Null: no sound is
-  // played or recorded.
+  // Sets the object that plays and records the robot's sound.  In each frame of 8 ms, this
+  // OVirtualRobotComm tells that object to do its work for the frame.  Null: no sound is played or
+  // recorded.
   void set_sound(OVirtualRobotAudioComm* sound) { sound_ = sound; }
 
   OStatus DoStart(const OSystemEvent& event) override;

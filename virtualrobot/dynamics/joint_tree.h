@@ -173,10 +173,12 @@ class JointTree {
   // the momentum along it.
   std::vector<double> along_;
   bool is_eliminated_ = false;
-  // The inverse of L^T (see matrix_) times J^T, where J is the Jacobian of the contacts, as
-  // row_[row][unknown].
+  // The product of the inverse of L^T (see matrix_) and J^T, where J is the Jacobian of the
+  // contacts.  Each call of AddRow() appends a row of Unknowns() numbers, one for each unknown (a
+  // velocity of the trunk or of a hinge).  So row_[row * Unknowns() + unknown] is the number of the
+  // unknown `unknown` in the row `row`; both are counted from 0.
   std::vector<double> row_;
-  std::vector<double> row_scaled_;  // row_ divided by D (see matrix_), as row_scaled_[row][unknown]
+  std::vector<double> row_scaled_;  // row_ divided by D (see matrix_), in the order of row_
   // For each row of the Jacobian (the velocity of a point of a part along a direction): the index
   // of the unknown (UnknownOf()) of the part to which the point belongs.
   std::vector<int> row_unknown_;

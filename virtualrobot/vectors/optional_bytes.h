@@ -23,8 +23,8 @@ class OptionalBytes {
   // `problems`.
   void CopyFrom(const ODataVectorInfo& sent, std::vector<std::string>* problems);
 
-  // Writes the optional bytes that CopyFrom() has copied, and their range, to `header`, the header
-  // of a sensor vector.
+  // Writes the bytes that CopyFrom() has copied from a command or sound vector, and their range, to
+  // `header`, the header of a sensor vector.
   void Put(ODataVectorInfo* header) const;
 
   void HashState(Hasher* hasher) const;
