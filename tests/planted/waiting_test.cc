@@ -35,7 +35,7 @@ class Partner : public Actor {
 // Tells one of the pair directly, the other one by way of a relay.
 class Conductor : public Actor {
  public:
-  Conductor(Partner* first, Partner* second) : first_(first), second_(second) {
+  explicit Conductor(Partner* first) : first_(first) {
     begin_ = AddExtra("Begin", [this](void*) {
       Post(first_->host().id, first_->go);
       Post(relay, relay_entry);
@@ -50,7 +50,6 @@ class Conductor : public Actor {
 
  private:
   Partner* const first_;
-  Partner* const second_;
   Selector begin_;
 };
 
@@ -68,7 +67,7 @@ ExplorePlan DeadlockPlan() {
     auto* const second = system->AddObject<Partner>(0, "second");
     first->other = second;
     second->other = first;
-    auto* const conductor = system->AddObject<Conductor>(0, "conductor", first, second);
+    auto* const conductor = system->AddObject<Conductor>(0, "conductor", first);
     auto* const relay = system->AddObject<Relay>(0, "relay", second);
     conductor->relay = relay->host().id;
     conductor->relay_entry = relay->entry;
