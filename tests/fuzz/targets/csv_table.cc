@@ -1,5 +1,7 @@
 // The fuzz target csv_table: comma-separated values for openr plot.
+#include <algorithm>
 #include <stdexcept>
+#include <string>
 
 #include "openr/data/table.h"
 #include "tests/fuzz/fuzz_targets.h"
@@ -14,8 +16,12 @@ bool fuzz::csv_table(std::string_view bytes) {
     const Table table = ReadCsvTable("table.csv", bytes);
     DrawFuzzedTable(table);
     for (const Series& series : table.series) {
-      has_found |= series.name.find(',') != std::string::npos && series.values.size() > 2 &&
-                   series.values[2] < -70;
+      if (series.name.find(',') == std::string::npos) continue;
+      const size_t values = series.values.size();
+      // All numbers of values, and all signs, have the same branches.
+      ReachFuzzState(2 * std::min<size_t>(values, 9) +
+                     (values > 2 && series.values[2] < 0 ? 1 : 0));
+      has_found |= values > 2 && series.values[2] < -70;
     }
   } catch (const std::runtime_error&) {
   }

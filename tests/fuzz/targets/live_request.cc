@@ -162,15 +162,21 @@ void NoteMembers(std::string_view line) {
 bool fuzz::live_request(std::string_view bytes) {
   RequestedRun run;
   RequestingClient client;
+  RunClock* const clock = run.clock();
   while (!bytes.empty()) {
     const size_t end = std::min(bytes.find('\n'), bytes.size());
     client.Ask(bytes.substr(0, end), &run);
     NoteMembers(bytes.substr(0, end));
     bytes.remove_prefix(std::min(end + 1, bytes.size()));
     run.RunFrame();
+    // All states of the clock have the same branches.
+    constexpr uint64_t kClockStates = 1000;
+    ReachFuzzState(kClockStates + (clock->paused() ? 1 : 0) + (clock->rate() > 2 ? 2 : 0));
   }
-  RunClock* const clock = run.clock();
-  return clock->paused() && clock->rate() > 2 && clock->TakeStep() == RunClock::Step::kMessage;
+  // Takes the steps that wait, because the clock does not say how many there are.
+  int steps = 0;
+  while (steps < 3 && clock->TakeStep() != RunClock::Step::kNone) ++steps;
+  return clock->paused() && clock->rate() > 2 && steps == 3;
 }
 
 }  // namespace openr_host
