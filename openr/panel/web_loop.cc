@@ -119,19 +119,20 @@ WebRequest RequestOf(lws* wsi) {
 // Adds the headers of `answer` at `*at`, and moves `*at` behind them.  Returns false if there is no
 // room for the headers.
 bool AddHeaders(lws* wsi, const WebAnswer& answer, unsigned char** at, unsigned char* end) {
+  const auto add = [&](const std::string& title, std::string_view value) {
+    return lws_add_http_header_by_name(wsi, reinterpret_cast<const unsigned char*>(title.c_str()),
+                                       reinterpret_cast<const unsigned char*>(value.data()),
+                                       static_cast<int>(value.size()), at, end) == 0;
+  };
   for (const auto& [name, value] : answer.headers) {
-    const std::string title = name + ":";
-    if (lws_add_http_header_by_name(wsi, reinterpret_cast<const unsigned char*>(title.c_str()),
-                                    reinterpret_cast<const unsigned char*>(value.data()),
-                                    static_cast<int>(value.size()), at, end) != 0)
-      return false;
+    if (!add(name + ":", value)) return false;
   }
-  return true;
+  return add("connection:", "close");
 }
 
-// Sends the answer to an HTTP request; its bytes are in answer.text.  Returns false if the
-// connection must be closed.
-bool SendText(lws* wsi, const WebAnswer& answer) {
+// Sends the answer to an HTTP request; its bytes are in answer.text.  Sends nothing if the headers
+// are too long.
+void SendText(lws* wsi, const WebAnswer& answer) {
   std::array<unsigned char, LWS_PRE + kHeadersMax> headers;
   unsigned char* const begin = headers.data() + LWS_PRE;
   unsigned char* at = begin;
@@ -140,24 +141,30 @@ bool SendText(lws* wsi, const WebAnswer& answer) {
                                   answer.text.size(), &at, end) != 0 ||
       !AddHeaders(wsi, answer, &at, end) ||
       lws_finalize_write_http_header(wsi, begin, &at, end) != 0)
-    return false;
+    return;
   std::vector<unsigned char> body(LWS_PRE + answer.text.size());
   std::memcpy(body.data() + LWS_PRE, answer.text.data(), answer.text.size());
-  return lws_write(wsi, body.data() + LWS_PRE, answer.text.size(), LWS_WRITE_HTTP_FINAL) >= 0;
+  // Ignores an error, because the connection is closed in either case.
+  lws_write(wsi, body.data() + LWS_PRE, answer.text.size(), LWS_WRITE_HTTP_FINAL);
 }
 
 // Sends `answer` to an HTTP request.  Returns the result for libwebsockets' callback: not 0 if the
-// connection must be closed.
+// connection must be closed, which libwebsockets does when the answer is sent.
+//
+// Every answer ends its connection.  libwebsockets 4.1 never ends to parse some requests that come
+// in the same packet behind another request, so one client could stop the panel for all others.
 int SendAnswer(lws* wsi, const WebAnswer& answer) {
-  if (answer.file.empty())
-    return !SendText(wsi, answer) || lws_http_transaction_completed(wsi) ? -1 : 0;
+  if (answer.file.empty()) {
+    SendText(wsi, answer);
+    return -1;
+  }
   std::array<unsigned char, kHeadersMax> headers;
   unsigned char* at = headers.data();
   if (!AddHeaders(wsi, answer, &at, headers.data() + headers.size())) return -1;
   const int result = lws_serve_http_file(wsi, answer.file.c_str(), answer.type.c_str(),
                                          reinterpret_cast<const char*>(headers.data()),
                                          static_cast<int>(at - headers.data()));
-  return result < 0 || (result > 0 && lws_http_transaction_completed(wsi)) ? -1 : 0;
+  return result == 0 ? 0 : -1;  // 0: the file is being sent
 }
 
 class LwsLoop : public WebLoop {
@@ -254,8 +261,11 @@ class LwsLoop : public WebLoop {
         if (std::strcmp(static_cast<const char*>(in), "websocket") != 0) return -1;
         const auto refusal = LoopOf(wsi)->service_->Refuse(RequestOf(wsi));
         if (refusal == nullptr) return 0;
-        return SendText(wsi, *refusal) ? 1 : -1;
+        SendText(wsi, *refusal);
+        return -1;
       }
+      case LWS_CALLBACK_HTTP_FILE_COMPLETION:
+        return -1;
       case LWS_CALLBACK_EVENT_WAIT_CANCELLED:
         LoopOf(wsi)->AskToWriteAgain();
         LoopOf(wsi)->service_->OnWake();
