@@ -1,5 +1,7 @@
 // The fuzz target mcap_table: MCAP files for openr plot.
+#include <algorithm>
 #include <stdexcept>
+#include <string_view>
 
 #include "openr/data/mcap_writer.h"
 #include "openr/data/table.h"
@@ -27,8 +29,13 @@ bool fuzz::mcap_table(std::string_view bytes) {
     const Table table = ReadMcapTable("table.mcap", bytes);
     DrawFuzzedTable(table);
     for (const Series& series : table.series) {
-      has_found |=
-          series.name.starts_with("robots[") && series.name[7] > '1' && series.values.size() > 2;
+      constexpr std::string_view kBegin = "robots[";
+      if (!series.name.starts_with(kBegin)) continue;
+      const size_t values = series.values.size();
+      const bool is_first = series.name[kBegin.size()] <= '1';
+      // All numbers of robots and of values have the same branches.
+      ReachFuzzState(2 * std::min<size_t>(values, 9) + (is_first ? 0 : 1));
+      has_found |= !is_first && values > 2;
     }
   } catch (const std::runtime_error&) {
   }
