@@ -69,8 +69,8 @@ class FuzzedService final : public WebService {
 // A page that sends each text back, and ends its WebSocket when bytes come that are no text.
 class EchoPage final : public WebPage {
  public:
-  EchoPage(FuzzedService* service, WebConnection* connection, bool names_run)
-      : service_(service), connection_(connection), names_run_(names_run) {}
+  EchoPage(FuzzedService* service, WebConnection* connection)
+      : service_(service), connection_(connection) {}
 
   void ReceivePart(std::string_view part, bool is_text, bool is_last) override {
     FuzzCheck(part.size() <= kPartMax, "a part is not larger than the server's buffer");
@@ -78,9 +78,9 @@ class EchoPage final : public WebPage {
     parts_ += part.empty() ? 0 : 1;
     if (!is_text) connection_->CloseWhenSent(1003, "only text is read");
     if (!is_last) return;
-    // All counts of parts, and all names of runs, have the same branches.
-    ReachFuzzState(static_cast<uint64_t>(2 * std::min(parts_, 9) + (names_run_ ? 1 : 0)));
-    if (names_run_ && parts_ > 2) service_->Find();
+    // All counts of parts have the same branches.
+    ReachFuzzState(static_cast<uint64_t>(std::min(parts_, 9)));
+    if (parts_ > 3) service_->Find();
     if (!message_.empty()) waiting_.push_back(message_);
     message_.clear();
     parts_ = 0;
@@ -97,7 +97,6 @@ class EchoPage final : public WebPage {
  private:
   FuzzedService* const service_;
   WebConnection* const connection_;
-  const bool names_run_;
   std::string message_;
   int parts_ = 0;
   std::vector<std::string> waiting_;
@@ -105,7 +104,7 @@ class EchoPage final : public WebPage {
 
 std::unique_ptr<WebPage> FuzzedService::Open(const WebRequest& request, WebConnection* connection) {
   FuzzCheck(access_.SocketRefusal(request).empty(), "the WebSocket was not refused");
-  return std::make_unique<EchoPage>(this, connection, request.run.size() > 2);
+  return std::make_unique<EchoPage>(this, connection);
 }
 
 // The client's end of a connection.  Reads all answers, and stops the loop when the server has
