@@ -160,19 +160,26 @@ int32_t LargestStep(const StandingDog& dog, int joint) {
   return largest;
 }
 
+// Switches all joints of `dog` off and on again, and then starts a motion of the joint `tilt`,
+// which hangs at `hangs` micro-radians meanwhile.  If `is_vector_made`, a vector is made between
+// both.
+void StartAfterMotorOn(StandingDog* dog, int tilt, int32_t hangs, bool is_vector_made) {
+  dog->core.Do({moverkindMOTOR_OFF, MOVER_ALL_JOINTS, 0, {0}, 0, {}, {}});
+  dog->angle[tilt] = hangs;
+  dog->core.Do({moverkindMOTOR_ON, MOVER_ALL_JOINTS, 0, {0}, 0, {}, {}});
+  VectorPlan plan;
+  if (is_vector_made) {
+    ASSERT_TRUE(dog->core.NextVector(&plan));
+    dog->under_way.push_back(plan);
+  }
+  ASSERT_EQ(dog->Start(MtnBytes::OneJoint(kTiltJoint, {0, 1000, 2000})), "");
+}
+
 // The gain comes with the end of a vector, and only then the joint can move to the first key frame.
 TEST_F(MoverMotorsTest, AMotionRightAfterMotorOnWaitsUntilTheJointsAreAtItsFirstKeyFrame) {
   for (const bool is_vector_made : {false, true}) {
     StandingDog dog;
-    dog.core.Do({moverkindMOTOR_OFF, MOVER_ALL_JOINTS, 0, {0}, 0, {}, {}});
-    dog.angle[tilt_] = -1000000;  // hangs far from the first key frame
-    dog.core.Do({moverkindMOTOR_ON, MOVER_ALL_JOINTS, 0, {0}, 0, {}, {}});
-    VectorPlan plan;
-    if (is_vector_made) {
-      ASSERT_TRUE(dog.core.NextVector(&plan));
-      dog.under_way.push_back(plan);
-    }
-    ASSERT_EQ(dog.Start(MtnBytes::OneJoint(kTiltJoint, {0, 1000, 2000})), "");
+    StartAfterMotorOn(&dog, tilt_, -1000000, is_vector_made);  // far from the first key frame
     EXPECT_EQ(dog.core.State(), moverPREPARE_MTN) << is_vector_made;
     dog.Play();
     EXPECT_EQ(dog.core.State(), moverACCEPTING_COMMANDS);
@@ -186,15 +193,7 @@ TEST_F(MoverMotorsTest, AMotionRightAfterMotorOnWaitsForTheGainsOfNearJoints) {
   for (const int32_t hangs : {-200000, 0}) {
     for (const bool is_vector_made : {false, true}) {
       StandingDog dog;
-      dog.core.Do({moverkindMOTOR_OFF, MOVER_ALL_JOINTS, 0, {0}, 0, {}, {}});
-      dog.angle[tilt_] = hangs;
-      dog.core.Do({moverkindMOTOR_ON, MOVER_ALL_JOINTS, 0, {0}, 0, {}, {}});
-      VectorPlan plan;
-      if (is_vector_made) {
-        ASSERT_TRUE(dog.core.NextVector(&plan));
-        dog.under_way.push_back(plan);
-      }
-      ASSERT_EQ(dog.Start(MtnBytes::OneJoint(kTiltJoint, {0, 1000, 2000})), "");
+      StartAfterMotorOn(&dog, tilt_, hangs, is_vector_made);
       EXPECT_EQ(dog.core.State(), moverPREPARE_MTN) << hangs << is_vector_made;
       while (!dog.gain[tilt_]) ASSERT_TRUE(dog.PlayVector());
       for (const auto& frame : dog.frames) EXPECT_EQ(frame.at(tilt_), hangs);
