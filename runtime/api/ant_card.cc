@@ -68,7 +68,7 @@ EtherStatus ERA201D1_GetMACAddress(EtherDriverGetMACAddressMsg* msg) {
 }
 
 EtherStatus ERA201D1_GetEtherStatistics(EtherDriverGetStatisticsMsg* msg) {
-  return Ask(msg, [](const IpStack&) {});  // the host has no counters, so all counts are 0
+  return Ask(msg, [](const IpStack&) {});  // all error counters are 0, because the host has no card
 }
 
 EtherStatus ERA201D1_GetWLANSettings(EtherDriverGetWLANSettingsMsg* msg) {

@@ -19,7 +19,7 @@ namespace {
 // if no handler of an object runs.  Sets the error field of `message` to "failed" first, because a
 // program may read this field even after Send() or Call() has failed.
 IpStack* StackFor(const antStackRef& target, antEnvMsg* message) {
-  SetAntError(message, ANT_FAIL);  // ANT_FAIL is 1, which means "failed" in every protocol
+  SetAntError(message, ANT_FAIL);  // ANT_FAIL fits every message: 1 means "failed" in all protocols
   IpStack* const stack = IpStack::OfCurrent();
   return stack != nullptr && target.get_oid() == OidOf(stack->host().id) ? stack : nullptr;
 }

@@ -20,7 +20,7 @@ bool IsLeap(int64_t year) { return year % 4 == 0 && (year % 100 != 0 || year % 4
 // Returns the number of days from 2000-01-01 to January 1 of `year`: 365 for each year in between,
 // and one more for each leap year.  The number is negative before 2000.
 int64_t DaysToYear(int64_t year) {
-  const int64_t last = year - 1;  // the last year whose days count
+  const int64_t last = year - 1;  // the last full year before January 1 of `year`
   const int64_t leap_years = FloorDiv(last, 4) - FloorDiv(last, 100) + FloorDiv(last, 400);
   constexpr int64_t kLeapYearsBefore2000 = 1999 / 4 - 1999 / 100 + 1999 / 400;
   return (year - 2000) * 365 + leap_years - kLeapYearsBefore2000;

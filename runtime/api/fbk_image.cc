@@ -11,7 +11,7 @@ namespace {
 // detection, CDT.  An image stores its bands row by row: row 0 of each band, then row 1 of each
 // band, and so on.
 struct BandPlace {
-  int index;  // place of the band in a row of the image, from 0; -1 if such images lack the band
+  int index;  // place of the band in a row of the image, from 0; -1 if the image lacks the band
   int bands;  // number of bands of the image
 };
 
@@ -38,9 +38,9 @@ BandPlace PlaceOf(ODataType type, OFbkImageBand band) {
 
 // The size of the tag: information about the image, with which the camera overwrites the first 16
 // pixels of the last row (robot.md, 11.2).  The tag begins with the field counter, the camera's
-// count of its pictures.  The four bytes from byte 4 on are the frequencies of channels 4 to 7 of
-// colour detection, the four bytes from byte 8 on those of channels 0 to 3.  A frequency is the
-// number of detected pixels divided by 16.
+// count of its pictures.  Bytes 4 to 7 are the frequencies of channels 4 to 7 of colour detection.
+// Bytes 8 to 11 are the frequencies of channels 0 to 3.  A frequency is the number of detected
+// pixels divided by 16.
 constexpr int kTagSize = 16;
 constexpr int kFrequencies4To7 = 4;
 constexpr int kFrequencies0To3 = 8;

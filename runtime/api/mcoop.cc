@@ -37,9 +37,9 @@ sError CheckBox(const RID& rbox) {
   return self->boxes.open.contains(rbox.GetValue()) ? sSUCCESS : sRIDNOTFOUND;
 }
 
-// Returns whether the current object can wait for a reply.  In a constructor or destructor it
-// cannot; then adds a finding that names `function`, the function of MCOOP.h that the program has
-// called.
+// Returns whether the current object can wait for a reply.  In a constructor or destructor, where
+// no object can wait, adds a finding that names `function`, the function of MCOOP.h that the
+// program has called.
 bool CanWait(const char* function) {
   if (t_current.object->handler.running != nullptr) return true;
   t_current.system->AddFinding(
@@ -49,8 +49,8 @@ bool CanWait(const char* function) {
   return false;
 }
 
-// Adds `us` to the time that has passed in the running handler of `object`.  `waited_us` is the
-// part of it that Wait() adds; the rest comes from calls of GetSystemTime().
+// Adds `us` to the time that has passed in the running handler of `object`.  `waited_us` is equal
+// to `us` if Wait() adds this time, and 0 if GetSystemTime() adds it.
 void PassTime(openr_host::Object* object, uint64_t us, uint64_t waited_us) {
   if (object->handler.passed_us == 0) object->waited_us = 0;
   object->handler.passed_us += us;
@@ -194,8 +194,8 @@ sError Delegate(OID oid, Selector selector, void* msg, size_t size) {
   message->sender = ticket.to;
   message->reply_box = ticket.box;
   const sError error = t_current.system->Post(std::move(message));
-  // Gives the right to reply back to the running handler if the message to object `oid` was
-  // refused, so that this object can still answer the request.
+  // Lets the running handler reply again if the message to object `oid` was refused, so that this
+  // object can still answer the request.
   if (error != sSUCCESS) t_current.object->handler.running->reply_box = ticket.box;
   return error;
 }

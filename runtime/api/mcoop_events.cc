@@ -92,8 +92,8 @@ sError GetResourceValue(sResource resource, slongword* current, slongword* max, 
     default:
       return sINVALIDRESOURCE;
   }
-  // Returns the current value of the object's limit as its maximum, too.  This is right also for
-  // the length of the object's message queue, because the host has no other maximum for it.
+  // Returns the current value of the object's limit as the maximum.  The host does not restrict the
+  // length of the message queue, so the current length is returned as the maximum length, too.
   if (max != nullptr) *max = *current;
   if (min != nullptr) *min = 1;
   return sSUCCESS;

@@ -1,6 +1,6 @@
 // The functions of namespace OPENR, except the functions that make and delete vectors (vectors.cc).
 // Functions about devices call the RobotServices of the robot, the interface to its simulated
-// devices.  The code of this file does the work of all other functions.
+// devices.  The other functions do their work in this file.
 #include <OPENR/OPENRAPI.h>
 #include <fmt/format.h>
 

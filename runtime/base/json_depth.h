@@ -6,8 +6,8 @@
 
 namespace openr_host {
 
-// The most lists and objects that JSON of a file or of another program may have inside each other.
-// The JSON of openr has less than ten.
+// The number of levels to which lists and objects may be nested in JSON of a file or of another
+// program.  The JSON that openr uses has less than ten levels.
 inline constexpr size_t kJsonDepthMax = 100;
 
 // Returns whether lists and objects in the text `json` are nested more than kJsonDepthMax levels

@@ -74,7 +74,7 @@ class ProgramStart {
   const std::vector<std::string> words_;
   const std::vector<char*> arguments_;  // pointers to words_, and a null pointer
   std::vector<std::string> environment_;
-  std::vector<char*> variables_;  // pointers to environment_, and a null pointer; else empty
+  std::vector<char*> variables_;  // pointers to environment_ and null; empty until SetEnvironment()
   posix_spawn_file_actions_t actions_;
   posix_spawnattr_t attributes_;
 };

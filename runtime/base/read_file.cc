@@ -41,7 +41,7 @@ std::optional<std::string> ReadFile(const std::string& path) {
   const bool is_whole = ReadRest(descriptor, &bytes);
   const int error = errno;
   close(descriptor);
-  errno = error;  // the errno of ReadRest(), for the caller: close() may have changed it
+  errno = error;  // gives the caller the errno of ReadRest(); close() may have changed errno
   if (!is_whole) return std::nullopt;
   return bytes;
 }

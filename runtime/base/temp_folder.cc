@@ -52,8 +52,8 @@ int Lock(const std::string& path) {
   return -1;
 }
 
-// Returns whether other computers may use the file system of `folder`, too.  This computer does not
-// see their locks.
+// Returns whether other computers may use the file system of `folder`, too.  This computer may not
+// see the locks of other computers, so a folder without a lock may still be in use.
 bool IsOnNetwork(const fs::path& folder) {
   constexpr uint32_t kCifs = 0xff534d42;  // not in linux/magic.h
   struct statfs facts {};
@@ -78,7 +78,8 @@ void RemoveStaleFolders(const fs::path& parent, const std::string& prefix) {
     if (is_ours && (pid <= 0 || kill(pid, 0) == 0 || errno != ESRCH)) continue;
     if (!is_ours && is_on_network) continue;
     const int folder = Lock(entry.path());
-    // If the file system has no locks, the process id alone shows that nobody uses the folder.
+    // Keeps a folder that is locked.  If the file system has no locks, removes a folder of this
+    // namespace, because its process has ended, and keeps all other folders.
     if (folder < 0 && (!is_ours || errno == EWOULDBLOCK)) continue;
     fs::remove_all(entry.path(), error);
     if (folder >= 0) close(folder);

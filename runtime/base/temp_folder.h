@@ -18,8 +18,8 @@ enum class TempUse {
 // Makes a folder and removes it in the destructor.  Only the process that made the folder removes
 // it; a fork of that process does not.  A killed process leaves its folder behind, so the
 // constructor also removes the folders of processes that no longer exist.  Every folder is locked
-// as long as its process or a fork of it exists.  So also the folders of killed processes in other
-// containers, whose process ids mean nothing here, can be told from folders in use.
+// as long as its process or a fork of it exists.  Process ids of other containers mean nothing
+// here, so only the lock shows whether the folder of a process in another container is in use.
 class TempFolder {
  public:
   // Makes the folder.  If that fails, throws std::runtime_error with the place and the system's

@@ -1,9 +1,9 @@
 // Replaces fixed IP addresses in old programs by addresses of today's network.
 //
 // A program for the robot often contains fixed addresses that no longer exist, such as 10.0.1.2 for
-// a PC.  A pair of addresses tells which address the host uses in place of such an address.  Pairs
-// come from the command line (openr run --ip ROBOT=HOST) and from the file HOSTADDR.CFG beside
-// CONNECT.CFG, which has one pair per line.  The robot ignores that file.
+// a PC.  A pair of addresses is such an old address and the address that the host uses in its
+// place.  Pairs come from the command line (openr run --ip ROBOT=HOST) and from the file
+// HOSTADDR.CFG beside CONNECT.CFG, which has one pair per line.  The robot ignores HOSTADDR.CFG.
 #pragma once
 
 #include <cstdint>

@@ -21,7 +21,7 @@ struct ConnectRecord {
 };
 
 struct ConnectConfig {
-  std::vector<ConnectRecord> connections;  // in the order in which they are made, that of the file
+  std::vector<ConnectRecord> connections;  // in the order of the file; they are made in this order
   std::vector<Diagnostic> diagnostics;
 };
 

@@ -110,7 +110,7 @@ bool MatchesPattern(std::string_view pattern, std::string_view text) {
   // Compares `text` with the pattern, character by character.  After a mismatch, lets the last '*'
   // of the pattern stand for one more character of `text`, and goes on behind this character.
   size_t star = std::string_view::npos;  // position of the last '*' in `pattern`
-  size_t resume = 0;                     // end of the text that this '*' covers
+  size_t resume = 0;                     // end of the part of `text` that the last '*' stands for
   while (t < text.size()) {
     if (p < pattern.size() && pattern[p] == '*') {
       star = p++;

@@ -8,8 +8,8 @@
 namespace openr_host {
 namespace {
 
-// The keyword odesignkeywordCPUINFO.  OPENR::FindDesignData() answers it without a file, so a line
-// of DESIGNDB.CFG with this keyword has no effect and gets a warning.
+// The keyword odesignkeywordCPUINFO.  OPENR::FindDesignData() makes the data for this keyword
+// without a file, so a line of DESIGNDB.CFG with this keyword has no effect and gets a warning.
 constexpr std::string_view kBuiltInKeyword = "SYS_CPUINFO";
 
 bool CheckWords(const RecordLine& line, std::vector<Diagnostic>* diagnostics) {

@@ -14,7 +14,7 @@ namespace openr_host {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-constexpr size_t kQuotedBytesMax = 60;  // bytes that a message shows of a line that is too long
+constexpr size_t kQuotedBytesMax = 60;  // messages show this many bytes of a line that is too long
 
 // The robot designs that OPENR::GetRobotDesign() can return.  Other designs are legal (a stick's
 // DESIGN.CFG may name its own), so this list serves only to warn about misspelt names.
@@ -55,7 +55,7 @@ class SectionFilter {
 
   const std::string_view design_;
   std::vector<Diagnostic>* const diagnostics_;
-  bool is_open_ = true;  // records before the first section are valid for every robot
+  bool is_open_ = true;  // true before the first section: its lines are for every robot
   std::string section_;
 };
 

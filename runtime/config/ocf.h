@@ -16,9 +16,9 @@ namespace openr_host {
 // NUL.
 inline constexpr int kObjectNameBytesMax = 63;
 
-// The description of an object in an .ocf file.  A file in the short form lacks some fields.  These
-// fields keep the defaults below, because the short form stands for these values.  The defaults of
-// all other fields are the values of Sony's samples.
+// The description of an object in an .ocf file.  A file in the short form does not give all fields.
+// The missing fields, except `module`, keep the defaults below, because the SDK uses the same
+// values for them.  The defaults of all other fields are the values of Sony's samples.
 struct Ocf {
   std::string name;    // run-time object name, unique among all objects
   std::string module;  // equal to `name` if the file has the short form

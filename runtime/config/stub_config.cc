@@ -16,13 +16,13 @@ namespace {
 // observers: the declared number, and the services of the Service lines that were read so far.
 struct Side {
   const char* noun;        // "subject" or "observer"
-  const char* count_word;  // usual spelling of the keyword that declares the number
-  const char* dummy;       // the text after the object's name in the name of a dummy service
+  const char* count_word;  // keyword in its usual spelling: "NumOfOSubject" or "NumOfOObserver"
+  const char* dummy;       // end of a dummy service's name, such as ".DummySubject.DoNotConnect.S"
   std::vector<StubService>* services;
 
   bool has_count = false;
-  StubLine count_line = {};  // the line that declares the number; set only if has_count is true
-  std::optional<int> count = {};  // declared number; nullopt if it is missing or no number
+  StubLine count_line = {};       // the NumOf... line; set only if has_count is true
+  std::optional<int> count = {};  // declared number of services; nullopt if missing or invalid
 };
 
 class StubParser {
@@ -193,7 +193,7 @@ void StubParser::CheckCount(const std::string& file, const Side& side) {
                       dummy));
     return;
   }
-  if (!side.count) return;  // the number is missing or bad, which was reported already
+  if (!side.count) return;  // ParseCount() has already reported the bad number of services
   const int count = *side.count;
   const std::string& word = side.count_line.word;
   if (count == 0 && found == 0) {

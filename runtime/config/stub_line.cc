@@ -150,8 +150,8 @@ std::optional<ServiceName> ParseQuotedName(Piece* rest, Reporter* reporter) {
     reporter->Error(column, fmt::format("service name of {} characters, the limit is {}",
                                         text.size(), kServiceNameBytesMax));
   }
-  // Allows only characters of C++ names in the service, because the generated def.h has a constant
-  // that is named after the service, such as sbjMove.
+  // Allows only characters of C++ names in the second part of a service name, because the generated
+  // def.h has a constant that is named after this part: sbjMove for the part Move.
   const bool makes_names = std::all_of(name->service.begin(), name->service.end(), IsNameCharacter);
   if (!makes_names) {
     const char* const prefix = name->is_subject() ? "sbj" : "obs";

@@ -13,7 +13,7 @@ namespace openr_host {
 // the robot's system (Installation Guide 3.2.2), so an empty file means the same as that file.
 struct WlanConfig {
   std::string hostname = "AIBO";        // up to 8 letters and digits
-  std::string ether_ip = "10.0.1.100";  // a dotted address, like the mask and the gateway below
+  std::string ether_ip = "10.0.1.100";  // an IPv4 address, as are ether_netmask and ip_gateway
   std::string ether_netmask = "255.255.255.0";
   std::string ip_gateway = "10.0.1.1";
   std::string essid = "AIBONET";  // name of the wireless network, up to 32 characters

@@ -37,7 +37,7 @@ constexpr uint32_t kSaid = UINT32_MAX;
 struct TypeText {
   uint16_t kind;  // kind of the type: 0 is an integer, 1 is a floating-point number
   uint16_t info;  // width and sign of an integer, width of a floating-point number
-  char name[1];   // the name in quotes ("'int'"); it goes on behind this struct
+  char name[1];   // the type's name in quotes ("'int'"); its other bytes follow this struct
 
   bool is_integer() const { return kind == 0; }
   bool is_signed() const { return (info & 1) != 0; }
@@ -106,9 +106,9 @@ void ReportUndefined(SourcePlace* place, const std::string& what) {
 
 const char* NameOf(const TypeText* type) { return static_cast<const char*>(type->name); }
 
-// Returns the text of the integer in the argument `value` that a check of
-// UndefinedBehaviorSanitizer has passed.  For an integer of more than 64 bits `value` is only an
-// address, so the text is "a number".
+// Returns the text of the integer in `value`, an argument with which a check of
+// UndefinedBehaviorSanitizer calls a function of this file.  For an integer of more than 64 bits
+// `value` is only an address, so the text is "a number".
 std::string TextOf(const TypeText& type, uintptr_t value) {
   if (!type.is_integer() || type.bits() > 64) return "a number";
   const unsigned unused = 64 - type.bits();
@@ -146,8 +146,9 @@ uintptr_t RobotAlignment(const AccessData& data) {
   return is_wide ? 8 : 4;
 }
 
-// Returns the number in the argument `value` that a check of UndefinedBehaviorSanitizer has passed.
-// The argument holds the bits of a float or double, or the address of a long double.
+// Returns the floating-point number in `value`, an argument with which a check of
+// UndefinedBehaviorSanitizer calls a function of this file.  `value` holds the bits of a float or
+// double, or the address of a long double.
 double ValueOf(const TypeText& type, uintptr_t value) {
   if (type.bits() == 32) {
     const auto bits = static_cast<uint32_t>(value);

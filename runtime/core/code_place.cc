@@ -35,8 +35,8 @@ struct CallSearch {
 
 _Unwind_Reason_Code CollectFrame(_Unwind_Context* context, void* data) {
   CallSearch* const search = static_cast<CallSearch*>(data);
-  // Subtracts 1, because _Unwind_GetIP() returns the address of the instruction after a call.  The
-  // result is an address inside the call.
+  // Subtracts 1, because _Unwind_GetIP() returns the address of the instruction after a call, which
+  // may belong to another source line.  The result is an address inside the call.
   const auto* const address = reinterpret_cast<const char*>(_Unwind_GetIP(context) - 1);
   if (address >= search->image && address < search->image + ObjectAddresses::kImageBytes)
     search->found.push_back(address);

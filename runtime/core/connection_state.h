@@ -129,7 +129,9 @@ struct ObserverLink {
   size_t skip = 0;
   size_t min = 1;
   size_t max = 1;
-  size_t skipped = 0;  // notifications skipped since one was kept (OObserver::SetSkip())
+  // Number of notifications skipped since the last notification that was kept, because the observer
+  // wants to get only one of `skip` + 1 notifications (OObserver::SetSkip()).
+  size_t skipped = 0;
   // Virtual time since which a notification waits for the observer's ready; -1 if no notification
   // waits.
   int64_t waiting_since_us = -1;
@@ -150,7 +152,7 @@ struct ObserverLink {
   std::vector<Unit> units;  // notifications whose regions are in `pending`, oldest first
   RegionList fresh;         // the regions that SetData() has added since the last Notify()
 
-  std::vector<RCRegion*> pending;  // regions that were notified but not sent yet, oldest first
+  std::vector<RCRegion*> pending;  // regions of notifications that were not sent yet, oldest first
   // Number of notifications that were dropped because newer notifications replaced them.
   uint64_t replaced = 0;
   std::string name;  // the name of the observer's object, for messages to the user
@@ -195,9 +197,9 @@ struct SubjectState {
       SendPending(link);
   }
   void SendPending(ObserverLink* link);
-  // Drops all data that were set or notified but not sent to the observer, and gives up the
-  // references to their regions.  Called when the program clears the buffer and when the connection
-  // ends.
+  // Drops all data that were not sent to the observer yet, those of pending notifications and those
+  // set for the next notification, and gives up the references to their regions.  Called when the
+  // program clears the buffer and when the connection ends.
   void Clear(ObserverLink* link);
   // Makes the notifications in `notify`, which Send() has sent to the observer of `link`, pending
   // again, because the message was refused (HandleLateRefusal()).

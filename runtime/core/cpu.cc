@@ -77,8 +77,9 @@ void Cpu::End(int64_t now_us) {
   // no object is current when processor time ends.
   for (ProcessorState::Outgoing& outgoing : std::exchange(object->processor.outbox, {})) {
     const Message* const message = outgoing.message.get();
+    // A message that Post() refuses stays in `outgoing`, so `message` is valid in HandleRefused().
     if (system_->Post(std::move(outgoing.message), outgoing.delay_us) != sSUCCESS)
-      HandleRefused(object, *message);  // a refused message stays in `outgoing`
+      HandleRefused(object, *message);
   }
   // Puts the messages that were held for the object, and those that waited for the processor, at
   // the front of the queue, because they are older than all messages due now.  Begins with the

@@ -77,8 +77,8 @@ class Cpu {
   int64_t EndUs() const;
 
   // Ends the handler that has the processor, whose time is over: sends the messages that it posted,
-  // and lets other handlers run.  A request that is refused then ends the wait for its reply as a
-  // time-out does.  REQUIRES: EndUs() == now_us.
+  // and lets other handlers run.  If a posted request is refused, its sender stops waiting for the
+  // reply, as at a time-out.  REQUIRES: EndUs() == now_us.
   void End(int64_t now_us);
 
   void HashState(Hasher* hasher) const;

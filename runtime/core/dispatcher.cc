@@ -53,8 +53,8 @@ uint64_t Dispatcher::Run(const Limits& limits) {
 
 // Takes a fiber (stack) out of idle_, or makes a new fiber if idle_ is empty.  If there is no
 // memory for the stack of a new fiber, ends the run as a crash of the current object, or throws an
-// exception if no object is current.  So a handler that needs another fiber takes it while the
-// object of the handler is still the current object, and before it changes the object's state.
+// exception if no object is current.  So WaitFor() and Abandon() call this function while the
+// object of the handler is still the current object, and before they change the object's state.
 Fiber* Dispatcher::TakeIdleFiber() {
   if (idle_.empty()) {
     // Reserves room for all fibers in idle_, so that push_back() takes no memory in functions that
@@ -70,8 +70,8 @@ Fiber* Dispatcher::TakeIdleFiber() {
 }
 
 // The function with which a fiber begins.  Makes Run() throw each exception that leaves Loop(),
-// such as std::bad_alloc of a recording, because an exception cannot pass from one stack to
-// another.
+// because an exception cannot pass from one stack to another.  An example is std::bad_alloc, thrown
+// when there is no memory to record a message.
 void Dispatcher::FiberMain(void* dispatcher) {
   Dispatcher* const self = static_cast<Dispatcher*>(dispatcher);
   for (;;) {
@@ -267,9 +267,9 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
   CallEntry(object);
   t_current.object = nullptr;
   object->handler.running.reset();
-  // Object::is_plain is false if a message to the object needs more than a call of its handler.
-  // For example, messages to the object were held while its handler waited.  FinishHandler() puts
-  // these messages back into the queue.
+  // Object::is_plain may have become false while the handler ran, for example because messages to
+  // the object were held while the handler waited.  FinishHandler() then puts these messages back
+  // into the queue.
   if (!object->is_plain) [[unlikely]]
     FinishHandler(object);
 }
@@ -291,10 +291,11 @@ void Dispatcher::ReportException(const Object& object, const std::string& what) 
                       fmt::format("uncaught exception in {}{}; on the robot abort()", entry, what));
 }
 
-// Called for the message by which SystemOptions::free_deliveries is reached at one instant of
-// virtual time, and for each later message until the clock moves by more than 1 us.  Adds a finding
-// for the first of these messages.  For the later messages, sets MessagePoster::crowding_delay_us()
-// to 1, so that each message that is posted from then on takes 1 us.
+// Called when the number of messages at one instant of virtual time reaches
+// SystemOptions::free_deliveries, and for each later message until the clock moves by more than
+// 1 us at once.  The first call adds a finding.  The later calls set
+// MessagePoster::crowding_delay_us() to 1, so that each message that is posted from then on takes
+// 1 us.
 void Dispatcher::NoteManyDeliveries(const Object* object) {
   if (delivered_ > many_at_) {
     system_->poster().set_crowding_delay_us(1);
@@ -379,7 +380,7 @@ bool Dispatcher::MayRun(Object* object, const Message& message) {
 
 void Dispatcher::DeliverReply(Object* object, OwnedMessage message) {
   ++delivered_;
-  ++many_at_;  // a reply does not count for NoteManyDeliveries()
+  ++many_at_;  // grows with delivered_, because NoteManyDeliveries() does not count replies
   system_->trace().Deliver(*message, system_->now_us());
   const uint64_t box = message->reply_box;
   // The reply box may have been closed since `message` was posted: by CleanRBox(), or because the
@@ -397,7 +398,7 @@ void Dispatcher::DeliverReply(Object* object, OwnedMessage message) {
   Fiber* const waiting = object->delivery.blocked();
   object->delivery.set_blocked(nullptr);
   idle_.push_back(running_);  // lets TakeIdleFiber() continue the loop of this fiber later
-  SwitchTo(waiting);          // to WaitFor(), which makes `object` the current object again
+  SwitchTo(waiting);          // continues WaitFor(), which makes `object` the current object again
 }
 
 OwnedMessage Dispatcher::WaitFor(uint64_t box) {
@@ -407,9 +408,9 @@ OwnedMessage Dispatcher::WaitFor(uint64_t box) {
     Fiber* const next = TakeIdleFiber();
     // Saves the current object, because other objects become current while this handler waits.  The
     // running fiber keeps the stack of this handler.  Another fiber continues Loop(), which
-    // delivers messages, until DeliverReply() switches back to this fiber.  No object is current
-    // when Loop() goes on.  Otherwise a time event that is posted then would count as posted by
-    // this handler, and would wait in its outbox while the handler has the processor.
+    // delivers messages, until DeliverReply() switches back to this fiber.  Loop() must run
+    // without a current object.  Otherwise a time event that is due during the wait would count as
+    // posted by this handler, and could be kept in the outbox of `object`.
     const Current saved = t_current;
     t_current = {system_, nullptr};
     object->delivery.set_blocked(running_);
@@ -428,8 +429,8 @@ OwnedMessage Dispatcher::WaitFor(uint64_t box) {
 void Dispatcher::Abandon() {
   ASSERT(running_ != nullptr && t_current.object != nullptr, "only a handler can be abandoned");
   Fiber* const next = TakeIdleFiber();
-  // Ends a direct call of an entry of the object itself, from which the handler is abandoned.
-  // Otherwise later replies of the object would go to the stack that is given up here.
+  // The handler may be abandoned while its object calls an entry of its own directly.  Ends this
+  // call.  Otherwise later replies of the object would be written to the stack that is given up.
   t_current.object->self_reply = nullptr;
   FinishHandler(t_current.object);
   // Does not prepare the running fiber (stack) for its next use here, because this code still runs

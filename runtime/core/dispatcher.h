@@ -70,11 +70,11 @@ class Dispatcher {
     CheckDeliveries();
   }
   const Gate* gate() const { return gate_; }
-  // Makes the dispatcher call Admit() for every message again, to find out whether the receiver can
-  // handle the message now.  Called when a gate, a model of the processor, or the boot of an object
-  // begins, because these may hold back messages to any object.  Admit() ends this state when no
-  // gate, no model of the processor and no boot is left, and the time of handlers is not measured
-  // (SystemOptions::wall_clock_ns).
+  // Makes the dispatcher call Admit() for every message, to find out whether the receiver can
+  // handle the message now.  Called when a gate is set, a robot is added, or the boot of objects
+  // begins, because a gate, the processor of a robot (cpu.h) or the boot may hold back messages to
+  // any object.  The calls of Admit() end when there is no gate and no processor, no object is in
+  // its boot, and the time of handlers is not measured (SystemOptions::wall_clock_ns).
   void CheckDeliveries() { are_deliveries_free_ = false; }
 
  private:
@@ -103,7 +103,7 @@ class Dispatcher {
   void Recycle();
 
   System* const system_;
-  bool are_deliveries_free_ = false;  // false if CheckDeliveries() was called
+  bool are_deliveries_free_ = false;  // if false, Admit() is called for every message
   Gate* gate_ = nullptr;
   // The fiber for the stack of the thread that has called Run().
   MainFiber caller_;
@@ -124,7 +124,7 @@ class Dispatcher {
   // delivered messages, has this value.
   uint64_t many_at_;
   std::vector<std::unique_ptr<Cpu>> cpus_;  // by index of the robot; empty without a cost model
-  std::exception_ptr failure_;  // the exception that Run() is to throw when it is continued
+  std::exception_ptr failure_;  // an exception that has left Loop(); Run() throws it to its caller
 };
 
 }  // namespace openr_host

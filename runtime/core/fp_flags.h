@@ -16,7 +16,7 @@ namespace openr_host {
 // Bits of the register MXCSR, the floating-point flags.  The processor sets each bit after one kind
 // of floating-point operation.
 enum FpFlag : unsigned {
-  kFpInvalid = 0x01,    // a NaN was made, or a number does not fit its integer type
+  kFpInvalid = 0x01,    // a NaN was made, or an integer type cannot hold the converted number
   kFpDenormal = 0x02,   // an operand was a denormal number
   kFpDivByZero = 0x04,  // a division by 0 has made an infinity
   kFpOverflow = 0x08,   // a result was too large and became an infinity

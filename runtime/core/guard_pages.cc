@@ -86,10 +86,10 @@ void GuardPages::Retire(const char* copy) {
   } else if (area != nullptr) {
     munmap(page, bytes);
   } else {
-    // Addresses are not planned here (address_plan.h), so the kernel could put other memory at the
-    // addresses of unmapped pages, and a later access of the observer would be no fault.  Therefore
-    // only gives the memory of the pages back to the kernel, and keeps the pages mapped without
-    // access.
+    // Gives the memory of the pages back to the kernel, but keeps the pages mapped without access,
+    // so that a later access of the observer is a fault.  If the pages were unmapped, the kernel
+    // could map other memory at their addresses, because these addresses are not planned
+    // (address_plan.h).
     madvise(page, bytes, MADV_DONTNEED);
     mprotect(page, bytes, PROT_NONE);
   }

@@ -64,9 +64,9 @@ class GuardPages {
 
   const GivenBack given_back_;
   const ObjectAddresses shared_place_{kNoObject};  // the area of objects that have no place
-  // The keys of copies_, next_in_ and unused_ are addresses of read-only copies or of their memory
-  // areas, or hold such addresses, which may differ from run to run.  Therefore nothing may depend
-  // on the order of these maps.
+  // Nothing may depend on the order of the maps copies_, next_in_ and unused_.  Their keys contain
+  // addresses of read-only copies or of memory areas, and these addresses may differ from run to
+  // run.
   std::map<const char*, Copy> copies_;
   std::map<char*, size_t> next_in_;  // for each area, the offset of the next copy
   // Pages of read-only copies of received data, kept after the observers have given these data

@@ -74,8 +74,9 @@ namespace {
 struct SanitizedCall {
   void (*function)(void*);
   void* argument;
-  // The first address and the size of the stack from which the handler's function was called.
-  // AddressSanitizer must get both when this function returns to that stack.
+  // The first address (`bottom`) and the size (`bytes`) of the stack from which the handler's
+  // function was called.  AddressSanitizer must get both values when the handler's function has
+  // ended and its caller continues on that stack.
   const void* bottom = nullptr;
   size_t bytes = 0;
 };
@@ -142,9 +143,9 @@ void HandlerStack::Call(void (*function)(void*), void* argument) { function(argu
 
 void HandlerStack::Clear() {
   ++calls_;
-  // After most handler calls, a search for a narrow gap of zeros, below which nothing was written,
-  // is enough.  A search for a wide gap is safer but takes longer (see Call()), so only some of the
-  // calls make it.
+  // The search for written bytes ends at a gap of zeros.  After most handler calls a narrow gap is
+  // enough.  A search for a wide gap is safer but takes longer (see Call()), so it is done only
+  // after some of the calls.
   const bool looks_far = calls_ <= 64 || calls_ % 16 == 0;
   used_bytes_ = memory_.Clear(looks_far ? StackMemory::kWideGapBytes : StackMemory::kSmallGapBytes);
   is_dirty_ = false;

@@ -108,9 +108,10 @@ std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
   return problem.empty() ? ReadTables() : problem;
 }
 
-// Takes planned addresses (address_plan.h) for the image, its heap and its stack.  Returns the
-// bytes to load, changed for the planned address.  If an image cannot be changed in this way, the
-// kernel chooses its load address; its heap and stack still get planned addresses.
+// If addresses are planned (address_plan.h), gives planned addresses to the image, its heap and its
+// stack.  Returns the bytes to load, which are changed so that the loader puts the image at its
+// planned address.  If an image cannot be changed in this way, the kernel chooses its load address;
+// its heap and stack still get planned addresses.
 std::string ImageObject::MoveToOwnAddresses(const std::string& original) {
   std::string bytes = original;
   HoldConstructors(&bytes);
@@ -163,9 +164,10 @@ std::string ImageObject::RedirectOwnImports() {
 }
 
 std::string ImageObject::RunConstructors() {
-  // Makes results 0 that would be denormal numbers, as an ArithmeticWatch does in handlers.  A
-  // handler that uses such a result would otherwise count as using a denormal number from
-  // elsewhere.  Not under Valgrind, whose processor cannot do this.
+  // While the constructors run, results that would be denormal numbers become 0, as on the robot.
+  // Otherwise a handler that uses such a number would be reported, although the robot would not
+  // stop.  Not done with AddressSanitizer or under Valgrind, where handlers have no ArithmeticWatch
+  // either.
   std::optional<FlushScope> flush;
   if (!IsStackWatched()) flush.emplace();
   for (void (*const constructor)() : HeldConstructors(handle_)) {
@@ -278,10 +280,11 @@ void ImageObject::ReportFpFlags(uint32_t selector) {
          "a floating-point operation made an infinity (division by 0, log(0), a result too large)",
          "the robot is said to stop when it is used");
   }
-  // The robot turns denormal results (numbers nearer to 0 than the processor's normal ones) into 0,
-  // so it stops only at denormals that come from elsewhere.  A denormal that an ArithmeticWatch has
-  // found comes from elsewhere.  Without an ArithmeticWatch results are not turned into 0, so the
-  // use of denormals is not reported if an operation of the same object has made one.
+  // Denormal numbers are nearer to 0 than the processor's normal ones.  The robot turns denormal
+  // results into 0, so it stops only if a denormal number is not a result, for example an int taken
+  // for a float.  An ArithmeticWatch turns results into 0, too, so a denormal number that it has
+  // found (`is_found`) is not a result.  Without an ArithmeticWatch, denormal numbers are reported
+  // only if no operation of this object has made one.
   const bool is_found = number_faults[std::countr_zero<unsigned>(kFpDenormal)] != nullptr;
   if ((fresh & kFpDenormal) && (is_found || !makes_denormals)) {
     warn(kFpDenormal,

@@ -17,8 +17,8 @@ constexpr uint32_t kHeadersVersion = 1;
 // openr_image_info.
 struct ImageInfo {
   uint32_t version;  // the value of kImageVersion in the build that made the image
-  // The value of kHeadersVersion in the build that made the image; 0 in images of builds from
-  // before this version existed.
+  // The value of kHeadersVersion in the build that made the image; 0 in images of old builds, which
+  // did not know kHeadersVersion yet.
   uint32_t headers_version;
   const char* ocf;  // the text of the .ocf file
 };

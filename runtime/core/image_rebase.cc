@@ -145,9 +145,9 @@ void Rebase::MoveSymbols(Elf64_Sym* symbols, uint64_t count) {
   }
 }
 
-// Adds `by_` to the addresses of the dynamic symbols (MoveSymbols()).  No other symbols need it,
-// because the loader reads only the dynamic symbols.  The header of the section with the dynamic
-// symbols tells how many there are.
+// Adds `by_` to the addresses of the dynamic symbols (MoveSymbols()).  All other symbols stay as
+// they are, because the loader reads only the dynamic symbols.  The header of the section with the
+// dynamic symbols tells their number.
 void Rebase::MoveDynamicSymbols(const Elf64_Ehdr& header) {
   const auto* const sections = At<Elf64_Shdr>(header.e_shoff, header.e_shnum);
   bool has_symbols = false;

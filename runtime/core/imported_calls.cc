@@ -288,8 +288,8 @@ void Redirection::FindImports(int64_t table, int64_t size) {
 
 // Writes a thunk (code that changes the stack for a call of an imported function) and returns its
 // address.  A thunk has two instructions: mov r11, FUNCTION; jmp *WORD.  In front of all thunks lie
-// two words with the addresses of openr_call_import and openr_call_variadic_import; WORD is the
-// word for this kind of function.
+// two words with the addresses of openr_call_import and openr_call_variadic_import.  WORD is the
+// second word if the function has a variable number of arguments, otherwise the first word.
 uint64_t Redirection::MakeThunk(const Import& import, size_t index) {
   char* const thunk = thunks_ + (index + 1) * kThunkBytes;
   const char* const word = thunks_ + (IsVariadic(NameOf(import.symbol)) ? 8 : 0);
@@ -349,10 +349,10 @@ bool IsStackChange(uintptr_t address) {
 const void* ReturnAddressInImage(const void* own) {
   const auto here = reinterpret_cast<uintptr_t>(__builtin_frame_address(0));
   const uintptr_t offset = here % ObjectAddresses::kStackBytes;
-  // `own` is the return address of the function of the SDK that has called this function.  Returns
-  // `own` if `here`, the address of this function's frame, is not on a stack for imported
-  // functions.  Then the image has called the function of the SDK directly and not through a thunk.
-  // Stacks for imported functions are below 17 TiB, in the lower part of the memory for stacks.
+  // A function F of the SDK has called this function, and `own` is the return address of F.  If
+  // `here`, the address of this function's frame, is not on a stack for imported functions, the
+  // image has called F directly and not through a thunk, so `own` is the result.  Stacks for
+  // imported functions are below 17 TiB, in the lower part of the memory for stacks.
   if (here >> 40 >= 17 || offset >= StackMemory::kImportsTopOffset) return own;
   const uintptr_t top = here - offset + StackMemory::kImportsTopOffset;
   const auto* const frame =

@@ -103,9 +103,9 @@ void LeakSearch::CollectBlocks() {
       nodes_.push_back(
           {.begin = HiddenAddress(block), .bytes = bytes, .object = object.get(), .calls = &calls});
     });
-    // Adds to nodes_, the list of the blocks and regions that the search looks for, the memory that
-    // NewRegion() (MCOOP.h) has given to the object.  The memory gets no owner, so that it is never
-    // reported as a leak: it belongs to the object until DeleteRegion().
+    // NewRegion() (MCOOP.h) has given this memory to the object.  Adds the memory to nodes_, the
+    // list of the blocks and regions that the search looks for.  The memory gets no owner, so that
+    // it is never reported as a leak: it belongs to the object until DeleteRegion().
     for (void* const region : object->private_regions)
       nodes_.push_back({.begin = HiddenAddress(region), .bytes = Arena::UsableSize(region)});
   }
@@ -118,7 +118,8 @@ void LeakSearch::CollectRegions() {
   for (const auto& object : system_->objects()) {
     if (object == nullptr || !object->is_image || object->arena == nullptr) continue;
     table.ForEachOf(object->id, [&](uint32_t id, char* base, size_t size) {
-      if (!IsPlanned(base)) return;  // the memory is in the host's heap, which is read as a whole
+      // Skips a region in the host's heap, because ReadHost() searches that heap as a whole.
+      if (!IsPlanned(base)) return;
       region_of_id_[id] = HiddenAddress(base);
       nodes_.push_back({.begin = HiddenAddress(base),
                         .bytes = size,

@@ -47,8 +47,8 @@ const Message* LocalCalls::BeginWait(uint64_t box, int64_t timeout_us, std::stri
   Message* const wake = message.get();
   wake->is_reply = true;
   wake->reply_box = box;
-  // Sets the payload hash, which the sender of a message of kind kHashed must set, to a constant,
-  // because this reply, which ends the wait at the time-out, has no bytes.
+  // The sender of a message of kind kHashed must set its payload hash.  This reply has no bytes, so
+  // its payload hash is a constant.
   wake->payload_hash = 1;
   wake->kind = PayloadKind::kHashed;
   system_->Post(std::move(message), timeout_us);

@@ -12,7 +12,7 @@ MemoryMap::~MemoryMap() {
 }
 
 bool MemoryMap::Next(MappedRange* range) {
-  char line[4352];  // a path of 4096 bytes, and the numbers before it
+  char line[4352];  // room for the numbers that begin a line, and for a path of 4096 bytes
   while (list_ != nullptr && std::fgets(line, sizeof line, list_) != nullptr) {
     char rights[5] = "";
     if (std::sscanf(line, "%" SCNxPTR "-%" SCNxPTR " %4s", &range->begin, &range->end, rights) != 3)

@@ -23,9 +23,9 @@ void MessagePoster::CheckPosts() {
   are_posts_free_ = are_calls_local_ && schedule_ == nullptr && !has_processors_;
 }
 
-// Refuses a message to an entry that the target does not have.  The usual cause is that the stub of
-// one of the two objects, the generated code with its entries, was made from a stub.cfg that does
-// not fit the object's sources.
+// Refuses a message to an entry that the target does not have.  The usual cause is that the stub
+// (the generated code with the entries of an object) of the sender or of the target was made from a
+// stub.cfg that does not fit the sources of that object.
 int32_t MessagePoster::RefuseSelector(const Message& message, const Object& target) {
   target.system->AddFindingAbout(
       &target, Severity::kError,

@@ -30,8 +30,9 @@ class MessagePoster {
   // the id of the receiver.  Called by LocalCalls::Post().  Returns an sError as System::Post()
   // does.  A refused message stays in `message`.  REQUIRES: delay_us >= 0.
   int32_t Post(OwnedMessage&& message, Object* target, int64_t delay_us);
-  // Puts into the queue again a message to `target` that a gate or the processor (cpu.h) has held.
-  // The message is due now and comes before all others of its class and priority.
+  // Puts `message` back into the queue after it was held: by a gate, or because `target` could not
+  // handle it yet or waited for the processor (cpu.h).  The message is due now and comes before all
+  // others of its class and priority.
   void Readmit(OwnedMessage message, const Object& target);
 
   // Replaces the schedule that the seed has chosen; see System::set_schedule().

@@ -152,7 +152,7 @@ void ObjectManager::RunBoot(int robot, size_t findings_before) {
     if (robot == kAllRobots || connection.robot == robot) Connect(connection);
   }
   ReleaseEarlyMessages();
-  // When one robot boots again, leaves out errors of other robots, which go on meanwhile.
+  // When one robot boots again, ignores errors about other robots, which do not boot now.
   const std::optional<int> of_robot = robot == kAllRobots ? std::nullopt : std::optional(robot);
   if (system().options().strict && system().findings().HasError(findings_before, of_robot)) {
     RefuseToStart(robot);
@@ -277,7 +277,7 @@ void ObjectManager::SendToAll(Selector entry, OReason reason, bool system_object
 void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
   if (entry == oentryINIT) uninitialised_.erase(object->id);
   if (uninitialised_.contains(object->id))
-    return;  // an object that had no DoInit has no subjects or observers
+    return;  // sends nothing more: without DoInit the object has no subjects or observers
   if (object->delivery.is_off()) return;  // the robot of `object` was switched off meanwhile
   OReasonMessage message = MessageOf(*object, reason);
   OStatusMessage reply;
@@ -336,7 +336,7 @@ void ObjectManager::ReportUnknown(const Connection& connection, const std::strin
       "OBJECT.CFG)";
   std::vector<std::string> known;
   const std::string object = service.substr(0, service.find('.') + 1);
-  std::string cause = object;  // the cause, unless the loop finds another service of the object
+  std::string cause = object;  // replaced below if the object has registered another service
   const auto wanted = ParseServiceName(service, nullptr);
   for (const auto& [name, entry] : system().robot(connection.robot).directory) {
     known.push_back(name);

@@ -118,11 +118,12 @@ class ObjectManager : public CodeObject {
   // true if the DoInit of the object has begun; then only readies are kept back.
   std::map<ObjectId, bool> starting_;
   bool are_connected_ = true;  // false while the connections of this boot are not made yet
-  // Services that were not registered when their connection had to be made, each with this
-  // connection.  At that time a worker process was lost (had ended or could not be reached).  Its
-  // objects may register the services after a restart, so the services are not reported yet.  If
-  // the objects do not register them, the services become findings after the restart.  The keys are
-  // addresses, so the code never iterates over this set: the order would differ from run to run.
+  // Each element is a connection and the name of one of its services that was not registered when
+  // the connection had to be made, while a worker process was lost (had ended or could not be
+  // reached).  Objects of this process may register the services after a restart, so the services
+  // are not reported yet.  Services that are not registered then become findings.  The elements
+  // contain addresses, so the code never iterates over this set: the order would differ from run to
+  // run.
   std::set<std::pair<const struct Connection*, std::string>> unreported_;
 };
 

@@ -95,7 +95,8 @@ class AbsentObject : public Object {
 };
 
 // Copies the statistics of the object `old` to the object `fresh`, which replaces `old`, because
-// the report counts both objects as one.  Makes `fresh` go on with the numbers of reply boxes.
+// the report counts both objects as one.  Makes the next reply box of `fresh` get a higher number
+// than all reply boxes of `old`.
 void PassToSuccessor(const Object& old, Object* fresh) {
   fresh->predecessors = old.predecessors + 1;
   fresh->message_count = old.message_count;
@@ -209,9 +210,9 @@ std::vector<OwnedMessage> ObjectTable::TakeMessagesTo(Object* object) {
   return messages;
 }
 
-// Takes all messages to `old`, an object that is being replaced, out of the run, because nothing
-// will receive them.  Returns the readies that observers have sent to `old`: the readies that `old`
-// has received, and the readies among the messages taken.
+// Removes the undelivered messages to `old`, an object that is being replaced (TakeMessagesTo()),
+// because `old` will not receive them.  Returns the readies that observers have sent to `old`: the
+// readies that `old` has received, and the readies among the removed messages.
 std::vector<StandingReady> ObjectTable::EndMessagesTo(Object* old) {
   std::vector<StandingReady> readies = old->StandingReadies();
   for (const OwnedMessage& message : TakeMessagesTo(old)) {
@@ -226,11 +227,11 @@ std::vector<StandingReady> ObjectTable::EndMessagesTo(Object* old) {
   return readies;
 }
 
-// Makes the regions of object `id` that are in notifications on their way belong to no object.
-// EndAllOf() deletes all regions of the object, but the observers of these notifications have not
-// read the data yet: an observer may wait in a handler, or for the processor, or a gate may keep
-// its messages.  The ready that gives such a region back deletes the region, if the object itself
-// has kept no reference to it.
+// Removes the owner of all regions of object `id` that are in undelivered notifications, because
+// EndAllOf() deletes all regions that the object owns.  The observers have not read the data of
+// these notifications yet: an observer may wait in a handler, or for the processor, or a gate may
+// keep its messages.  The ready that gives such a region back deletes the region, if the object
+// itself has kept no reference to it.
 void ObjectTable::KeepSentRegions(ObjectId id) {
   RegionTable& regions = system_->regions();
   const auto keep = [&regions, id](const Message& message) {

@@ -39,7 +39,7 @@ class ObjectTable {
 
   // Returns the object with this id; null if there is no such object.
   Object* Get(ObjectId id) const {
-    const auto index = static_cast<size_t>(id);  // a negative id becomes a very large index
+    const auto index = static_cast<size_t>(id);  // beyond the last object if `id` is negative
     return index < objects_.size() ? objects_[index].get() : nullptr;
   }
   // Returns the object with this id.  REQUIRES: Get(id) has returned an object at any time before.

@@ -51,10 +51,10 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
   constexpr int kTimesMax = 8;  // our choice: no program asserts ready more often on purpose
   entry.asserted = command == objcommCMD_ASSERT_READY ? entry.asserted + 1 : 0;
   if (entry.asserted == kTimesMax + 1 && !object->is_system) ReportRepeatedReady(entry);
-  // Removes from `entry.regions`, the regions that the observer has received from the subject,
-  // those that the posted ready gives back.  These are the first `count` regions of which the
-  // object holds no reference of its own; no reference was added or removed since the ready was
-  // made.
+  // Removes the regions that the posted ready gives back from `entry.regions`, the regions that the
+  // observer has received from the subject.  The ready gives back the first `count` regions to
+  // which the object holds no reference of its own.  No reference was added or removed since the
+  // ready was made, so this loop finds the same regions.
   auto kept = entry.regions.begin();
   for (RCRegion* const region : entry.regions) {
     if (region->NumberOfReference() > 1 || count == 0) {
@@ -99,7 +99,8 @@ void ObserverState::RemoveSubjects(const std::function<bool(const SubjectID&)>& 
 
 void ObserverState::MissSubject(const std::string& subject_service) {
   for (const Missing& each : missing) {
-    if (each.service == subject_service) return;  // keeps the command that was given already
+    // Keeps an older record of this subject, which may have a command to send to the subject.
+    if (each.service == subject_service) return;
   }
   missing.push_back({subject_service});
 }

@@ -28,7 +28,7 @@ bool IsOneOf(char c, const char* set) { return c != '\0' && std::strchr(set, c) 
 
 // A conversion of a printf format: "%-5.*ld" has the length "l" and the type 'd'.
 struct Conversion {
-  int stars = 0;  // widths and precisions that are arguments themselves
+  int stars = 0;  // number of '*': widths and precisions that are arguments of the printf()
   std::string_view length;
   char type = '\0';
 };

@@ -88,7 +88,7 @@ char* RegionMemory::New(uint32_t slot, size_t bytes) {
       }
     }
   }
-  // Takes at least 1 byte, because the result for a region of 0 bytes must not be null.
+  // Allocates at least 1 byte, because the result for a region of 0 bytes must not be null.
   return static_cast<char*>(std::calloc(1, std::max<size_t>(bytes, 1)));
 }
 

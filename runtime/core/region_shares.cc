@@ -24,9 +24,10 @@ int32_t RegionShares::Check(ObjectId self, uint32_t region, MemoryProtectionInfo
                                                                  : sPERMISSIONDENIEDSHAREDMEM;
 }
 
-// Returns the rights of `object` to `region`.  If there are none yet, makes them, and before that
-// sometimes removes the rights to deleted regions.  This is not done when a region is deleted,
-// because regions are deleted for many messages and few programs use rights.
+// Returns the rights of `object` to `region`.  If there are none yet, makes them.  Before that,
+// removes the rights to deleted regions if shares_ has grown to cleanup_size_.  These rights are
+// not removed when a region is deleted, because regions are deleted for many messages and few
+// programs use rights.
 RegionShares::Share& RegionShares::ShareOf(uint32_t region, ObjectId object) {
   if (const auto found = shares_.find({region, object}); found != shares_.end())
     return found->second;
@@ -35,8 +36,8 @@ RegionShares::Share& RegionShares::ShareOf(uint32_t region, ObjectId object) {
     std::erase_if(shares_, [this](const auto& entry) {
       return !entry.second.attached && regions_->BaseOf(entry.first.first) == nullptr;
     });
-    // Doubles the size if few rights were removed, so that the search takes little time for each
-    // new right.
+    // Raises cleanup_size_ to at least twice the number of the remaining rights.  So the search for
+    // rights to deleted regions runs only rarely.
     cleanup_size_ = std::max(cleanup_size_, 2 * shares_.size());
   }
   return shares_[{region, object}];

@@ -39,8 +39,8 @@ class RegionShares {
   // knows what owners have allowed, so in a worker process only the owner may write.
   bool MayWrite(ObjectId self, uint32_t region) const;
 
-  // Returns the number of records of rights and attached objects.  Those of deleted regions are
-  // removed only from time to time (ShareOf()), so this number may include some of them.
+  // Returns the number of records of rights and attached objects.  Records about deleted regions
+  // are removed only from time to time (ShareOf()), so this number may include such records.
   size_t count() const { return shares_.size(); }
 
  private:

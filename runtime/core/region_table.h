@@ -189,7 +189,7 @@ class RegionTable {
   // The memory is freed when the table is destroyed.
   std::vector<char*> pinned_deleted_;
   std::vector<uint32_t> free_;  // indices of the slots that New() may use again
-  int live_count_ = 0;          // number of live slots
+  int live_count_ = 0;          // number of live regions
 };
 
 }  // namespace openr_host

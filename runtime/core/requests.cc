@@ -41,9 +41,9 @@ OwnedMessage Requests::Await(uint64_t box, int64_t timeout_us, std::string_view 
   // LocalCalls::BeginWait() has posted from the object to itself.
   *timed_out = message->kind == PayloadKind::kHashed && message->sender == self->id;
   if (*timed_out) {
-    // Removes `wake`, the message that would end the wait at the time-out, if another message has
-    // ended the wait, because the request was refused (cpu.h).  Leaves the box open, because the
-    // reply may still come.
+    // `wake` is the message that ends the wait at the time-out.  If the request was refused
+    // (cpu.h), another message has ended the wait, and `wake` is removed here.  The box stays open,
+    // because after a time-out the reply may still come.
     if (wake != nullptr && wake != message.get())
       system_->queue().TakeIf([wake](const Message& m) { return &m == wake; });
     return message;
@@ -81,11 +81,13 @@ int32_t Requests::Call(ObjectId target, uint32_t selector, const void* data, siz
   if (error != sSUCCESS) return error;
   const std::string why =
       fmt::format("the answer of {} ({})", callee->name, callee->EntryName(selector));
-  // Repeats a wait that has timed out while the receiver of the request (`target`) itself waits for
-  // something that takes wall time but no virtual time, because the time-out is in virtual time.
+  // Waits again after a time-out if the receiver of the request (`target`) itself waits for
+  // something that takes wall time (is_untimed).  The time-out is in virtual time, so in this case
+  // it does not tell that the receiver takes too long.
   for (;;) {
     const int32_t result = Wait(box, reply, reply_size, nullptr, timeout_us, why);
-    // A wait without a limit ends with sTIMEOUT only if the request was refused (cpu.h).
+    // Does not repeat a wait without a limit (timeout_us < 0), because such a wait ends with
+    // sTIMEOUT only if the request was refused (cpu.h).
     const bool may_repeat = timeout_us >= 0 && system_->object(target)->wait.is_untimed;
     if (result != sTIMEOUT || !may_repeat) return result;
   }

@@ -37,7 +37,8 @@ void RobotTable::BeginShutdown(int index, const RunEnd& why) {
 }
 
 void RobotTable::CutPower(int index, const RunEnd& why) {
-  const bool is_shutdown = why.kind == EndKind::kPowerOff;  // a shutdown has set Robot::end already
+  // True at the end of a shutdown, which has set Robot::end already; false if the power is cut.
+  const bool is_shutdown = why.kind == EndKind::kPowerOff;
   const bool was_off = index < count() && Get(index).powered_off;
   // Records the cut of the power as the reason (Robot::end) why the robot goes off, even if a
   // shutdown has begun and has set another reason.  Keeps the reason of a robot that is off
@@ -48,7 +49,7 @@ void RobotTable::CutPower(int index, const RunEnd& why) {
   if (index >= count()) return NoteIfAllAreOff(why);
   Get(index).powered_off = true;
   off_robots_.Remove(index);
-  // Starts no boot timer if the power was cut during the shutdown, because the cut is the end.
+  // Starts no boot timer if the power was cut during the shutdown: then the robot stays off.
   if (is_shutdown && !was_off) WaitForBoot(&Get(index));
   NoteIfAllAreOff(*Get(index).end);
 }

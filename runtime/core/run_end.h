@@ -19,7 +19,7 @@ enum class EndKind : uint8_t {
   kCrash,         // an object crashed
   kHandlerLimit,  // a handler did not return
   kLostProcess,   // a process with objects of the run was lost
-  kNoBoot,        // the robot did not boot, or was refused before any object started
+  kNoBoot,        // the robot did not boot, or --strict refused to start its objects
   kSignal,        // Ctrl-C or SIGTERM came a second time
   kBranch,        // a user went back in time; a copy of the run goes on from there (openr/rewind)
 };

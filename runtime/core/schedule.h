@@ -2,8 +2,9 @@
 // messages back.
 //
 // Without a schedule the order is the canonical one: objects start in the order of OBJECT.CFG, and
-// messages that are due at the same time are delivered in the order of their numbers.  A schedule
-// cannot change the order of the messages to one receiver, nor the order of priorities.
+// messages that are due at the same time are delivered in the order of their numbers.  Among these
+// messages, a schedule cannot change the order of the messages to one receiver, and cannot put a
+// message before another message of a higher priority or an earlier class (MessageClass).
 #pragma once
 
 #include <cstddef>

@@ -74,8 +74,8 @@ StackMemory::StackMemory(char* address) : mapping_(address) {
 StackMemory::~StackMemory() {
   StackMemory** link = &t_newest;
   while (*link != nullptr && *link != this) link = &(*link)->older_;
-  // Takes this stack out of the list of the stacks of this thread.  If another thread has made this
-  // stack, `link` is at the end of the list, because this list does not contain the stack.
+  // Removes this stack from the list of the stacks of this thread.  Removes nothing if another
+  // thread has made this stack, because the list does not contain the stack then.
   if (*link != nullptr) *link = older_;
 #ifdef VALGRIND_STACK_DEREGISTER
   VALGRIND_STACK_DEREGISTER(valgrind_id_);
@@ -97,8 +97,8 @@ size_t StackMemory::UsedBytes(size_t gap_bytes) const {
     if (!IsZero(step)) lowest = step;
     if (static_cast<size_t>(lowest - step) >= gap_bytes) break;
   }
-  // Until now, `lowest` is the beginning of the lowest piece of kStepBytes bytes that are not all
-  // zero.  Moves `lowest` up to the first byte in this piece that is not zero.
+  // The loop above has set `lowest` to the beginning of the lowest piece of kStepBytes bytes that
+  // are not all zero.  Moves `lowest` up to the first byte in this piece that is not zero.
   uint64_t word = 0;
   while (lowest < top() && (std::memcpy(&word, lowest, sizeof word), word == 0))
     lowest += sizeof word;

@@ -2,8 +2,8 @@
 //
 // On the robot a stack that is too small overwrites other memory, and nothing reports it
 // (field-notes.md, 3.7).  On the 64-bit host, stack frames are at most twice as large as on the
-// robot.  So a handler surely overflows its stack on the robot only if it uses more than twice the
-// size of the .ocf file on the host.
+// robot.  So a handler surely overflows its stack on the robot only if it uses, on the host, more
+// than twice the stack size that the .ocf file gives.
 #pragma once
 
 #include <cstddef>

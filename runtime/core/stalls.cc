@@ -17,8 +17,9 @@ constexpr char kReadyAdvice[] =
 
 // Adds to `stalls` the wait for a ready on the connection `link` of `subject`, if the observer is
 // not ready.  Adds nothing for an observer that has deasserted ready (link.ready < 0), because such
-// an observer does not want data.  Adds nothing for an observer that is ready either: data may wait
-// for it because it has ordered more notifications in one message (ObserverLink::min).
+// an observer does not want data.  Adds nothing for an observer that is ready either.  Such an
+// observer lets data wait on purpose if it has asked for several notifications in one message
+// (ObserverLink::min).
 void FindInLink(const Object& object, const SubjectState& subject, const ObserverLink& link,
                 int64_t now_us, std::vector<Stall>* stalls) {
   if (link.ready != 0) return;

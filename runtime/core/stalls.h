@@ -28,9 +28,9 @@ struct Stall {
   // any more.
   bool may_be_done = false;
   // True if the observer has probably stopped on purpose, so the report has a note and not a
-  // warning.  This is assumed in two cases: the observer has taken two notifications or more, so it
-  // has asserted ready again before; or the subject belongs to the robot, whose services do not
-  // need the ready.
+  // warning.  This is assumed in two cases: the observer has received two notifications or more, so
+  // it has asserted ready again before; or the subject belongs to a system object (a part of the
+  // robot), which continues its work even if the observer never asserts ready.
   bool is_chosen = false;
 };
 

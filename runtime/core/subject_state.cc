@@ -174,20 +174,20 @@ void SubjectState::SendPending(ObserverLink* link) {
 void SubjectState::TakeBack(ObserverLink* link, const ONotifyMessage& notify) {
   for (int i = 0; i < notify.numOfData; ++i)
     link->pending.insert(link->pending.begin() + i, notify.data[i].srcRCR);
-  // The message does not say how many data each of its notifications has.  So all get the same
-  // number of data, and the first one also gets what is left.
+  // The message does not say how many data each of its notifications has.  So gives each
+  // notification the same number of data, and gives the first notification also the remainder.
   const int count = notify.numOfNotify;
   link->units.insert(link->units.begin(), static_cast<size_t>(count),
                      ObserverLink::Unit{notify.numOfData / count});
   link->units.front().data += notify.numOfData % count;
   --link->sent;
   if (link->waiting_since_us < 0) link->waiting_since_us = system->now_us();
-  // Makes the observer ready again, because Send() has used its ready for this message, which was
-  // then refused.  If the observer has asserted or deasserted ready since then, `ready` is not 0
-  // and stays as it is.
+  // Makes the observer ready again, because Send() has cleared the ready flag for this message, and
+  // the message was refused after that.  If the observer has asserted or deasserted ready since
+  // then, `ready` is not 0 and stays as it is.
   if (link->ready == 0) link->ready = 1;
-  // Drops the oldest data if there is no room for all, because the same handler has sent more
-  // notifications after the message.
+  // Drops the oldest notifications if more than `max` are pending.  This can happen because the
+  // handler that has sent the refused message may have sent more notifications after it.
   while (link->units.size() > link->max) {
     DropOldestUnit(link);
     ++object->dropped_count;

@@ -148,8 +148,8 @@ bool System::RunUntil(const std::function<bool()>& predicate, int64_t budget_us)
   return predicate();
 }
 
-// Posts, with the slower SystemCalls::Post(), a notification or a ready that
-// MessagePoster::PostAtOnce() has not queued, because the message may have to be refused or
+// Posts `message`, a notification or a ready, with the slower SystemCalls::Post().  Called for
+// messages that MessagePoster::PostAtOnce() does not queue, because they may have to be refused or
 // delayed.
 [[gnu::noinline]] int32_t System::PostByCalls(Message* message) {
   return calls_->Post(OwnedMessage(message), 0);

@@ -98,7 +98,7 @@ class System {
   // Posts the shutdown of one robot: DoStop of its objects, then DoDestroy, then the robot is off.
   void Shutdown(int robot, const RunEnd& why = {});
   void Shutdown(const RunEnd& why = {});  // shuts down all robots
-  bool booted() const;                    // whether the last DoStart has returned
+  bool booted() const;                    // whether the DoStart of every object is over
   // Returns whether all robots are off for good.
   bool powered_off() const { return robot_table_.are_all_off(); }
   // Switches one robot off at once, as OPENR::Fatal() does.  Messages to its objects are dropped
@@ -194,7 +194,7 @@ class System {
   const RegionTable& regions() const { return regions_; }
   RegionShares& region_shares() { return region_shares_; }
   HostAddresses& host_addresses() { return host_addresses_; }
-  GuardPages* guard_pages() { return guard_pages_.get(); }  // null if received data are not copied
+  GuardPages* guard_pages() { return guard_pages_.get(); }  // null: no read-only copies are made
   // Returns how long a frame of the robot's devices lasts in virtual time: kFrameUs, or the length
   // that the cost model gives.
   int64_t frame_us() const { return options_.cost ? options_.cost->FrameUs() : kFrameUs; }
@@ -246,7 +246,7 @@ class System {
   const bool calls_are_local_;
   const std::unique_ptr<SystemCalls> calls_;
 
-  MessagePoster poster_;  // destroyed after the members below, which may own its messages
+  MessagePoster poster_;  // destroyed after the members below, which may own messages of its pool
   RegionTable regions_;
   RegionShares region_shares_{&regions_};
   std::unique_ptr<GuardPages> guard_pages_;

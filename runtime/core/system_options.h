@@ -29,9 +29,9 @@ struct SystemOptions {
   // The largest priority number of the OSYSLOG lines that are printed (1 error, 2 warning, 3 info).
   // Debug lines are always printed.
   uint32_t log_level = 3;
-  // The number of messages that may be delivered at one instant of virtual time; each further
-  // message takes 1 us.  Otherwise objects that answer each other without waiting would stop the
-  // clock.  At least 1.
+  // The number of messages, at least 1, that may be delivered at one instant of virtual time.
+  // Messages that are posted after these are due 1 us later, because otherwise objects that answer
+  // each other without waiting would stop the clock.
   int64_t free_deliveries = 10'000;
   // Wall clock in nanoseconds, which measures Object::handler_ns_max.  If it is null, nothing is
   // measured.  Nothing else may depend on this clock, because it differs from run to run.

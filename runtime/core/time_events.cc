@@ -90,9 +90,9 @@ void TimeEvents::Post(const Event& event) {
   const Letter& letter = event.letter;
   ASSERT(letter.bytes.size() <= Message::kPayloadMax, "an event of {} bytes", letter.bytes.size());
   OwnedMessage message = system_->NewMessage(letter.target, letter.selector);
-  // Posts the message of the time event or reply event in the name of the object that owns the
-  // event.  NewMessage() has set the current object as the sender, but when the event is due, this
-  // may be another object or no object.
+  // Posts the message in the name of the object that owns the event.  NewMessage() has set the
+  // sender to the current object.  When the event is due, the current object may be another object
+  // than the owner, or there may be no current object.
   message->sender = letter.owner;
   message->cause = event.cause;
   if (!letter.bytes.empty())

@@ -60,8 +60,8 @@ class TimeEvents {
   // Takes away the events that were added after the event `id`, and returns them.  They post
   // nothing until PutBack().
   Events TakeNewerThan(uint32_t id);
-  // Adds `events`, which TakeNewerThan() has returned, again.  Time events that were due meanwhile
-  // are due now.
+  // Puts back `events`, which TakeNewerThan() has returned.  Time events whose due time has passed
+  // meanwhile are due now.
   void PutBack(Events events);
 
   // Returns the virtual time at which the next time event is due; INT64_MAX if there is no time

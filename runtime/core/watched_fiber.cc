@@ -22,10 +22,11 @@ namespace {
 int g_fibers = 0;  // number of WatchedFibers that have a fiber of their own
 // True if this process is a copy, made by fork(), of a process that had fibers.  In the copy,
 // ThreadSanitizer takes the fibers for threads that fork() did not copy, and from then on ignores
-// the fiber that has called fork().  Enter() then makes ThreadSanitizer ignore all other fibers
-// too.  Otherwise ThreadSanitizer would report races that do not exist between two other fibers: it
-// ignores the switches to and from the first fiber, and these switches put the accesses of the
-// others in order.  No race is missed, because such a copy has only one thread.
+// the fiber that has called fork().  So it also ignores the switches between this fiber and the
+// others, although these switches put the accesses of the others in order.  ThreadSanitizer would
+// then report races between other fibers that do not exist.  Therefore Enter() makes
+// ThreadSanitizer ignore all other fibers too.  No race is missed, because such a copy has only one
+// thread.
 bool g_is_copy = false;
 
 void NoteCopy() { g_is_copy = g_is_copy || g_fibers > 0; }
@@ -50,8 +51,9 @@ void WatchedFiber::Leave() {
 }
 
 void WatchedFiber::Enter() {
-  // The argument 0 tells ThreadSanitizer that everything done on the stack that is left happens
-  // before everything done on this stack from now on, because all fibers belong to one thread.
+  // The argument 0 tells ThreadSanitizer that everything done on the stack that ran until now
+  // happens before everything done on this stack from now on.  This is true, because all fibers
+  // belong to one thread.
   __tsan_switch_to_fiber(fiber_, 0);
   if (!g_is_copy || is_ignored_) return;
   AnnotateIgnoreReadsBegin(__FILE__, __LINE__);

@@ -1,5 +1,5 @@
-// Reports files of the stick whose bytes the host's disk has not taken, for instance because it is
-// full.  Programs often ignore such an error.
+// Reports files of the stick whose bytes could not all be written to the host's disk, for instance
+// because the disk is full.  Programs often ignore such an error.
 #pragma once
 
 #include <cstdio>
@@ -23,10 +23,10 @@ void FlushStream(std::FILE* stream, OpenFiles::File* file);
 void ReportErrorMark(std::FILE* file);
 
 // Writes to their files the bytes that are still in the buffers of the streams that `object` has
-// left open.  Reports, as ReportWriteError() does, each file whose bytes the disk does not take,
-// now or at an earlier write.  Called before an object is replaced, which closes its streams
-// without a look at errors, and at the end of `openr run`.  Not called with --jobs, because the
-// stick of its robots is write-protected.
+// left open.  Reports, as ReportWriteError() does, each file whose bytes could not all be written,
+// now or earlier.  Called at the end of `openr run`, and before an object is replaced, because the
+// replacement closes the object's streams without checking for errors.  Not called with --jobs,
+// because the sticks are write-protected then.
 void FlushStreams(Object* object);
 
 }  // namespace openr_host

@@ -104,8 +104,9 @@ void IncomingChannel::Received(std::string_view bytes) {
   GatewayStream::Result result;
   while ((result = stream_.NextSet(&set)) == GatewayStream::Result::kTaken) {
     // The peer (the gateway on the other computer) must wait for a ready before it sends data.  If
-    // it has not waited, only warns and keeps the connection, because the data can still be used:
-    // they wait in the local subject until its observer is ready, unless newer data replace them.
+    // the peer has not waited, adds only a warning and keeps the connection, because the data can
+    // still be used: the data wait in the local subject until its observer is ready, or until newer
+    // data replace them.
     if (!std::exchange(asked_, false)) {
       gateway_->Warn(
           "the peer sends data before it was told that the observer is ready; they wait, and newer "

@@ -20,9 +20,10 @@ namespace {
 constexpr int kReceiveBytes = 8192;
 constexpr int kSendBytes = 32768;
 
-// Returns the advice to write 127.0.0.1 in HOSTGW.CFG if the robot is a run on this computer.  An
-// old HOSTGW.CFG has the address of a real robot, and today perhaps no computer has this address.
-// Returns "" if `address` is 127.0.0.1 already, or if --ip replaces it by another address.
+// Returns text that advises the user to write 127.0.0.1 in HOSTGW.CFG, in case the robot is a run
+// on this computer.  An old HOSTGW.CFG has the address of a real robot, and today perhaps no
+// computer has this address.  Returns "" if `address` is 127.0.0.1 already, or if --ip replaces it
+// by another address.
 std::string HintFor(const IPAddress& address) {
   const IpStack* const stack = IpStack::OfCurrent();
   if (address.InLoop() || stack == nullptr) return "";

@@ -1,10 +1,10 @@
 // GatewayConnection: the TCP connection of one service of the gateway.  A service has at most one
 // connection at a time.
 //
-// The robot's side listens on the service's port; the host's side connects and tries again every
-// second.  Both sides send messages to IPStack like any object (TCPEndpointMsg.h), so IPStack
-// records and replays their input like the input of all objects.  A second client is accepted and
-// closed at once.
+// The robot's side listens on the service's port; it accepts a second client and closes that
+// connection at once.  The host's side connects and tries again every second.  Both sides send
+// messages to IPStack like any object (TCPEndpointMsg.h), so IPStack records and replays the input
+// of the gateway like the input of all objects.
 #pragma once
 
 #include <TCPEndpointMsg.h>
@@ -88,7 +88,7 @@ class GatewayConnection {
   bool is_up_ = false;
   bool had_answer_ = false;  // true after a connect has succeeded or failed
   bool is_sending_ = false;
-  std::string out_;  // bytes to send that were not given to the stack yet
+  std::string out_;  // bytes to send that were not given to IPStack yet
 };
 
 }  // namespace openr_host

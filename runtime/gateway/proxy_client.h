@@ -23,7 +23,7 @@ namespace openr_host {
 struct ProxyRequest {
   char object[16];      // name of the system object to call
   uint32_t selector;    // selector of the entry to call
-  uint32_t reply_size;  // number of bytes that the caller takes as reply
+  uint32_t reply_size;  // largest size of the reply in bytes
   uint32_t size;        // number of bytes that follow this head
 };
 

@@ -22,8 +22,8 @@ class ProxyServer : public GatewayChannel {
   void Down() override { stream_ = {}; }
 
  private:
-  // Returns the answer to `frame`, a call that a program on a PC has sent.  If `frame` is no call
-  // but itself an answer, the command of the returned frame is kUndefined.
+  // Returns the answer to `frame`, a call that a program on a PC has sent.  If `frame` is an answer
+  // and not a call, the command of the returned frame is kUndefined.
   ProxyFrame AnswerTo(const ProxyFrame& frame);
   ProxyFrame AnswerCall(const ProxyFrame& frame);
 

@@ -19,7 +19,7 @@ constexpr size_t kGainsBytes = 6 * sizeof(word);
 
 // Returns whether `object` can wait for an answer from the network.  An object in this process can,
 // because its handler can be suspended.  An object in a worker process (--place, --isolate) cannot,
-// because this process waits for the worker meanwhile and could not take the answer.
+// because this process waits for the worker meanwhile and cannot receive the answer.
 bool CanWait(const Object* object) {
   return object != nullptr && object->handler.running != nullptr &&
          (dynamic_cast<const CodeHost*>(object) != nullptr ||

@@ -1,8 +1,8 @@
-// Carries the OPENR:: functions about the robot's devices from a program on a PC to the robot that
-// the line !ROBOT_PROXY of HOSTGW.CFG names.
+// Carries calls of the OPENR:: functions about the robot's devices from a program on a PC to the
+// robot that the line !ROBOT_PROXY of HOSTGW.CFG names.
 //
-// If the message of a function is not known, the function is not sent to the robot, and a program
-// that calls the function gets a warning (docs/network.md has the list).
+// A call is not sent to the robot if the layout of its message is not known.  A program that makes
+// such a call gets a warning (docs/network.md has the list).
 #pragma once
 
 #include <cstdint>
@@ -26,8 +26,8 @@ class ProxyServices : public ForwardingServices {
   ProxyServices(System* system, ObjectId gateway, uint32_t selector,
                 std::unique_ptr<RobotServices> local);
 
-  // Replaces `*services` by the services of this run's own robot if it is a ProxyServices.  Called
-  // when the robot boots again, because the new gateway makes a new ProxyServices.
+  // If `*services` is a ProxyServices, replaces `*services` by the services of this run's own
+  // robot.  Called when the robot boots again, because the new gateway makes a new ProxyServices.
   static void Remove(std::unique_ptr<RobotServices>* services);
 
   OStatus OpenPrimitive(const char* locator, OPrimitiveID* id) override;
@@ -54,7 +54,7 @@ class ProxyServices : public ForwardingServices {
   OStatus UnobservePowerStatus(const OServiceEntry& entry) override;
 
   // The next five functions are called only by the runtime.  The services of this run's own robot
-  // execute them, because Shutdown() shuts this robot down, and a boot timer boots it again.
+  // execute them, because the runtime shuts down, boots and hashes only this robot.
   std::optional<int64_t> TimeOffUs() const override { return local_->TimeOffUs(); }
   void SwitchOff() override { local_->SwitchOff(); }
   void RunFrameWhileOff() override { local_->RunFrameWhileOff(); }
@@ -80,7 +80,7 @@ class ProxyServices : public ForwardingServices {
   System* const system_;
   const ObjectId gateway_;
   const uint32_t selector_;
-  std::unique_ptr<RobotServices> local_;  // never null, but in Remove()
+  std::unique_ptr<RobotServices> local_;  // null only in Remove(), which moves the pointer out
 };
 
 }  // namespace openr_host

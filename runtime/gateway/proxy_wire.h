@@ -26,7 +26,7 @@ enum class ProxyCommand : uint32_t {
   kSendReply = 4,
   kCall = 5,
   kCallReply = 6,
-  kSendWithBox = 7,  // the arguments of kSendWithBox and kReply are not known
+  kSendWithBox = 7,  // kSendWithBox and kReply are refused: their arguments are not known
   kReply = 8,
 };
 

@@ -143,9 +143,9 @@ class GatewayLoader {
     std::move(other.services.begin(), other.services.end(), std::back_inserter(config_.services));
     std::move(other.diagnostics.begin(), other.diagnostics.end(),
               std::back_inserter(config_.diagnostics));
-    // Removes the ProxyServices of the robot's previous boot, by which its objects call the OPEN-R
-    // functions of another robot.  Add() makes a new one, unless the gateway files of the stick
-    // name no other robot any more.
+    // Removes the ProxyServices that the robot's previous boot has made to send OPEN-R calls of
+    // objects to another robot.  Add() makes a new ProxyServices if the gateway files of the stick
+    // still name such a robot.
     ProxyServices::Remove(&system_->robot(robot_).services);
   }
 
@@ -172,8 +172,8 @@ class GatewayLoader {
     const ConnectConfig wires = ParseConnectConfig("CONNECT.CFG", text.value_or(""), Design());
     const bool is_wired = !config_.services.empty() && NamesGateway(wires);
     // Adds the gateway, although OBJECT.CFG does not name it, if CONNECT.CFG connects one of its
-    // services, or if programs call a robot.  The stick of a PC need not name the gateway in
-    // OBJECT.CFG; only a robot's stick must do so.
+    // services, or if the gateway files name a robot for OPEN-R calls.  Only the stick of a robot
+    // must name the gateway in OBJECT.CFG; the stick of a PC need not.
     if (host_ == nullptr && (is_wired || CallsARobot())) {
       Add();
       if (has_robot_file_)

@@ -80,7 +80,7 @@ class TcpGateway : public CodeObject {
   std::vector<std::unique_ptr<GatewayChannel>> channels_;
 };
 
-// Returns the gateway of `robot` for LoadStick().  The stick asks for the gateway if OBJECT.CFG
+// Returns the gateway of `robot` for LoadStick().  The gateway is added to the System if OBJECT.CFG
 // names TCPGW.BIN, CONNECT.CFG names a service of TCPGateway, or HOSTGW.CFG names a robot to which
 // calls of OPENR:: functions are sent.  REQUIRES: the robot has its stick.
 SystemImage GatewayImage(System* system, int robot);

@@ -38,16 +38,16 @@ namespace {
 // Makes the host write a file or folder to the disk now, so that a power cut does not lose it.
 // Used by rename(), unlink(), rmdir() and remove(), because a program may replace a file by a new
 // file, or remove a file, and then report success.  So the new file must not be lost, and the
-// removed file must not come back.  Returns 0, or the errno of a disk that has not taken the bytes.
-// Other errors are ignored, because some file systems cannot write a single file to the disk.
-// Keeps errno.
+// removed file must not come back.  Returns EIO or ENOSPC if the disk could not store the bytes,
+// otherwise 0.  Ignores other errors, because some file systems cannot write a single file to the
+// disk.  Keeps errno.
 //
 // A copy of the default stick, which is removed at the end of its run, does not need the bytes on
 // the disk.  Its files are written to the disk as well, because otherwise a full disk would not be
 // noticed.  This costs little: a program that searches for a good walk, and uploads two motions for
 // each try, spends 4 % of its time here.
 int WriteThrough(const std::string& host_path) {
-  const ApiScope scope;  // the functions below get paths of the host
+  const ApiScope scope;  // so that open() uses `host_path` as a path of the host
   const int error = errno;
   int lost = 0;
   if (const int descriptor = open(host_path.c_str(), O_RDONLY | O_CLOEXEC); descriptor >= 0) {
@@ -63,7 +63,7 @@ int WriteThrough(const std::string& host_path) {
 // entry of the folder has changed.  Ignores errors of the disk, because the change cannot be taken
 // back.
 void WriteFolderThrough(const std::string& host_path) {
-  const ApiScope scope;  // the path of the folder must not take memory of the object's heap
+  const ApiScope scope;  // keeps the text of the folder's path out of the object's heap
   WriteThrough(host_path.substr(0, host_path.rfind('/')));
 }
 
@@ -95,8 +95,8 @@ bool CheckNames(const std::string& path) {
   return !strict;
 }
 
-// Returns whether open() with `flags` may change the file.  It may with O_RDONLY and O_TRUNC, too,
-// because the host's open() then empties the file.
+// Returns whether open() with `flags` may change the file.  Returns true also for O_RDONLY with
+// O_CREAT or O_TRUNC, because the host's open() then creates or empties the file.
 bool OpensForWriting(int flags) {
   return (flags & O_ACCMODE) != O_RDONLY || (flags & (O_CREAT | O_TRUNC)) != 0;
 }

@@ -100,8 +100,8 @@ DIR* opendir(const char* path) {
       names.resize(kEntriesMax);
     }
   }
-  // Calls malloc() without an ApiScope, which would mark this code as code of the runtime, so that
-  // the memory comes from the object's heap and not from the host's.
+  // Calls malloc() without an ApiScope, so that the memory comes from the object's heap.  Within an
+  // ApiScope, malloc() would use the host's heap.
   auto* const folder = static_cast<Folder*>(malloc(sizeof(Folder)));
   if (folder != nullptr) {
     folder->count = names.size();

@@ -103,7 +103,9 @@ extern "C" int fcntl(int descriptor, int command, ...) {
   return Refuses("fcntl") ? -1 : next(descriptor, command, argument);
 }
 
-#if !defined(__SANITIZE_THREAD__)  // ThreadSanitizer starts a thread before this library is ready
+// pthread_create() is not refused in a build with ThreadSanitizer, because ThreadSanitizer starts a
+// thread before this library is ready.
+#if !defined(__SANITIZE_THREAD__)
 // Refuses to start a thread for an object, also with std::thread, which calls this function.  A
 // thread would run at the same time as the handlers, so the order of their steps would differ from
 // run to run.

@@ -14,7 +14,7 @@ enum class StickUse {
 };
 
 // Returns the host's path for `path` on the stick of the current object.  If the object may not use
-// the file for `use` (for instance change a file of a write-protected stick), returns "" and sets
+// the file in the way `use`, for instance because the stick is write-protected, returns "" and sets
 // errno.  A mistake in `path`, such as a path outside of /MS, also causes a finding.
 std::string HostPath(const char* path, StickUse use);
 

@@ -1,11 +1,11 @@
 // Functions that write to an open file: write(), writev(), which std::ofstream calls, fwrite(),
 // fflush() and rewind().
 //
-// These functions return to an object what the functions of the C library return.  If the host's
-// disk has not taken all bytes, for instance because it is full, the run has a finding, because
-// programs often ignore such an error.  An error of fprintf(), fputs() and the like is found later:
-// by the next fwrite(), fflush() or rewind(), by fclose() (file_hooks.cc), or by FlushStreams() if
-// the object does not close the stream.
+// These functions return to an object what the functions of the C library return.  If not all bytes
+// could be written to the host's disk, for instance because the disk is full, the run has a
+// finding, because programs often ignore such an error.  An error of fprintf(), fputs() and the
+// like is found later: by the next fwrite(), fflush() or rewind(), by fclose() (file_hooks.cc), or
+// by FlushStreams() if the object does not close the stream.
 #include <stdio.h>
 #include <sys/uio.h>
 #include <unistd.h>

@@ -24,8 +24,8 @@ struct EtherDriverGetStatisticsMsg {
 // On the robot only the network stack sends these messages; applications cannot, and the host has
 // no driver.  The messages are declared because sources of old programs name them.
 
-// The number of a user of the network card's driver, such as the network stack.  The driver gives
-// this number when the user registers.
+// The number of a client of the network card's driver; the network stack is such a client.  The
+// driver gives this number when the client registers.
 typedef longword EtherClientHandle;
 
 struct EtherDeviceInfo {

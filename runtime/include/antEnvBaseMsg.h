@@ -73,8 +73,8 @@ class antEnvMsg {
   int32 GetOperation() const { return dstOperation; }
   OID& GetSender() { return sender; }
 
-  // Returns the message with its answer to the sender; called by an object that acts as a network
-  // stack.
+  // Sends the message, which now contains the answer, back to the sender; called by an object that
+  // acts as a network stack.
   antError Reply();
 };
 
@@ -91,7 +91,7 @@ class antOperationMsg : public antEnvMsg {
     dstModule = module;
   }
 
-  // Sets the error and returns the message to the sender; called by an object that acts as a
+  // Sets the error and sends the message back to the sender; called by an object that acts as a
   // network stack.
   antError Reply(Error e) {
     error = e;

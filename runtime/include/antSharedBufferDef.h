@@ -35,7 +35,7 @@ class antSharedBuffer {
   MemoryRegionID region_;
   void* base_;     // set by Map()
   uint32 size_;    // in bytes
-  uint32 cookie_;  // the stack's number of the buffer
+  uint32 cookie_;  // the number that the network stack has given to the buffer
 };
 
 #endif  // OPENR_ANTSHAREDBUFFERDEF_H_INCLUDED

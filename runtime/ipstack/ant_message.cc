@@ -471,7 +471,7 @@ uint64_t AntMessageHash(const antEnvMsg& message, const void* data, size_t size)
   });
   hasher.AddText({static_cast<const char*>(data), size});
   const uint64_t digest = hasher.Digest();
-  return digest == 0 ? 1 : digest;  // 0 stands for "no hash" in a Message
+  return digest == 0 ? 1 : digest;  // never 0, which means "no hash" in a Message
 }
 
 }  // namespace openr_host

@@ -60,8 +60,9 @@ class Endpoint : public EventSink {
   IpStack* const stack_;
   const int32_t protocol_;  // protocol of the endpoint, a constant EndpointType_...
   const ObjectId owner_;    // the object that created the endpoint
-  // The pool: the largest number of bytes that the endpoint has sent and the network has not
-  // accepted yet; > 0.  A Send that does not fit into the pool waits.
+  // The size of the pool in bytes, > 0.  The pool limits the bytes that the network has not
+  // accepted yet (TCP), or that were sent in this frame (UDP).  A Send that does not fit into the
+  // pool waits.
   const int32_t pool_bytes_;
   bool dead_ = false;
 };

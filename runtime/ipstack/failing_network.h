@@ -45,8 +45,8 @@ class FailingNetwork : public Network {
   const std::unique_ptr<Network> inner_;
   int left_;
   const NetError error_;
-  // The socket for which this Network for tests has let one call fail on purpose, such as Send(),
-  // until Poll() reports the failure; else 0.
+  // The socket whose command has failed, until Poll() reports the failure; 0 if there is no failure
+  // to report.
   NetHandle failed_ = 0;
 };
 

@@ -179,9 +179,9 @@ void HostNetwork::Close(NetHandle handle) {
 
 void HostNetwork::Bind(NetHandle handle, uint16_t port, bool any_port) {
   const uint32_t ip = BindIp(handle);
-  // Binds the socket to address 0.0.0.0, that is, to no certain address of the host, if the stack
-  // has chosen the port.  In this case the program is a client, which must reach other hosts; a
-  // socket bound to 127.0.0.1 cannot reach them.
+  // Binds the socket to 0.0.0.0, which means all addresses of the host, if the stack has chosen the
+  // port.  In this case the program is a client, which must reach other hosts; a socket bound to
+  // 127.0.0.1 cannot reach them.
   NoteBindError(ip, udp_.Bind(handle, {any_port ? 0 : ip, port}, any_port, &events_));
 }
 

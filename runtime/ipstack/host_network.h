@@ -28,13 +28,14 @@ namespace openr_host {
 
 struct HostNetworkOptions {
   uint32_t bind_ip = 0x7f000001;  // the host's address for server ports; 0 for all interfaces
-  // Ports of the robot for which the user wants a certain port of the host.  The key is a port of
-  // the robot, the value the host's port that it must get (0: any free port).  A port without an
-  // entry keeps its number if that number is free on the host.
+  // Ports of the robot for which the user wants a certain port of the host.  The key is the port of
+  // the robot, the value is the port of the host (0: any free port).  A port without an entry keeps
+  // its number if that number is free on the host.
   std::map<uint16_t, uint16_t> tcp_ports;
   std::map<uint16_t, uint16_t> udp_ports;
-  // Pairs of an address that programs use and the host's address in its place.  If several pairs
-  // have the same address of the host, AddressMap::FromHost() chooses the program's address for it.
+  // Pairs of addresses: an address that programs use, and the host's address that replaces it.  If
+  // several pairs have the same address of the host, AddressMap::FromHost() chooses the address
+  // that programs see.
   std::vector<AddressPair> addresses;
   // Shortest time, by the clock of the host, between two searches for new connections.  With 0,
   // every Poll() searches.  A run at full speed polls much more often than connections come, so
@@ -120,9 +121,10 @@ class HostNetwork : public Network {
   const HostNetworkOptions options_;
   AddressMap addresses_;
   uint32_t ip_ = 0;
-  uint32_t bind_ip_;  // host's address for server ports at the robot's own address
-  // The addresses of the robot that the program has selected with SelectAddress() for sockets that
-  // are not bound yet.
+  // The host's address for server sockets for which SelectAddress() was not called.
+  uint32_t bind_ip_;
+  // For each socket that is not bound yet, the address of the robot that SelectAddress() has
+  // selected for this socket.
   std::map<NetHandle, uint32_t> at_;
   // The addresses of the robot, besides its own address, at which sockets are bound.  The value is
   // the address of the host that replaces the robot's address.

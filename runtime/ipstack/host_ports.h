@@ -20,20 +20,22 @@ class HostPorts {
   // the host.  If these ports are in use, too, any free port is taken.
   static constexpr int kNextPorts = 100;
 
-  // `wished` has the fixed ports that the user asked for: key is a port of the robot, value the
-  // host's port that it must get (0 means any free port).  A port without an entry keeps its number
-  // if that number is free.
+  // `wished` has the ports that the user asked for: the key is a port of the robot, the value is
+  // its port on the host (0: any free port).  A port without an entry keeps its number if that
+  // number is free.
   HostPorts(NetProtocol protocol, std::map<uint16_t, uint16_t> wished)
       : protocol_(protocol), wished_(std::move(wished)) {}
 
-  // Finds a port of the host for the robot's `port` and returns 0 or an errno.  Calls take(host
-  // port), which binds a socket and returns 0 or an errno, for these ports until it succeeds:
+  // Finds a port of the host for the robot's `port` and returns 0 or an errno.  Each call of
+  // take(host port) tries to bind a socket and returns 0 or an errno.  Calls take() for these ports
+  // until a call returns 0:
   //   1. the host's port of an earlier Bind() of `port`, else the port that the user asked for
   //      (a value of `wished`), else `port` itself;
   //   2. if that port is in use, the kNextPorts numbers above `port`;
   //   3. 0, for any free port.
-  // If the user asked for a certain port, only step 1 is done.  After success bound() must return
-  // the socket's port.  Sets `note` to a text for the user if step 1 has failed.
+  // If the user asked for a certain port, only step 1 is done.  bound() returns the port of the
+  // socket that take() has bound.  Sets `note` to a text for the user if the port of step 1 could
+  // not be bound, unless steps 2 and 3 have failed, too.
   int Bind(uint16_t port, const std::function<int(uint16_t)>& take,
            const std::function<uint16_t()>& bound, std::string* note);
 

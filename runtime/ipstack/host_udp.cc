@@ -54,8 +54,8 @@ void HostUdp::Poll(std::vector<NetworkEvent>* events) {
       NetworkEvent event;
       event.kind = NetworkEvent::Kind::kDatagram;
       event.handle = handle;
-      // Takes an error as "no datagram": it is about an earlier send (port unreachable), and in UDP
-      // a datagram may be lost without an error.
+      // Stops if no datagram waits.  Also ignores every other error: it concerns an earlier send
+      // (port unreachable), and in UDP a datagram may be lost without an error.
       if (ReceiveBytes(socket.fd, kDatagramMax, &event.bytes, &event.remote) < 0) break;
       any = true;
       events->push_back(std::move(event));

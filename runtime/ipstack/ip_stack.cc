@@ -73,7 +73,7 @@ IpStack::IpStack(std::shared_ptr<Network> network, IpStackOptions options)
   poll_entry_ = AddExtra("Poll", [this](void*) { PollNetwork(); });
 }
 
-IpStack::~IpStack() = default;  // the destructor of the network closes its sockets
+IpStack::~IpStack() = default;  // closes no sockets: the network closes them when it is deleted
 
 IpStack* IpStack::OfCurrent() {
   return t_current.object == nullptr ? nullptr : Of(t_current.system, t_current.object->robot);
@@ -289,8 +289,8 @@ void IpStack::EraseDead() {
   std::erase_if(endpoints_, [](const auto& entry) { return entry.second->dead(); });
 }
 
-// Posts the Poll message, in whose handler the stack polls the network, for the beginning of the
-// next frame (a multiple of 8 ms) if an endpoint waits for the network.
+// Posts a Poll message for the beginning of the next frame (a multiple of 8 ms) if an endpoint
+// waits for the network.  The handler of this message polls the network.
 void IpStack::KeepPolling() {
   if (poll_posted_) return;
   bool needed = false;

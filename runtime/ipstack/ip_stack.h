@@ -35,7 +35,7 @@ struct IpStackOptions {
   // The state of the network card that the functions of ERA201D1.h report.
   enum class Card { kPresent, kNoCard, kNoDriver };
 
-  std::string address;  // the robot's dotted address; "" for ETHER_IP of its WLANCONF.TXT
+  std::string address;  // the robot's address, such as "10.0.1.100"; "": ETHER_IP of WLANCONF.TXT
   Card card = Card::kPresent;
   // Pairs of an address that programs use and the host's address that replaces it.  Programs may
   // bind to AddressPair::robot of each pair, besides the robot's own address (address_config.h).
@@ -66,9 +66,9 @@ class IpStack : public CodeObject {
   // Returns the network stack of `robot`, or null if the robot has none.
   static IpStack* Of(System* system, int robot);
 
-  // Returns the number that the entry of IPStack with the documented selector `selector`
-  // (Entry_antEnv_..., 0 to 2) has on the host.  Messages contain the documented selector.  The two
-  // numbers differ, because on the host an object has DoInit to DoDestroy at 0 to 3.
+  // Converts `selector`, the documented selector of an entry of IPStack (Entry_antEnv_..., 0 to 2),
+  // to the selector of this entry on the host.  Messages contain the documented selector.  The two
+  // selectors differ, because on the host the selectors 0 to 3 belong to DoInit to DoDestroy.
   Selector EntryFor(Selector selector) const { return first_entry_ + selector; }
 
   // Returns the host's port for the robot's `port`, for messages to the user.  Returns 0 while

@@ -56,7 +56,7 @@ void LoopbackNetwork::Listen(NetHandle handle, uint16_t port) {
 
 void LoopbackNetwork::Accept(NetHandle listener, NetHandle handle) {
   const auto found = listeners_.find(listener);
-  if (found == listeners_.end()) return;  // the listener has failed, which was reported
+  if (found == listeners_.end()) return;  // an event has reported that the listener failed
   found->second.accepts.push_back(handle);
 }
 

@@ -20,8 +20,8 @@ namespace openr_host {
 
 class LoopbackNetwork;
 
-// The hub that connects all LoopbackNetworks of a test.  Has the table in which they look up the
-// names of hosts.
+// The hub that connects all LoopbackNetworks of a test.  The hub also has the table in which the
+// LoopbackNetworks look up the names of hosts.
 class LoopbackHub {
  public:
   // The hosts that LoopbackNetwork::Resolve() finds.  The key is the name of the host without a
@@ -51,7 +51,7 @@ class LoopbackNetwork : public Network {
   // Gives this host of the hub the address `ip`.  If several hosts have the same address, peers
   // reach the host that was attached last.
   void Attach(uint32_t ip) override;
-  void SelectAddress(NetHandle, uint32_t) override {}  // nothing: a host at a hub has one address
+  void SelectAddress(NetHandle, uint32_t) override {}  // a host at a hub has one address only
   void Listen(NetHandle listener, uint16_t port) override;
   void Accept(NetHandle listener, NetHandle handle) override;
   void Connect(NetHandle handle, uint16_t local_port, NetAddress remote) override;
@@ -70,8 +70,8 @@ class LoopbackNetwork : public Network {
   uint16_t HostPort(NetProtocol, uint16_t port) const override { return port; }
 
  private:
-  // The bytes that go in one direction of a connection between two LoopbackNetworks and are not
-  // read yet.
+  // Direction of a connection between two LoopbackNetworks, with the bytes that one of them has
+  // sent and the other one has not read yet.
   struct Pipe {
     std::string bytes;
     bool ended = false;  // whether the writer has ended the stream

@@ -144,9 +144,9 @@ class Network {
   // without waiting.
   virtual std::vector<NetworkEvent> Poll() = 0;
 
-  // Closes this process's copies of all sockets, so that peers notice nothing, and forgets all
-  // handles. Called in a fork of the process, which must not use the sockets of the original
-  // process.
+  // Closes this process's copies of all sockets and forgets all handles.  Peers notice nothing,
+  // because the original process keeps its sockets open.  Called in a fork of the process, which
+  // must not use the sockets of the original process.
   virtual void Forget() {}
 
   // Returns the host's port for the robot's `port`, or 0 if `port` has no port of the host.  The

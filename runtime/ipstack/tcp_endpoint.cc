@@ -188,8 +188,8 @@ void TcpEndpoint::Send(const Operation& operation) {
   send_ = accepted;
 }
 
-// Adds a finding for a Send whose size is fast on the host but slow on the robot.  The host does
-// not delay the data as the robot does, because programs must not depend on such a delay.
+// Adds a finding for a Send of a size that the host sends fast and the robot sends slowly.  The
+// host does not delay the data as the robot does, because programs must not depend on such a delay.
 void TcpEndpoint::WarnOfRobotTiming(const Operation& operation, int size) {
   if (size > kRobotFastBytes && size <= kRobotSplitBytes) {
     stack_->Warn(
@@ -297,8 +297,8 @@ void TcpEndpoint::Accepted(const NetworkEvent& event) {
   const bool welcome = (wanted_.ip == 0 || wanted_.ip == event.remote.ip) &&
                        (wanted_.port == 0 || wanted_.port == event.remote.port);
   stack_->tcp_ports().Forget(local_port_, this);
-  // Resets this connection, because the Listen of the program waits for one certain peer and
-  // another peer has connected.  Then the endpoint waits for the next connection.
+  // Resets the connection, because its peer is not the peer for which the program's Listen waits
+  // (wanted_).  Then the endpoint waits for the next connection.
   if (!welcome) {
     stack_->Drop(socket_, true);
     socket_ = stack_->Open(this);

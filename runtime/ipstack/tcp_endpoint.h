@@ -39,8 +39,8 @@ class TcpEndpoint : public Endpoint {
   // previous send, if the program has received nothing in between.  On the robot Nagle's algorithm
   // holds the next small send back until the peer acknowledges, and the peer may delay its
   // acknowledgement by kRobotAcknowledgeUs.  A send of at most kRobotSmallBytes is small.  This
-  // limit is our choice: two larger sends do not fit into the kRobotFastBytes that the robot sends
-  // at once.
+  // limit is our choice: two small sends together still fit into the kRobotFastBytes that the robot
+  // sends at once.
   static constexpr int kRobotSmallBytes = kRobotFastBytes / 2;
   static constexpr int kRobotRow = 3;
   static constexpr int64_t kRobotAcknowledgeUs = 200'000;

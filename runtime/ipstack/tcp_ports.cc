@@ -19,7 +19,7 @@ bool TcpPorts::Accept(uint16_t number, uint32_t ip, NetHandle socket, EventSink*
   if (known != ports_.end() && known->second->failed) Close(number);
   std::unique_ptr<Port>& port = ports_[number];
   if (port == nullptr) {
-    if (ports_.size() > kPortsMax) {  // the entry was added above, so size() counts it too
+    if (ports_.size() > kPortsMax) {  // size() includes the new port, added above
       ports_.erase(number);
       return false;
     }

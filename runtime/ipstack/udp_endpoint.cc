@@ -225,9 +225,9 @@ void UdpEndpoint::FinishSend() {
   Finish(&send_, UDP_SUCCESS, data, size);
 }
 
-// Returns whether a datagram from `sender` comes from the connected peer.  A program may call its
-// own robot 127.0.0.1 in Connect, but the network gives the robot's own address for a datagram that
-// the robot has sent to itself.
+// Returns whether a datagram from `sender` comes from the connected peer.  If the program has named
+// its own robot 127.0.0.1 in Connect, also accepts the robot's own address, because the network
+// gives this address for a datagram that the robot has sent to itself.
 bool UdpEndpoint::IsFromPeer(const NetAddress& sender) const {
   return sender == peer_ ||
          (IPAddress(peer_.ip).InLoop() && sender == NetAddress{stack_->address(), peer_.port});

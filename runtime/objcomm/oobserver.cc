@@ -87,8 +87,8 @@ namespace {
 // Asks the subject at `entry` to add or remove this observer, as `control` says, and waits for the
 // reply.  Returns the reply, or nullopt if the process of the subject was lost before the subject
 // has answered: the runtime then answers with an empty message.  If the subject is in the same
-// object, calls the subject's entry directly and sends no message.  The object would handle a
-// message only after this handler has ended, but this handler would wait for the reply.
+// object, calls the subject's entry directly and sends no message.  The object would not handle a
+// message before this handler has ended, so this handler would wait for the reply for ever.
 std::optional<OControlReplyMessage> AskSubject(ObserverState* state, const OServiceEntry& entry,
                                                OControlMessage* control) {
   System* const system = state->system;

@@ -299,9 +299,9 @@ namespace {
   // them again.
   for (int i = 0; i < msg.numOfData; ++i) RegionAccess::RemoveReference(msg.rcRegion[i]);
   ObserverLink* const link = state->Find(msg.observerID);
-  // Returns an error if the observer was removed from this subject after it had sent this ready.
-  // The regions that the ready gives back were released before this check, because a removed
-  // observer gives its regions back, too.
+  // Returns an error if the subject has removed the observer since the observer sent this ready.
+  // This check comes after the release of the regions, because a removed observer gives its regions
+  // back, too.
   if (link == nullptr) return oNOT_FOUND;
   if (msg.command == objcommCMD_DEASSERT_READY) {
     link->ready = -1;

@@ -194,7 +194,7 @@ uint64_t FolderStick::ContentHash() {
     // Leaves the crash record of an earlier run out of the hash of the stick, because this run does
     // not read that file.
     const bool is_crash_record = UpperCase(it->path().filename().string()) == kCrashRecord;
-    std::error_code no_file;  // is set for a dangling link, which is left out because it is no file
+    std::error_code no_file;  // the error for a dangling link, which is no file and is left out
     if (it->is_regular_file(no_file) && extension != ".BIN" && extension != ".DBG" &&
         !is_crash_record)
       names.push_back(it->path().lexically_relative(root_).string());

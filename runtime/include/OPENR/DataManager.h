@@ -7,7 +7,7 @@
 
 struct DataInfo {
   OServiceEntry subject;  // the subject that has sent the region
-  RCRegion* myRCRegion;   // the observer's own RCRegion for the memory
+  RCRegion* myRCRegion;   // the observer's own RCRegion for the memory of the region
   RCRegion* srcRCRegion;  // the subject's RCRegion, given back with the next ready
 };
 

@@ -48,7 +48,8 @@ class ODeque {
   int GetMaxSize() const { return MaxSize; }
 
  private:
-  // Returns the index in the array of the element that is `distance` places behind the first one.
+  // Returns the index in element_ that is `distance` places behind start_, the index of the first
+  // element.
   int Place(int distance) const { return (start_ + distance) % MaxSize; }
   T& None() { return none_ = T(); }
 

@@ -90,7 +90,8 @@ class OList {
   int GetMaxSize() const { return MaxSize; }
 
  private:
-  // node_[END] is the place behind the last element: it closes the list to a ring.
+  // node_[END] is the place behind the last element.  It links the last element to the first, so
+  // that the list is a ring.
   enum { END = MaxSize };
 
   struct Node {

@@ -1,5 +1,5 @@
-// A place in shared memory: a region and an offset in it.  This is an old interface; RCRegion has
-// the same fields and a count of references.
+// A place in shared memory: a region and an offset in it.  This is an old interface; new programs
+// use an RCRegion, which has the same fields and a count of references.
 #ifndef OPENR_OMEMORYLOCATOR_H_INCLUDED
 #define OPENR_OMEMORYLOCATOR_H_INCLUDED
 

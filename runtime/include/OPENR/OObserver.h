@@ -25,10 +25,10 @@ class OObserver {
   const ObserverID& GetID() const;
   const ObserverID& GetObserverID() const { return GetID(); }
 
-  // Set how each connected subject buffers notifications for this observer; called in DoInit.  One
-  // of skip + 1 notifications is kept.  Nothing is sent before `least` kept notifications are
-  // collected.  At most `most` of them wait for a ready; the oldest are dropped.  The defaults are
-  // 0, 1, 1.
+  // Set how each connected subject buffers notifications for this observer; called in DoInit.  The
+  // subject keeps one of every skip + 1 notifications and drops the others.  It sends nothing
+  // before it has kept `least` notifications.  If more than `most` kept notifications wait for a
+  // ready, the oldest is dropped.  The defaults are skip 0, least 1 and most 1.
   void SetSkip(size_t skip);
   void SetBufCtrlParam(size_t skip, size_t least, size_t most);
 

@@ -112,7 +112,7 @@ const size_t odesignkeywordNAME_MAX = 127;  // keyword in DESIGNDB.CFG
 
 // ---- frame numbers: one counter of frames of 8 ms for commands, sensors, images and sound
 
-const longword oframeMAX_NUMBER = 0x0ffffff0;  // afterwards the counter starts again
+const longword oframeMAX_NUMBER = 0x0ffffff0;  // the largest number; on the host 0 follows
 const longword oframeINVALID_NUMBER = 0xffffffff;
 
 // ---- devices

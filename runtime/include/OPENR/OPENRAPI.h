@@ -1,9 +1,10 @@
 // The functions of the robot: primitives, vectors, gains, power, files, time.
 //
 // All functions are synchronous and return a status.  Programs may call them from DoInit on, but
-// not in constructors.  Results are written through pointers.  A comment that begins with "Errors"
-// follows the functions that return these errors.  Four functions of the SDK, which make and delete
-// sensor and image vectors, are left out, because the SDK says that programs must not use them.
+// not in constructors.  Results are written through pointers.  The errors that a function returns
+// are in the comment "Errors of ..." below the function.  Four functions of the SDK, which make and
+// delete sensor and image vectors, are left out, because the SDK says that programs must not use
+// them.
 #ifndef OPENR_OPENRAPI_H_INCLUDED
 #define OPENR_OPENRAPI_H_INCLUDED
 
@@ -62,8 +63,8 @@ OStatus SetCdtVectorData(MemoryRegionID memID);
 // ---- joint gains
 //
 // In all functions but the two Get functions, `id` may be oprimitiveID_UNDEF, which means every
-// opened joint.  The order of the six numbers is: gains P, I, D, then shifts P, I, D.  A gain g
-// with the shift s acts as g * 2^(s - 16).
+// opened joint.  The six numbers of a joint are the gains P, I, D (pg, ig, dg) and the shifts P, I,
+// D (ps, is, ds).  A gain g with the shift s acts as g * 2^(s - 16).
 
 OStatus EnableJointGain(OPrimitiveID id);
 // Errors of EnableJointGain(): oINVALID_PRIMITIVE_ID, oALERT_JOINT_UNCONTROLLABLE
@@ -115,7 +116,8 @@ OStatus SetMotorPower(OPower power);
 // Stores the conditions under which the robot boots again, and then begins the shutdown.  Returns
 // before any object is stopped.
 OStatus Shutdown(const OBootCondition& bootCondition);
-OStatus GetBootCondition(OBootCondition* bootCondition);  // only `bitmap` is valid
+// Stores in `bitmap` the reason why the robot booted; the other fields then have no meaning.
+OStatus GetBootCondition(OBootCondition* bootCondition);
 OStatus GetPowerStatus(OPowerStatus* powerStatus);
 // Errors of Shutdown(), GetBootCondition() and GetPowerStatus(): oFAIL, oNOT_FOUND
 

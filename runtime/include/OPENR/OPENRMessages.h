@@ -17,8 +17,8 @@
 #include <string.h>
 
 // The type of a message of OPEN-R.  The type only describes the bytes of the message: the selector
-// decides which function receives it.  Messages between objects (ObjcommMessages.h) partly have the
-// same numbers as messages of the system.
+// decides which function receives it.  So a message between objects (ObjcommMessages.h) may have
+// the same number as a message of the system.
 typedef longword OMessageType;
 const OMessageType OMessageSystemBase = 0;
 const OMessageType OMessageRoboticBase = 1024;

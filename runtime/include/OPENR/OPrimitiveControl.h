@@ -32,12 +32,13 @@ const OPrimitiveRequest oprmreqSPEAKER_GET_SOUND_TYPE = 132;  // result: Speaker
 const OPrimitiveRequest oprmreqSPEAKER_SET_VOLUME_MIDI = 133;
 const OPrimitiveRequest oprmreqSPEAKER_MASTER_TUNING_MIDI = 134;  // parameter: MasterTuningMIDI
 
-// A volume, in two's complement of 16 bits with 0x100 for each dB.
+// A volume in dB: a two's complement number of 16 bits, in which 0x100 is 1 dB.  The volumes below
+// are negative; 0 is louder than all of them.
 typedef longword OSpeakerVolume;
 const OSpeakerVolume ospkvolinfdB = 0x8000;  // makes the speaker silent
 const OSpeakerVolume ospkvol25dB = 0xe700;   // -25 dB
 const OSpeakerVolume ospkvol18dB = 0xee00;
-const OSpeakerVolume ospkvol10dB = 0xf600;  // the largest volume for which the circuit is made
+const OSpeakerVolume ospkvol10dB = 0xf600;  // -10 dB; louder volumes may damage the robot's circuit
 
 struct OPrimitiveControl_SpeakerVolume {
   OSpeakerVolume volume;

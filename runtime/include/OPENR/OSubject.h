@@ -42,8 +42,8 @@ class OSubject {
 
   // Append data to the next notification for every observer, or for one observer.  The functions
   // with `buf` copy the data; the other functions share the data and add one reference for each
-  // observer.  A notification holds at most 13 data.  If it has 13 data already, SetData() drops
-  // the oldest of them and returns oFATAL (28).
+  // observer.  A notification holds at most 13 data items.  If it has 13 items already, SetData()
+  // drops the oldest item, adds the new item and returns oFATAL (28).
   OStatus SetData(const void* buf, size_t size);
   OStatus SetData(RCRegion* region);
   OStatus SetData(const OShmPtrBase& ptr);
@@ -90,17 +90,18 @@ class OSubject {
   // Finds an observer of this subject by its id; returns end() if the id is unknown.
   ObserverConstIterator FindObserver(const ObserverID& id) const;
 
-  // Return the number of observers of this subject that are ready.  IsAllReady() returns 0 while
-  // ReadyStatus() of any observer is 0.
+  // IsAnyReady(), and IsReady() without an argument, return the number of observers that are ready.
+  // IsAllReady() returns the same number, but 0 while ReadyStatus() of any observer is 0.
+  // IsReady() of one observer returns 1 if this observer is ready, else 0.
   int IsAllReady() const;
   int IsAnyReady() const;
   int IsReady() const { return IsAnyReady(); }
   int IsReady(const ObserverID& id) const;
   int IsReady(const OObserverInfo& info) const { return IsReady(info.GetObserverID()); }
 
-  // Returns > 0 if the observer is ready, < 0 if it has deasserted ready.  Returns 0 if the
-  // observer has not asserted ready since the last data were sent to it, or not at all, or if the
-  // id is unknown.
+  // Returns > 0 if the observer is ready, < 0 if it has deasserted ready.  Returns 0 if the id is
+  // unknown, or if the observer has neither asserted nor deasserted ready since it was connected or
+  // since the last data were sent to it.
   int ReadyStatus(const ObserverID& id) const;
   int ReadyStatus(const OObserverInfo& info) const { return ReadyStatus(info.GetObserverID()); }
 

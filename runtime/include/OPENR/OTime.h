@@ -30,7 +30,7 @@ class OTime {
   time_t GetLocalTime() const;
   sbyte GetTimeDif() const { return timeDif_; }
 
-  // Compare the moments; the time zone (its difference to universal time) is ignored.
+  // Compare only the clocks; the time difference is ignored.
   bool operator<(const OTime& other) const { return clock_ < other.clock_; }
   bool operator<=(const OTime& other) const { return clock_ <= other.clock_; }
   bool operator>(const OTime& other) const { return clock_ > other.clock_; }

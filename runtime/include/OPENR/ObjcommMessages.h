@@ -81,7 +81,7 @@ struct OReadyMessage {
 
 // A data item of a notification: a region that a subject sends to an observer.
 struct TransferedData {
-  RCRegion* srcRCR;  // the subject's own RCRegion for the memory
+  RCRegion* srcRCR;  // the subject's own RCRegion, not the observer's
   MemoryRegionID memID;
   unsigned int offset;  // in bytes
   size_t size;          // in bytes
@@ -134,7 +134,7 @@ struct ONotifyMessageV10 {
   SubjectID subjectID;
   int numOfData;
   unsigned int dataSize;  // number of bytes of `data` in use
-  char data[236];         // a sequence of chunks
+  char data[236];         // the data items, each an OChunkMSG or an OChunkSHM
 };
 
 // The two forms of a data item in an ONotifyMessageV10, an older notification that the host does

@@ -14,8 +14,9 @@
 // form of the ready, which the host does not send.
 const int objcommMAX_NUM_UNLOCK = 29;
 
-// The id of a subject has its object and its Ready selector; the id of an observer has its object
-// and its Notify selector.  The two kinds of ids have the same C++ type.
+// The id of a subject consists of its object and the selector of its Ready entry; the id of an
+// observer consists of its object and the selector of its Notify entry.  The two kinds of ids have
+// the same C++ type.
 typedef OServiceEntry SubjectID;
 typedef OServiceEntry ObserverID;
 

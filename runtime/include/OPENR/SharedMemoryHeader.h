@@ -5,9 +5,9 @@
 
 #include <Types.h>
 
-// The header at the start of shared memory, 16 bytes on the robot.  There an ODataVectorInfo begins
-// with the same four fields.  On a 64-bit host the two structs differ, because physAddr is a larger
-// pointer here.
+// The header at the start of shared memory, 16 bytes on the robot.  On the robot, an
+// ODataVectorInfo begins with the same four fields.  On a 64-bit host the two structs differ,
+// because the pointer physAddr of this header has 64 bits.
 struct SharedMemoryHeader {
   MemoryRegionID memID;
   void* physAddr;

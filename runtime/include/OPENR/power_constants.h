@@ -28,7 +28,7 @@ const longword orsbREGISTER_UPDATED_BY_STATION = 0x00040000;
 const longword orsbRTC_ERROR = 0x00080000;
 const longword orsbRTC_OVERFLOW = 0x00100000;
 const longword orsbRTC_RESET = 0x00200000;
-const longword orsbRTC_SET = 0x00400000;  // reported once and then cleared
+const longword orsbRTC_SET = 0x00400000;  // the robot clears this bit after one report
 const longword orsbSPECIAL_MODE = 0x00800000;
 const longword orsbBMN_DEBUG_MODE = 0x01000000;
 const longword orsbCHARGER_STATUS = 0x02000000;
@@ -66,10 +66,10 @@ const longword obsecUNKNOWN = 7;
 // ---- fields of the filter of OPENR::ObservePowerStatus()
 //
 // Each bit that is set in robotStatus and batteryStatus of the filter requests a message whenever
-// that bit changes.  For each of the four numbers (remainingCapacity, temperature, timeDif,
-// volume), the filter has one of the values below, or any other value.  Any other value requests a
-// message as soon as the number has become equal to this value.  Voltage, current and full capacity
-// cannot be observed.
+// that bit changes.  Each of the four numbers (remainingCapacity, temperature, timeDif, volume) of
+// the filter requests a message for every change, or no message, by one of the constants below.
+// Any other number requests a message when the status reaches this number.  Voltage, current and
+// full capacity cannot be observed.
 
 const word opsoREMAINING_CAPACITY_NOTIFY_EVERY_CHANGE = 0xffff;
 const word opsoREMAINING_CAPACITY_NOT_NOTIFY = 0xfffe;

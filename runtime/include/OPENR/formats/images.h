@@ -29,7 +29,7 @@ struct OFbkImageInfo {
 
 struct OFbkImageVectorData {
   ODataVectorInfo vectorInfo;
-  OFbkImageInfo info[1];  // really has vectorInfo.maxNumData elements, by layer
+  OFbkImageInfo info[1];  // really has vectorInfo.maxNumData elements, one for each layer
 
   void SetPrimitiveID(OPrimitiveID id) {
     for (size_t i = 0; i < ofbkimageNUM_LAYERS; i++) GetInfo(static_cast<int>(i))->primitiveID = id;

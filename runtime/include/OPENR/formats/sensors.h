@@ -107,7 +107,7 @@ struct OSwitchStatus {
 struct OJointValue {
   slongword value;     // measured angle, 10^-6 rad
   word signal;         // raw reading of the potentiometer, 10 bits
-  sword pwmDuty;       // requested drive of the motor, which is limited to +-255
+  sword pwmDuty;       // requested motor drive; may exceed +-255, the motor's limit
   slongword refValue;  // set point at the time of the sample, 10^-6 rad
   word refSignal;      // the set point as a raw reading
   word padding[1];

@@ -25,10 +25,10 @@ const OSoundChannel osoundchannelSTEREO = 2;
 struct OSoundInfo {
   ODataType type;            // the type odataSOUND; some programs write odataSOUND_VECTOR
   OPrimitiveID primitiveID;  // the speaker or the microphone
-  longword frameNumber;      // the frame of the first output, or of the recording
+  longword frameNumber;      // frame in which the output or the recording began
   longword frameSize;        // size of a sound frame in bytes
   longword dataOffset;       // offset in bytes from the start of the vector
-  longword maxDataSize;      // largest value of dataSize
+  longword maxDataSize;      // number of bytes of memory for the sound
   longword dataSize;         // number of bytes in use
   OSoundFormat format;
   OSoundChannel channel;
