@@ -11,10 +11,10 @@
 #include "openr/commands/commands.h"
 
 int main(int argc, char** argv) {
-  // Makes Mesa draw pictures without threads of its own: if a thread could not be made for lack of
-  // memory, Mesa would wait without end, and a copy of this process, made by fork(), would not have
-  // the threads.  The pictures are the same.  Set here, because later other threads may read the
-  // environment.
+  // Makes Mesa draw pictures without threads of its own.  The pictures are the same.  With threads,
+  // Mesa would wait without end for a thread that could not be made for lack of memory, or for a
+  // thread that a copy of this process, made by fork(), does not have.  Calls setenv() before the
+  // program has other threads, because they may read the environment.
   setenv("LP_NUM_THREADS", "0", 0);
   openr_host::PrepareStandardStreams();
   return openr_host::FinishStandardOutput(openr_host::RunProgram(argc, argv), "openr");

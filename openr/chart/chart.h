@@ -21,7 +21,7 @@ struct Curve {
   // Name of the curve in the legend.  If several curves have the same label, the legend shows this
   // label only once.
   std::string label;
-  std::vector<double> x, y;  // coordinates of the points of the curve; x rises
+  std::vector<double> x, y;  // coordinates of the points of the curve, in ascending order of x
 };
 
 struct Panel {

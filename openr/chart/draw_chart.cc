@@ -25,8 +25,8 @@ constexpr double kAxisLabelRoom = 22;
 constexpr double kFootRoom = 52;   // height below the last row of diagrams
 constexpr double kPngScale = 1.5;  // pixels per unit of a picture in a PNG file
 
-// Most characters of a text that are measured to see how many fit into its room.  No room of a
-// chart is wide enough for more.
+// Largest number of characters that Shortened() keeps of a text.  Shortened() does not measure
+// longer texts, because no space in a chart is wide enough for them.
 constexpr size_t kShownMax = 400;
 
 struct Rgb {
@@ -326,7 +326,7 @@ class Painter {
   }
 
   static std::string Number(double value, int decimals) {
-    char text[128];  // a number up to 1e100 has at most 101 digits before the point
+    char text[128];  // large enough: a number up to 1e100 has at most 101 digits before the point
     std::snprintf(text, sizeof text, "%.*f", decimals, value == 0 ? 0.0 : value);
     return text;
   }

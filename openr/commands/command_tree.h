@@ -42,7 +42,7 @@ struct CommandInfo {
   std::string path;  // the words that call the command, such as "openr rc mtn play"
   std::string name;  // the last word of `path`, such as "play"
   std::string description;
-  std::string footer;  // the last part of the help: the examples, and lists of words
+  std::string footer;  // the last part of the help: examples, and for openr explore the properties
   std::vector<OptionInfo> positionals;
   std::vector<OptionInfo> options;
   bool takes_input = false;  // true: the words of an input (docs/inputs.md) follow the positionals

@@ -14,9 +14,9 @@ namespace openr_host {
 // code.
 int RunProgram(int argc, char** argv);
 
-// Adds the command `wanted`, the first word of the command line, to `app`, with its help.  Adds all
-// commands if `wanted` is "" or no name of a command, or if it is a command that describes the
-// other commands, such as "help".
+// Adds the command `wanted`, the first word of the command line, to `app`.  Adds all commands if
+// `wanted` is "", is not the name of a command, or is a command that describes the other commands,
+// such as "help".  Also prepares the help of `app` and of the added commands.
 void DescribeProgram(CLI::App* app, int* exit_code, std::string_view wanted);
 
 void AddRunCommand(CLI::App* app, int* exit_code);

@@ -93,7 +93,7 @@ void CheckRobots(const SimulationOptions& options) {
 
 void AddCostFlag(CLI::App* command, SimulationOptions* options) {
   const auto check = [](const std::string& name) {
-    // Checks a copy of `name`, because a check of CLI11 may change the text that it gets.
+    // Checks a copy of `name`, because a CLI::Validator may change the text that it checks.
     std::string checked = name;
     return name == "zero" ? "" : IsDataFile("--cost", kCostFile)(checked);
   };

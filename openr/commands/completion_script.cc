@@ -69,8 +69,8 @@ void AddPaths(const CommandInfo& command, std::vector<std::string>* patterns) {
 }
 
 // Returns the argument of _openr_files, the function of the bash script that completes names of
-// files: "-d" for folders, "-f" for files.  Returns "" if the value of an option of the kind
-// `value` is no file and no folder.
+// files, for an option whose value has the kind `value`: "-d" for a folder, "-f" for a file or a
+// world.  Returns "" for all other kinds, because their values are not names of files.
 const char* KindOf(Value value) {
   if (value == Value::kFolder) return "-d";
   return value == Value::kFile || value == Value::kWorld ? "-f" : "";

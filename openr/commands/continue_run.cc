@@ -95,9 +95,9 @@ class ContinuedRun {
     if (recorder_ != nullptr) recorder_->RecordNetworks(simulation);
   }
 
-  // Returns the folder of the Memory Stick for the replay, which then uses a copy of this stick.
-  // This is the folder that the user has given; without such a folder, the folder with which the
-  // run was recorded.
+  // Returns the folder of the Memory Stick of which the replay uses a copy.  This is the folder
+  // that the user has given.  If the user has given none, it is the folder with which the run was
+  // recorded.
   std::string StickName() const {
     if (!options_.replay.stick.empty()) return options_.replay.stick;
     return TraceReader(options_.replay.file).header().stick;

@@ -105,8 +105,8 @@ int (*LoadController(const ControllerFlags& flags))() {
 
 int Run(const ControllerFlags& flags) {
   // Loads libopenr_controller.so before the controller's library, which is linked with
-  // libopenr_controller.so and names no folder for it.  So the dynamic linker finds
-  // libopenr_controller.so only if it is already loaded.
+  // libopenr_controller.so but has no path (rpath) to the folder of this file.  So the dynamic
+  // linker finds libopenr_controller.so only if this file is already loaded.
   auto* const run = Load<RunController>(ControllerLibrary(), kRunControllerName);
   auto* const controller_main = LoadController(flags);
   if (controller_main == nullptr) return kExitWrong;

@@ -26,17 +26,17 @@ class DistributedRun {
   // Starts the worker processes of this host, which run the objects that `placement` gives them.
   // The workers read the Memory Stick `stick`, and a worker ends when a handler uses more than
   // `handler_limit_us` of processor time.  `interrupts` counts how often the user has pressed
-  // Ctrl-C, and must outlive this object.  Throws CLI::ValidationError for wrong flags,
-  // std::runtime_error when DDS, the network to the other processes, fails.
+  // Ctrl-C, and must outlive this object.  Throws CLI::ValidationError if the flags are wrong, and
+  // std::runtime_error if DDS, the network to the other processes, fails.
   DistributedRun(const PlacementFlags& placement, const Ros2Flags& ros2, const RunStick& stick,
                  int64_t handler_limit_us, const InterruptCounter* interrupts);
 
   bool has_processes() const { return workers_ != nullptr; }
 
-  // Changes `options`, from which the caller then makes the simulation.  Adds functions that make
-  // stand-ins for the objects in the workers.  With --ros2, also adds a JointClient to each robot's
-  // network; the JointClient sends the commands of ROS 2 to the robot.  `say` prints messages about
-  // ROS 2 for the user.
+  // Changes `options`, from which the caller then makes the simulation.  Adds functions that make a
+  // stand-in for each object that runs in a worker.  With --ros2, also adds a JointClient to each
+  // robot's network; the JointClient sends the commands of ROS 2 to the robot.  `say` prints
+  // messages about ROS 2 for the user.
   void ChangeOptions(SimulationOptions* options, const Ros2Link::Say& say);
 
   // Throws std::runtime_error if the flags --place, --placement or --isolate name an object that

@@ -146,9 +146,10 @@ std::vector<std::string> WordsOf(const std::string& text) {
 
 // Returns the lease of the workers that this run starts: the seconds without a sign of life after
 // which a worker counts as dead.  The lease is the value of --dds-lease.  Without this flag the
-// lease is long, but short with --restart, because DDS keeps data for a dead worker until its lease
-// is over, which makes the restart slow (bus.h).  A worker under a debugger (--wrap) gets the long
-// lease also with --restart, because the user may stop the worker for long.
+// lease is long.  With --restart it is shorter, because DDS keeps data for a dead worker until the
+// lease of this worker is over, and these data slow down the restart (bus.h).  A worker under a
+// debugger (--wrap) keeps the long lease even with --restart, because the user may stop the worker
+// for long.
 int WatchedLease(const PlacementFlags& flags) {
   if (flags.bus.lease_s != 0) return flags.bus.lease_s;
   return flags.restarts > 0 && flags.wrapper.empty() ? kReturningLease_s : kWatchedLease_s;
@@ -174,9 +175,10 @@ std::unique_ptr<WorkerGroup> MakeWorkerGroup(const PlacementFlags& flags, const 
   if (options.bus.run.empty())
     options.bus.run = options.placement.host_of.empty() ? UniqueRunName() : "openr";
   const int watched_s = WatchedLease(flags);
-  // Sets the lease to `watched_s` only if all workers are on this host, because the run notices
-  // their end also without a lease.  The end of a worker on another host is noticed only when its
-  // lease is over, so the lease of --dds-lease, which is short by default, stays.
+  // Gives this process the lease `watched_s` only if this run starts all workers, because these
+  // workers end together with this process (--child-of).  A worker on another host notices a crash
+  // of this process only when the lease of this process is over.  So with such a worker, the lease
+  // is the value of --dds-lease, which is short by default.
   if (options.placement.host_of.empty()) options.bus.lease_s = watched_s;
   for (const auto& [process, host] : options.placement.host_of) options.bus.peers.push_back(host);
   options.stick = std::filesystem::absolute(stick.folder()).lexically_normal();

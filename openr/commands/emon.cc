@@ -33,8 +33,8 @@ struct EmonFlags {
   bool is_json = false;
 };
 
-// Returns the part of a run's crash record that people read, with functions and lines; "" for the
-// crash record of a robot.  This part ends where the part in the form of a robot's record begins.
+// Returns the first part of a run's crash record: a text for people, with functions and lines.  The
+// second part has the form of a robot's crash record.  Returns "" if a robot has written `record`.
 std::string TextOfRun(const std::string& record) {
   if (!record.starts_with(kOwnRecord)) return "";
   return record.substr(0, record.find(kRobotRecordBegin));

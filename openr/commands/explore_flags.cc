@@ -19,7 +19,7 @@ constexpr uint64_t kRunsMax = 1'000'000'000;
 // Checks `name`, a value of --property.  A value with a space is itself the text of a property.  A
 // value without a space but with a dot or a slash is a file, because the names of built-in
 // properties have no dot and no slash.  Throws CLI::ParseError if the value is a file that cannot
-// be read; else returns "".
+// be read.  Otherwise returns "", so that CLI11 accepts the value.
 std::string CheckProperty(const std::string& name) {
   const bool is_line = name.find(' ') != std::string::npos;
   if (is_line || name.find_first_of("./") == std::string::npos) return "";

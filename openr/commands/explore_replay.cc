@@ -49,8 +49,8 @@ int ShowFailure(const ExploreFlags& flags, const ExploredStick& stick, uint64_t 
 
 bool RecordFailure(const ExploreFlags& flags, const ExploredStick& stick, uint64_t seed,
                    const Json& deviations, const Json& answer) {
-  // Does not repeat a run that was killed because it did not end: here it might not end, either,
-  // and its recording would fill the disk.
+  // Does not repeat a run that was killed because it did not end.  The repeated run might not end
+  // either, and its recording would fill the disk.
   if (answer.contains(kNotEnded)) {
     fmt::print(stderr, "openr explore: no recording: {}\n",
                answer["broken"]["text"].get<std::string>());

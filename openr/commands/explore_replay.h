@@ -1,4 +1,5 @@
-// The part of openr explore that repeats a failing run: from a schedule file, or to record it.
+// The part of openr explore that repeats a failing run: to check a schedule file, or to write the
+// recording of the run.
 #pragma once
 
 #include <cstdint>

@@ -50,7 +50,7 @@ std::string JoinedStickProblem(const std::string& folder) {
 
 // Exit codes of a child process that runs a worker for --restart.
 constexpr int kRefused = 3;         // the run refuses this version or stick; a restart cannot help
-constexpr int kOffline = 4;         // the worker threw an exception, usually without a network
+constexpr int kOffline = 4;         // the worker threw an exception, usually for lack of a network
 constexpr int kNeedsSanitizer = 5;  // the run's objects need the library of AddressSanitizer
 
 // Makes this worker process end when its parent process `parent` ends, even by a crash.  The parent
@@ -132,8 +132,8 @@ struct Outcome {
 
 // Runs a worker until the run or the user ends it.  When Work() returns, the worker has told the
 // run that it leaves.  Throws an exception if the worker cannot be made, usually because there is
-// no network.  `is_known` says that an earlier worker failed for the same reason; then the errors
-// that DDS prints are discarded, because the user knows them.
+// no network.  If `is_known`, discards the errors that DDS prints while the worker is made, because
+// an earlier worker, which could not be made either, has printed these errors already.
 Outcome Work(const WorkerOptions& options, bool is_known) {
   std::optional<Worker> worker;
   {
@@ -172,15 +172,15 @@ class JoinedWorker {
   JoinedWorker(const JoinedWorker&) = delete;
   JoinedWorker& operator=(const JoinedWorker&) = delete;
 
-  // Runs the worker until the run or the user ends it.  Returns the exit code.  If `is_known`, an
-  // earlier worker has failed for the same reason.  If the run's objects need the library of
-  // AddressSanitizer, which this process lacks, starts this program again.  But if the caller gives
-  // `sanitized_stick`, sets `*sanitized_stick` to the path of the run's stick instead, and returns
-  // kNeedsSanitizer.
+  // Runs the worker until the run or the user ends it.  Returns the exit code.  If `is_known`,
+  // discards the errors that DDS prints while the worker is made (Work()).  If the run's objects
+  // need the library of AddressSanitizer, which this process lacks, starts this program again.  But
+  // if the caller gives `sanitized_stick`, sets `*sanitized_stick` to the path of the run's stick
+  // instead, and returns kNeedsSanitizer.
   int Run(bool is_known = false, std::string* sanitized_stick = nullptr);
 
  private:
-  // Returns whether a run has started this worker, and not a user.
+  // Returns true if a run has started this worker, and false if a user has started it.
   bool is_child() const { return flags_.parent != 0; }
   std::string StickProblem(const std::string& stick);
   void Begin(const std::string& stick);
@@ -291,7 +291,9 @@ int JoinInChild(const JoinFlags& flags, bool is_known, pid_t* child, std::string
   if (g_ended_by != 0) kill(*child, SIGTERM);
   const int status = WaitForEnd(*child);
   g_child = 0;
-  char path[PATH_MAX];  // path of the stick's folder; a pipe has room for PATH_MAX bytes
+  // The child can write the path of the stick's folder before this process reads the path, because
+  // a pipe has room for PATH_MAX bytes.
+  char path[PATH_MAX];
   const ssize_t size = read(ends[0], path, sizeof path);
   stick->assign(path, static_cast<size_t>(std::max<ssize_t>(size, 0)));
   close(ends[0]);
@@ -312,8 +314,8 @@ int JoinWithRestarts(const JoinFlags& flags) {
     const int status = JoinInChild(flags, is_offline, &child, &stick);
     const int code = ExitCodeOf(status);
     if (code == kExitGood) return kExitGood;
-    // Starts this process and not its child again with the library of AddressSanitizer, because
-    // this process goes on to start workers.
+    // Starts this process, and not only a child, again with the library of AddressSanitizer,
+    // because all later workers are copies of this process.
     if (code == kNeedsSanitizer) StartWithSanitizerOf(stick);
     if (code == kRefused || (code == kOffline && is_first)) return kExitWrong;
     if (g_ended_by != 0) EndBySignal();

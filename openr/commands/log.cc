@@ -96,7 +96,7 @@ int CountOf(const LogFile& log, LogGroup group) {
   return count;
 }
 
-// Returns the name of the kind of motion log, as Hohl 2004 uses it in section 3.3.6.  The kind
+// Returns the name that Hohl 2004, section 3.3.6, gives to this kind of motion log.  The kind
 // depends on the numbers of key frames with measured and with simulated values.
 const char* CaseOf(int measured, int simulated) {
   if (measured > 0 && simulated > 0) return "synchronised play-back";
@@ -258,9 +258,8 @@ Comparison CompareWithin(const LogFlags& flags) {
 void WarnIfMotionsDiffer(const TimedLog& first, const TimedLog& second) {
   const std::vector<const JointConstants*> joints = LoggedJoints(*first.log.robot);
   const size_t count = std::min(first.log.records.size(), second.log.records.size());
-  // Skips the first record of each log, because the robot got the commanded positions of this
-  // record before the motion began.  So these positions may differ even if the motions are the
-  // same.
+  // Skips the first record of each log.  Its commanded positions are from before the motion, so
+  // they may differ even if the motions are the same.
   for (size_t i = 1; i < count; ++i) {
     const LogRecord& a = first.log.records[i];
     const LogRecord& b = second.log.records[i];

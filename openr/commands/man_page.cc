@@ -10,8 +10,9 @@
 namespace openr_host {
 namespace {
 
-// Returns `text` with escapes, so that man(7) shows it unchanged.  No line of the result is taken
-// for a command of man(7), and '-' stays the character that can be copied as part of a flag.
+// Returns `text` with escapes, so that man(7) shows the text unchanged.  Without escapes, a line
+// that begins with a dot would be a command of man(7), and '-' could become a hyphen, which does
+// not work in a flag that the user copies.
 std::string Plain(const std::string& text) {
   std::string plain;
   bool begins_line = true;

@@ -262,7 +262,7 @@ std::vector<std::string> RunConsole::WordsOf(const std::string& usage,
     } else if (word == "FAULT") {
       add(Faults::Names());
     } else if (std::islower(static_cast<unsigned char>(word[0])) != 0) {
-      words.push_back(word);  // a word that the user types exactly so, such as "for"
+      words.push_back(word);  // a word that the user types unchanged, such as "for"
     }
   }
   return words;
@@ -309,8 +309,8 @@ void AddPokeCommand(CLI::App* app, int* exit_code) {
       "poke", "Gives a run an input: openr poke RUN press chin for 300ms; without one, lists them");
   auto flags = std::make_shared<LiveFlags>();
   AddLiveFlags(command, flags.get());
-  // Takes the words after the command as they are, because CLI11 would take the number -5 in "push
-  // 0 -5 0" for a flag.
+  // Leaves the words of the input unparsed, because CLI11 would read the number -5 in "push 0 -5 0"
+  // as a flag.
   command->prefix_command();
   command->callback(
       [command, flags, exit_code] { *exit_code = RunPoke(*flags, command->remaining()); });

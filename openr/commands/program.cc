@@ -59,7 +59,7 @@ void PrintFailure(const std::string& why, bool as_json) {
 }
 
 // Prints the help or the version that the user has asked for, and returns the exit code.  CLI11
-// tells of such a request by an exception, `error`, with exit code 0.
+// reports such a request by throwing `error`, an exception with exit code 0.
 int PrintAskedFor(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
   std::ostringstream text;
   const int exit_code = app.exit(error, text, text);
@@ -116,8 +116,8 @@ int RunProgram(int argc, char** argv) {
     PrintFailure(Explain(error), as_json);
     return kExitWrong;
   } catch (const std::system_error& error) {
-    // Reports that the answer of the command is lost if standard output has an error, because
-    // fmt::print() has then thrown `error`.
+    // If standard output has an error, fmt::print() has thrown `error`, because the answer of the
+    // command could not be written.  So NoteLostAnswer() reports that the answer is lost.
     if (std::ferror(stdout) != 0) {
       NoteLostAnswer(error.code().value());
     } else {

@@ -119,7 +119,7 @@ class RcCommands {
         "File with the token that openr run --listen asks for; with --with it is sent to both");
     rc_->add_flag("--json", flags_->json, "One JSON object per answer");
     rc_->require_subcommand(1);
-    // Lets the flags of `rc` also stand behind its commands, as in "rc HOST info --json".
+    // Accepts the flags of `rc` also after the name of its command, as in "rc HOST info --json".
     rc_->fallthrough();
   }
 

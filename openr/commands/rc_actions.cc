@@ -138,7 +138,7 @@ void RcSensorsAction(remote::Connection* robot, const RcFlags& flags) {
     const remote::Sensors sensors = robot->GetSensors();
     Say(flags, robot->frame(), format.ToJson(sensors), format.ToText(sensors));
     if (!flags.watch) return;
-    // Does not call usleep(), whose 32 bits hold no more than 71 minutes.
+    // Does not call usleep(), whose argument of 32 bits cannot express more than 71 minutes.
     std::this_thread::sleep_for(std::chrono::microseconds(flags.every_us));
   }
 }

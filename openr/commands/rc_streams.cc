@@ -67,7 +67,7 @@ class SetValueFormat {
 };
 
 // Prints `event`.  Also prints how many times the robot left out the values of the stream between
-// the event before and `event`.
+// the previous event and `event`.
 void PrintEvent(const RcFlags& flags, const remote::Event& event, Json json, std::string text) {
   if (event.left_out > 0) text += fmt::format("\n  {} left out before", event.left_out);
   json["left_out"] = event.left_out;

@@ -45,7 +45,7 @@ constexpr size_t kFindingsPrinted = 20;
 struct RunningCopy {
   int robot = 0;
   ProcessCopy process;
-  std::string said;  // the part of its report that the robot's process has sent so far
+  std::string said;  // the part of the report that the robot's process has sent so far
 };
 
 // Reads the data that `copy`, the process of one robot, has sent.  Does not wait for more data.
@@ -333,7 +333,7 @@ Json RobotJobs::Merge(double wall_time_s) {
     Json robot = report["robots"][0];
     robot["number"] = i;
     robot["ended_by"] = report["ended_by"];
-    robot["rc_port"] = 0;  // the robot's port is only in the robot's own network
+    robot["rc_port"] = 0;  // 0, because only the robot's own network has this port
     for (const char* const key : {"messages", "state_hash", "trace_hash"}) robot[key] = report[key];
     state.AddText(report["state_hash"].get<std::string>());
     trace.AddText(report["trace_hash"].get<std::string>());

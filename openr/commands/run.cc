@@ -68,7 +68,7 @@ bool Answer(const std::string& text) {
     PrintAnswer(text);
     return true;
   } catch (const ReaderGone&) {
-    return true;  // nobody reads the answer, but the files of the run are still to be written
+    return true;  // goes on without a reader, because the files of the run must still be written
   } catch (const std::exception& error) {
     return IsGood(error.what());
   }
@@ -201,7 +201,7 @@ class CommandedRun {
   MessageHistory history_;
   LiveEvents live_events_;
   const LiveContext live_context_;
-  bool is_silent_ = false;     // true: this process is a copy of the run, so it prints nothing
+  bool is_silent_ = false;     // true: a checkpoint or a view, which prints nothing
   bool is_assembled_ = false;  // true: `simulation_` has been assembled
   bool boots_ = false;
   RunFacts facts_;
@@ -299,9 +299,10 @@ std::string CommandedRun::ReasonNotRewindable() const {
   return "";
 }
 
-// Returns the entries by which a replay restores the files `changed`, which the first run has
-// changed on its stick, before it replays the recording of a branch.  A replay undoes the last
-// entry first, so the entry of a file comes before the entry of the folder around it.
+// Returns entries for the recording of a branch, with the original content of the files `changed`,
+// which the first run has changed on its stick.  A replay of the branch first restores these files.
+// The replay begins with the last entry, so the entry of a folder is behind the entries of the
+// files in this folder.
 std::vector<TraceEntry> EntriesOf(const SavedStick& changed) {
   std::vector<TraceEntry> entries;
   for (auto file = changed.files().rbegin(); file != changed.files().rend(); ++file) {
@@ -439,9 +440,9 @@ bool CommandedRun::Report() {
   if (!boots_ && !is_stopped) fmt::print(stderr, "openr: the robot does not boot\n");
   EndConsoleLine();
   nlohmann::ordered_json report = MakeReport(&simulation_, facts_);
-  // Writes the bytes that still wait in the buffers of objects' open files.  Does so only after the
-  // state hash was computed, because this hash contains the files of the stick, and a replay of the
-  // run does not write such bytes.
+  // Writes the bytes that still wait in the buffers of objects' open files, but only after
+  // MakeReport() has computed the state hash.  This hash contains the files of the stick, and a
+  // replay does not write these bytes.  So with them the hash of a replay would differ.
   for (const auto& object : system().objects()) {
     if (object != nullptr) FlushStreams(object.get());
   }
@@ -467,8 +468,8 @@ int RunJobs(const RunFlags& flags) {
   return WriteReport(report, flags) && is_good ? kExitGood : kExitWrong;
 }
 
-// Prints a note if the run uses the default stick although the current folder has a stick (MS), as
-// `openr new` makes it.  The user may expect that the run uses the stick of this folder.
+// Prints a note if the run uses the default stick although the current folder has a stick with the
+// name MS, which `openr new` creates.  The user may expect that the run uses the stick MS.
 void NoteOwnStick(const SimulationOptions& options) {
   if (options.stick.empty() && HoldsOpenR("MS"))
     fmt::print(stderr,

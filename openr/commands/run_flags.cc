@@ -124,8 +124,8 @@ void DescribeOutput(CLI::App* command, RunFlags* flags) {
       ->check(IsWritable());
 }
 
-// Adds the flags of the remote control and of the web panel, and the flag --ip, which gives the
-// host's address for a network address in the code of programs.
+// Adds the flags of the remote control and of the web panel, and the flag --ip.  Each value of --ip
+// has an address that programs have in their code, and the address that this host uses instead.
 void DescribeNetwork(CLI::App* command, RunFlags* flags) {
   command
       ->add_option("--rc-port", flags->simulation.rc_port,
@@ -203,7 +203,7 @@ void CheckThatFilesDiffer(const RunFlags& flags) {
   for (const auto& [flag, file] : named) {
     // Allows /dev/null for several flags, because nothing is lost there.
     if (file.empty() || file == "-" || file == "/dev/null") continue;
-    std::error_code error;  // set for a stream such as /dev/stdout; its name is then used as it is
+    std::error_code error;  // set if `file` is a stream, such as /dev/stdout; `real` is then unused
     const std::string real = std::filesystem::weakly_canonical(file, error);
     const auto [first, is_new] = flag_of.emplace(error ? file : real, flag);
     if (!is_new) {
@@ -213,8 +213,8 @@ void CheckThatFilesDiffer(const RunFlags& flags) {
   }
 }
 
-// Throws CLI::ValidationError if a flag sends other output to standard output than the JSON object
-// of --json.
+// Throws CLI::ValidationError if --json is given and another flag also sends its output to standard
+// output.
 void CheckStandardOutput(const RunFlags& flags) {
   if (!flags.json) return;
   const std::pair<const char*, const std::string&> named[] = {

@@ -35,9 +35,9 @@ int RunServe() {
   if (!is_copy) return exit_code;
   // Writes out all streams, because _exit() does not do so.
   std::fflush(nullptr);
-  // Ends the process without exit handlers.  The exit handler of Mesa, a library that draws
-  // pictures, would wait for threads of Mesa, and a copy of a process that has drawn a picture does
-  // not have these threads.
+  // Ends the process without exit handlers.  Mesa, a library that draws pictures, may have threads
+  // if the user has set LP_NUM_THREADS (main.cc).  The exit handler of Mesa would then wait for
+  // these threads, and a copy of a process that has drawn a picture does not have them.
   _exit(exit_code);
 }
 

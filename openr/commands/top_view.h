@@ -44,7 +44,7 @@ nlohmann::ordered_json TopJson(const std::vector<RunStatusList::Run>& runs, doub
 
 // Returns `text` as a page for a terminal whose cursor is at the top left.  The page has at most
 // `rows` lines of `columns` characters; if lines are left out, the last line says how many.  Each
-// line clears the rest of its row, because the page is printed over the page before.
+// line clears the rest of its row, because the page is printed over the previous page.
 std::string OnScreen(const std::string& text, size_t rows, size_t columns);
 
 }  // namespace openr_host

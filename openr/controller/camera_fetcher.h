@@ -19,8 +19,8 @@ class CameraFetcher {
   CameraFetcher(const CameraFetcher&) = delete;
   CameraFetcher& operator=(const CameraFetcher&) = delete;
 
-  // Puts the newest picture of the camera into `*rgb`, three bytes a pixel from the top left, and
-  // returns true, if a new picture has come since the last call.
+  // If a new picture of the camera has come since the last call, puts the newest picture into
+  // `*rgb`, three bytes a pixel from the top left, and returns true.  Otherwise returns false.
   bool CopyNewPicture(std::string* rgb);
 
   // Returns the reason why no pictures come from the robot's camera; "" if no new reason has been

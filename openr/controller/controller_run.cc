@@ -69,8 +69,8 @@ class Session {
   uint32_t first_frame_ = 0, last_frame_ = 0;
 };
 
-// Waits until the robot stands.  On the robot, the main() of a controller also begins only then.
-// Returns false when Ctrl-C ends openr before.
+// Waits until the robot stands, because also on the robot the main() of a controller begins only
+// when the robot stands.  Returns false if Ctrl-C or SIGTERM ends the wait.
 bool Session::WaitForStanding() {
   const auto is_ended = [this] { return g_stops != 0 || port_.Stands(); };
   port_.ReceiveUntil(Clock::now() + std::chrono::milliseconds(100), is_ended);

@@ -61,7 +61,7 @@ void JointCommands::AddPosition(int joint, const BatchJoint& now, bool is_playin
   if ((now.flags & batchPOSITION_GIVEN) == 0 || is_playing) return;
   const Sint32 position = CdegFromUrad(now.position);
   if (!sent.is_off && sent.position == position) return;
-  // Adds a request that switches the motor on, because MOVE alone leaves a joint off
+  // Adds a request that switches the motor of the joint on, because MOVE does not switch it on
   // (docs/remote-control.md, MOTOR_ON).
   if (sent.is_off) commands->push_back({{rcMOTOR_ON, {index}}, "the motor of " + name});
   sent.is_off = false;

@@ -49,7 +49,7 @@ class RemotePort : public ControllerPort {
   // remote::Error.
   void Finish();
 
-  // Returns whether the robot stands.  Only a robot that stands takes commands.
+  // Returns whether the robot stands.  Only a robot that stands accepts commands.
   bool Stands() const;
 
   // Returns whether ControllerCore has sent the lights since the last call of TakeNewStep().

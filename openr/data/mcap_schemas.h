@@ -16,7 +16,7 @@ extern const char kImageSchema[];  // schema of foxglove.CompressedImage
 constexpr int kLogInfo = 2, kLogWarning = 3, kLogError = 4;
 
 // Returns the schema (JSON Schema, as text) of a topic of an MCAP file.  Each message of the topic
-// has a number for each of `keys`, which are names with their quotes.
+// has a number for each of `keys`, which are names as JSON strings, with quotes.
 std::string ValueSchema(const std::string& topic, const std::vector<std::string>& keys);
 
 }  // namespace openr_host

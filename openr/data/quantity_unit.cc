@@ -9,7 +9,7 @@ namespace openr_host {
 namespace {
 
 struct NamedUnit {
-  const char* ending;  // how the names of all quantities with this unit end
+  const char* ending;  // the end of the names of all quantities with this unit
   QuantityUnit unit;
 };
 constexpr NamedUnit kNamedUnits[] = {{"_deg_s", {"deg/s", 1, 4}}, {"_m_s", {"m/s", 1, 0.02}},

@@ -19,12 +19,12 @@ using chart::Look;
 
 constexpr size_t kNowhere = std::string::npos;
 constexpr size_t kPanelsMax = 60;
-// Largest time and largest value of a chart.  The span of an axis with much larger numbers is not
-// finite.
+// Largest time and largest value that a chart shows.  Points with larger numbers are left out,
+// because the span of an axis with much larger numbers would not be finite.
 constexpr double kDrawnMax = 1e100;
 
-// A group of quantities with one angle of each joint, such as the measured angle.  The quantities
-// that all groups have for one joint share a panel of the chart.
+// A group of quantities with one angle of each joint, such as the measured angle.  One panel of the
+// chart shows one joint, with its angles from all groups.
 struct AngleGroup {
   const char* begin;  // prefix of the names of the quantities in the group
   Look look;
@@ -69,9 +69,9 @@ bool IsLike(const std::string& name, const std::string& wanted) {
 constexpr QuantityUnit kAngle{"deg", 1, 4};
 
 // Returns the part of `series` in the time that `request` asks for, as a curve.  Leaves out points
-// with numbers above kDrawnMax.  If this part has more than `points_max` points, divides the time
-// into intervals and keeps only the lowest and the highest point of each interval.  So no peak is
-// lost.
+// that cannot be drawn, because their time or value is NaN or has a size above kDrawnMax.  If this
+// part has more than `points_max` points, divides the time into intervals and keeps only the lowest
+// and the highest point of each interval.  So no peak is lost.
 Curve CurveOf(const Series& series, const PlotRequest& request, size_t points_max) {
   Curve curve;
   for (size_t i = 0; i < series.values.size(); ++i) {
@@ -172,8 +172,8 @@ class ChartMaker {
                        DidYouMean(wanted, known));
   }
 
-  // Adds a quantity to the panel of the chart with the title `title`, if such a panel exists among
-  // the panels from number `first` on.  Else adds it to a new panel.
+  // Adds a quantity to the panel with the title `title`.  Looks for this panel only among the
+  // panels from number `first` on.  If there is no such panel, makes a new one at the end.
   void Add(const std::string& title, const Series* series, size_t first = 0) {
     const auto panel =
         std::find_if(panels_.begin() + static_cast<ptrdiff_t>(first), panels_.end(),
@@ -185,8 +185,8 @@ class ChartMaker {
     }
   }
 
-  // Puts the panels below each other and makes them larger if the chart has at most four panels.
-  // More panels would make one column too high.
+  // If the chart has at most four panels, puts them below each other in one column and makes them
+  // larger.  More panels stay in several columns, because one column would be too high.
   void LayOut() {
     if (panels_.size() > 4) return;
     chart_.columns = 1;
@@ -209,8 +209,8 @@ class ChartMaker {
       panel.curves.back().look = group->look;
       panel.curves.back().label = group->label;
     }
-    // Sorts the curves by their look, because the legend lists the labels in the order of the
-    // curves.
+    // Sorts the curves by their look, so that the legend lists "commanded" before "measured" and
+    // "of the body".  The legend lists the labels in the order of the curves.
     std::stable_sort(panel.curves.begin(), panel.curves.end(),
                      [](const Curve& a, const Curve& b) { return a.look < b.look; });
     chart_.panels.push_back(std::move(panel));

@@ -1,5 +1,5 @@
-// Makes charts of tables: a diagram for each quantity, or a diagram for each joint with its
-// commanded angle, its measured angle and its angle on the simulated body.
+// Makes charts of tables.  A chart has a panel (a diagram) for each quantity, or a panel for each
+// joint with its commanded angle, its measured angle and its angle on the simulated body.
 #pragma once
 
 #include <string>
@@ -19,10 +19,10 @@ struct PlotRequest {
 };
 
 // Returns the chart of the quantities that `request` asks for.  A joint has three angles: the
-// commanded angle, the measured angle, and its angle on the simulated body.  They share a diagram.
-// If the request has the whole name of an angle, such as "measured.LF_j1", this angle gets a
-// diagram of its own.  Throws std::runtime_error when the table has no quantity with a wanted name,
-// or no values in the wanted time.
+// commanded angle, the measured angle, and its angle on the simulated body.  They share a panel.
+// If the request has the whole name of an angle, such as "measured.LF_j1", this angle gets a panel
+// of its own.  Throws std::runtime_error when the table has no quantity with a wanted name, or no
+// values in the wanted time.
 chart::Chart ChartOf(const Table& table, const PlotRequest& request);
 
 }  // namespace openr_host

@@ -392,8 +392,9 @@ std::string DecodeHandled(const System& system, const Message& message) {
       const char* const base = system.regions().BaseOf(data.memID);
       const size_t bytes = system.regions().SizeOf(data.memID);
       if (base == nullptr || data.offset > bytes || data.size > bytes - data.offset) return "";
-      // Limits the bytes of all regions together.  If each region were cut separately, the bytes of
-      // the region after a cut region would be decoded as other values than they are.
+      // Limits the bytes of all regions together, so that bytes are missing only at the end of
+      // `content`.  If each region were cut separately, the region after a cut region would begin
+      // at a wrong place in `content`, and wrong values would be decoded.
       content.append(base + data.offset, std::min(data.size, kDecodedBytesMax - content.size()));
     }
   } else {

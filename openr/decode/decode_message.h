@@ -21,18 +21,19 @@ struct RobotModel;
 std::string DecodeContent(const RobotModel& model, const std::string& entry,
                           const std::string& content);
 
-// Returns, as DecodeContent() does, the content that the entry `selector` of the object `target`
-// has received.  If the robot of the object has no model, joints and primitives are shown by their
-// numbers.  Returns "" if `content` is empty, or if the object does not exist any more.
+// Returns the text that DecodeContent() makes of the content which the entry `selector` of the
+// object `target` has received.  If the robot of the object has no model, joints and primitives are
+// shown by their numbers.  Returns "" if `content` is empty, or if the object does not exist any
+// more.
 std::string DecodeReceived(const System& system, ObjectId target, uint32_t selector,
                            const std::string& content);
 
-// Returns, as DecodeContent() does, the content of a message that its receiver has begun to handle.
-// The receiver, or the sender of a notification, may have changed or deleted the data meanwhile.
-// Changed data are shown as they are now; deleted data are not shown.
+// Returns the text that DecodeContent() makes of the content of a message which its receiver has
+// begun to handle.  The receiver, or the sender of a notification, may have changed or deleted the
+// data meanwhile.  Changed data are shown as they are now; deleted data are not shown.
 std::string DecodeHandled(const System& system, const Message& message);
 
-// The largest number of characters that OneLineOf() returns, unless its caller gives another one.
+// Default limit for the number of characters that OneLineOf() returns.
 constexpr size_t kDecodedLineMax = 120;
 // Puts the lines of `text`, which DecodeContent() has returned, on one line with "; " between them.
 // If the result has more than `size_max` characters, cuts its end off and puts "..." there.

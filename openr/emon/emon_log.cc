@@ -69,8 +69,8 @@ std::optional<NamedNumber> NumberIn(std::string_view word, const std::vector<std
 }
 
 // Returns the numbers in a line of a crash record.  Leaves out a number with a '$' in front, such
-// as "$14" in "epc:$14: 0x00400010": it only numbers a register of the coprocessor, so it belongs
-// to the name "epc".
+// as "$14" in "epc:$14: 0x00400010", because it is no value: $14 is the register of the coprocessor
+// that has the name "epc".
 std::vector<NamedNumber> Split(std::string_view text) {
   std::vector<NamedNumber> numbers;
   std::vector<std::string> words;
@@ -95,8 +95,8 @@ std::vector<NamedNumber> Split(std::string_view text) {
   return numbers;
 }
 
-// Returns the number of the register `word`, such as "gp" or "r28"; nullopt if it is the name of no
-// register.
+// Returns the number of the register `word`, such as "gp" or "r28"; nullopt if no register has this
+// name.
 std::optional<int> RegisterOf(const std::string& word) {
   if (word == "s8") return RegisterOf("fp");
   const auto* const found = std::find(std::begin(kRegisterNames), std::end(kRegisterNames), word);
@@ -166,8 +166,8 @@ class Reader {
     return true;
   }
 
-  // Adds to the stack the words that a line '*' of the stack dump stands for: copies of the line
-  // before it, up to `address`, which is the address of the line after it.
+  // Handles a line '*' of the stack dump, which stands for copies of the previous line.  Adds the
+  // words of these copies to the stack, up to `address`, the address of the next line.
   void RepeatUpTo(uint32_t address) {
     if (row_.empty() || address <= row_at_) return;
     for (size_t i = row_.size(); i < kStackWordsMax; ++i) {

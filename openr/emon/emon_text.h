@@ -35,8 +35,8 @@ struct CrashExplanation {
   std::string problem;
 };
 
-// Explains the crash with the crash record `log`.  `code` is the image of the object that crashed;
-// null if there is no image.
+// Explains the crash that the crash record `log` describes.  `code` is the image of the object that
+// crashed; null if there is no image.
 CrashExplanation ExplainCrash(const EmonLog& log, RobotCode* code);
 
 std::string ExplanationText(const CrashExplanation& explanation);

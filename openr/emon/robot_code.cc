@@ -70,8 +70,8 @@ std::optional<Headers> HeadersIn(const std::string& bytes) {
   return result;
 }
 
-// Returns the address for which an image's code was linked, minus the address that the headers of
-// the file give the code.
+// Returns the address for which an image's code was linked, minus the address of the code in the
+// headers of the file.
 uint32_t MovedBy(const Headers& headers) {
   return headers.first_load == 0 && headers.gp.value_or(0) >= kLinkedAt ? kLinkedAt : 0;
 }

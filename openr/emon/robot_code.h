@@ -30,7 +30,7 @@ class RobotCode {
   // REQUIRES: SetGp() was called.
   bool Contains(uint32_t address) const;
   // Returns whether the instruction at `address` - 8 is a call, so that `address` may be a return
-  // address.  The instruction at `address` - 4, the delay slot, runs before the call does.
+  // address.  The instruction at `address` - 4, the delay slot, runs before the call takes effect.
   bool IsAfterCall(uint32_t address) const;
   // Returns the function and the source line of the instruction at `address` in the robot's memory.
   CodeLookup LookUp(uint32_t address) const;

@@ -40,8 +40,8 @@ std::string LineOf(Dwfl_Module* module, GElf_Addr address) {
 }  // namespace
 
 CodeLookup LookUpCode(const char* file, uintptr_t offset) {
-  // Removes the current object until this function returns, so that malloc() and fopen() use the
-  // heap and the files of the host, not those of the object that has crashed.
+  // Lets no object be the current object until this function returns, so that malloc() and fopen()
+  // use the heap and the files of the host, not those of the object that has crashed.
   const CurrentScope scope(nullptr, nullptr);
   // Makes libdwfl search debug information only beside the image file.  Other folders, with
   // installed debug packages, are not searched, because the output of a run would then differ from

@@ -64,7 +64,7 @@ unsigned KindOf(const siginfo_t& info) {
       return kFpDivByZero;
     case FPE_FLTOVF:
       return kFpOverflow;
-    case FPE_FLTUND:  // comes for a denormal operand; underflow itself raises no SIGFPE here
+    case FPE_FLTUND:  // means a denormal operand; an underflow is masked, so it raises no SIGFPE
       return kFpDenormal;
     default:
       return 0;
@@ -160,8 +160,8 @@ class RecordFile {
   // Opens the file `name` for a crash record.  If `name` is null, no file is opened or written.
   explicit RecordFile(const std::string* name) : name_(name) {
     if (name == nullptr) return;
-    // Makes the system call itself and does not call open(), because the runtime replaces open() in
-    // this process by a function that may open a file of the object's Memory Stick instead.
+    // Calls syscall() and not open(), because the runtime replaces open() in this process by a
+    // function that may open a file of the object's Memory Stick instead.
     descriptor_ =
         static_cast<int>(syscall(SYS_openat, AT_FDCWD, name->c_str(),
                                  O_WRONLY | O_CREAT | (g_adds ? O_APPEND : O_TRUNC), 0666));
@@ -304,7 +304,7 @@ void OnCrashSignal(int signal, siginfo_t* info, void* context) {
     struct sigaction action {};
     action.sa_handler = SIG_DFL;
     sigaction(signal, &action, nullptr);
-    return;  // the instruction runs again, and its signal now has the default action
+    return;  // the instruction runs again, and the signal's default action ends the process
   }
   text.Add("\n");
   AddCurrentMessage(&text);
@@ -320,7 +320,7 @@ void OnCrashSignal(int signal, siginfo_t* info, void* context) {
   RobotException exception{.code = RobotExceptionCode(signal, *info, context),
                            .is_in_own_code = t_current.image_code};
   if (is_access) exception.bad_address = reinterpret_cast<uint64_t>(info->si_addr);
-  BeginEnding(&ending);  // clears t_current, the running object, so it was read above
+  BeginEnding(&ending);  // clears t_current, so the lines above read the running object first
   WriteRecordInSignal(&ending, &exception, context, robot);
   ending.finding.Add("; on the robot this stops all objects");
   FinishEnding();

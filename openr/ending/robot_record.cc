@@ -27,7 +27,7 @@ SignalText& AddWord(const char* name, uint64_t number, SignalText* text) {
 // Adds the line about `object` to `text`, which becomes a crash record's list of objects.
 void AddObject(const Object& object, SignalText* text) {
   text->Add(" ").Add(object.name.c_str());
-  for (int column = 0; column < 3; ++column) {  // the id stands for context, thread and OID
+  for (int column = 0; column < 3; ++column) {  // columns Context, Thread and OID all show the id
     text->Add(" ");
     AddHex(OidValue(object.id), kWordDigits, text);
   }

@@ -34,8 +34,9 @@ struct Deviation {
     kFault,
   };
   Kind kind = Kind::kTie;
-  // Virtual time of the deviation.  A kTie is found in the run by this time and by `nth`; for
-  // kDelay and kCost the time only informs people.
+  // Virtual time of the deviation.  For kTie, this time and `nth` say which tie of the run is
+  // meant.  For kFault, the fault comes at this time.  For kDelay and kCost, the time is only for
+  // people.  For kStart and kFrame, it is not used.
   int64_t time_us = 0;
   uint64_t nth = 0;  // number that is called nth in the comments of Kind; counted from 0
   ObjectId object = kNoObject;

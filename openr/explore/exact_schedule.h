@@ -98,7 +98,7 @@ class ExactSchedule : public ExploreSchedule {
 
   const bool reduce_;
   std::vector<size_t> choices_;
-  SleepSet next_sleep_;  // deliveries not to choose (sleep set) at the last choice of choices_
+  SleepSet next_sleep_;  // deliveries that must not be chosen at the last choice in choices_
   SleepSet sleep_;
   std::vector<Node> nodes_;
   bool is_cut_ = false;

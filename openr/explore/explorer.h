@@ -25,7 +25,7 @@ struct ExplorePlan {
   // run is made.
   int shorten_runs = 2000;
   // A function that is called after each run with the number of runs so far, to show progress; may
-  // be empty.  Runs that only remove deviations from a failing run do not count.
+  // be empty.  The runs that `shorten_runs` limits do not count.
   std::function<void(uint64_t runs)> progress;
 };
 
@@ -47,11 +47,11 @@ nlohmann::ordered_json VerifySeeds(const ExplorePlan& plan);
 
 // Tries, depth first, all orders in which objects can start, and all orders in which messages that
 // are due at the same time can be delivered.  Returns a JSON object with
-//   "runs", "orders" (runs with an order of their own), "cut" (runs stopped early because they
-//   repeated an earlier order), "broken" (runs that broke a property), "ended_by" (number of orders
-//   for each reason of the run's end), "complete" (all orders were tried), "covered" (explored
-//   share of the tree of choices, 0 to 1), "choices_max" (largest number of choices in a run),
-//   "stopped" (the reason, if not complete), "failure" (MakeFailure()).
+//   "runs", "orders" (runs that were not cut; each has another order), "cut" (runs stopped early
+//   because they repeated an earlier order), "broken" (runs that broke a property), "ended_by"
+//   (number of orders for each reason of the run's end), "complete" (all orders were tried),
+//   "covered" (explored share of the tree of choices, 0 to 1), "choices_max" (largest number of
+//   choices in a run), "stopped" (the reason, if not complete), "failure" (MakeFailure()).
 nlohmann::ordered_json SearchOrders(const ExplorePlan& plan);
 
 // Makes one run with the deviations `script`, which come from a schedule file.  `seed` is the seed

@@ -119,7 +119,8 @@ Json ForkServer::Run(const Json& plan) {
   close(copy.answers);
   if (end != ReadEnd::kClosed) kill(copy.pid, SIGKILL);
   const int status = WaitForEnd(copy.pid);
-  // Throws, because the answer would be a fault of the program that is explored.
+  // Throws and returns no answer, because an answer would report a fault of the explored program,
+  // and that program has not caused this error.
   if (end == ReadEnd::kError)
     throw std::runtime_error(
         fmt::format("cannot read the result of a run: {}", std::strerror(error)));

@@ -30,9 +30,9 @@ struct PreparedRun {
 // explorer calls it once.
 using PrepareRun = std::function<PreparedRun()>;
 
-// Makes the schedule `schedule` choose all orders and delays of messages that the real robot
-// allows, in a run of at most `for_us`.  `schedule` must exist as long as the run.  The random
-// numbers of the simulation follow from `seed`.
+// Lets `schedule` decide all that an exploration may vary in a run of at most `for_us`: the order
+// and the delays of messages, the costs of handlers, the first frames and the faults.  `schedule`
+// must exist as long as the run.  The random numbers of the simulation follow from `seed`.
 void SetSchedule(PreparedRun* prepared, uint64_t seed, ExploreSchedule* schedule, int64_t for_us);
 
 // Assembles a run of the objects on a Memory Stick, on a robot with a simulated body.  The objects

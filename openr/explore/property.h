@@ -46,8 +46,8 @@ struct PropertyEntry {
   std::unique_ptr<Property> (*make)();
 };
 
-// Returns the built-in properties that are checked while a run goes on.  Every run must keep two
-// more properties: no-crash and handlers-return.  They are not in this table, because a run that
+// Returns the built-in properties that are checked while a run goes on.  Two more properties must
+// hold in every run: no-crash and handlers-return.  They are not in this table, because a run that
 // breaks them ends its process; ForkServer::Run() reports them.
 const std::vector<PropertyEntry>& PropertyTable();
 inline constexpr char kNoCrash[] = "no-crash";

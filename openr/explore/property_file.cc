@@ -203,8 +203,8 @@ std::vector<PropertyRule> ParseProperties(const std::string& file, std::string_v
 
 namespace {
 
-// Adds an error to `diagnostics` for each property whose name another property has already, because
-// a failure is reported by the name of the property.
+// Adds an error to `diagnostics` for each property that has the name of a built-in or of an earlier
+// property.  Each name must be unique, because a failure is reported by the name of the property.
 void CheckNames(const std::vector<PropertyRule>& rules, std::vector<Diagnostic>* diagnostics) {
   std::set<std::string> names = {kNoCrash, kHandlersReturn};
   for (const PropertyEntry& entry : PropertyTable()) names.insert(entry.name);

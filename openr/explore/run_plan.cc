@@ -65,8 +65,9 @@ class PlanRun {
   }
 
   Json Run() {
-    // Gives the schedule the length of all runs and not `until_us_`, because the first frame and
-    // the faults are drawn for this length.  So a run that ends earlier makes the same choices.
+    // Passes `for_us_`, the length of a full run, and not `until_us_`, at which this run may end
+    // earlier.  The first frame and the faults depend on the passed length, so this run makes the
+    // same choices as a full run.
     SetSchedule(&prepared_, plan_.at("seed").get<uint64_t>(), schedule_.get(), for_us_);
     const int sink = system_.trace().AddSink(
         [this](const TraceRecord& record, const Message& message) { OnDelivery(record, message); });

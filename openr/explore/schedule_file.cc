@@ -43,7 +43,8 @@ std::string DescribeDeviation(const Json& deviation) {
   if (kind == "tie")
     return fmt::format("{}: {} is first (tie {} of this instant)", time, object, nth);
   const int64_t us = deviation["us"].get<int64_t>();
-  // Takes the number of the entry if the file, which a person may have edited, has no name of it.
+  // Shows the number of the entry if the file does not have the entry's name.  A person may have
+  // edited the file and removed the name.
   const std::string entry =
       deviation.value("entry", fmt::format("entry {}", deviation["selector"].get<uint32_t>()));
   if (kind == "cost") {
@@ -101,11 +102,11 @@ ScheduleFile ReadScheduleFile(const std::string& path, Json* deviations) try {
   simulation.strict = json.at("strict").get<bool>();
   simulation.guard_regions = json.at("guard").get<bool>();
   simulation.cost_file = json.at("cost").get<std::string>();
-  // Takes "drain" if the field "battery" is missing, because older schedule files do not have the
+  // Uses "drain" if the field "battery" is missing, because older schedule files do not have the
   // field and their runs had a battery that drains.
   simulation.battery = json.value("battery", "drain");
-  // Takes the test pattern if the field "images" is missing.  Older schedule files do not have this
-  // field, and the cameras of their runs saw the test pattern.
+  // Uses the test pattern if the field "images" is missing, because older schedule files do not
+  // have the field and the cameras of their runs saw the test pattern.
   simulation.images = json.value("images", kImagesOfPattern);
   schedule.stick.for_us = json.at("for_us").get<int64_t>();
   schedule.stick.properties = json.at("properties").get<std::vector<std::string>>();

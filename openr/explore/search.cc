@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 struct Frame {
   std::vector<ObjectId> candidates;
   SleepSet sleep;  // deliveries that sleep at this choice, so the search need not try them
-  SleepSet done;   // candidates that were explored; value: the objects that each of them concerns
+  SleepSet done;   // explored candidates; value: the objects that the candidate's delivery concerns
   size_t current = 0;
   UsedObjects used;  // objects that the delivery of the current candidate's message concerns
 };
@@ -110,7 +110,7 @@ class Search {
   }
 
   // Returns the explored share of the tree of choices, 0 to 1.  The tree is not known before it is
-  // explored, so every candidate of a choice counts as an equal part of the tree.
+  // explored, so all candidates of a choice count as equal parts of the tree below this choice.
   double Covered() const {
     if (stopped_.empty()) return 1;
     double covered = 0, weight = 1;

@@ -22,7 +22,7 @@ struct GraphObject {
   int robot = 0;
   std::string name;
   std::string path;   // path of the object's image; empty for parts of the system
-  std::string state;  // text after "state: " in the last such line that the object printed
+  std::string state;  // TEXT in the last INFO line "state: TEXT" that the object printed
   bool is_system = false;
   std::vector<GraphService> services;  // services of the object, sorted by name
 };

@@ -26,9 +26,9 @@ uint32_t ChangedWords(const char* now, const char* last) {
     return _mm_cmpeq_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(now + at)),
                            _mm_loadu_si128(reinterpret_cast<const __m128i*>(last + at)));
   };
-  // Packs the results of the comparisons, 32 equal bits for each word, into one bit for each word:
-  // the first two steps halve the bits of a result to 16 and to 8, and the last step takes one of
-  // them.
+  // Each comparison gives 32 bits for a word: all 1 if the word is equal, else all 0.  The first
+  // two steps shorten these bits to 16 and to 8, and the last step takes the highest bit.  So one
+  // bit is left for each word.
   const __m128i first = _mm_packs_epi32(equal(0), equal(16));
   const __m128i second = _mm_packs_epi32(equal(32), equal(48));
   return static_cast<uint32_t>(_mm_movemask_epi8(_mm_packs_epi16(first, second))) ^ 0xffffu;

@@ -56,8 +56,8 @@ void Recorder::Begin(Simulation* simulation, const SimulationOptions& options,
   system.inputs().OnAdd([this, &system](int robot, std::string_view line) {
     writer_->AddInput(robot, line, system.now_us());
   });
-  // Records changes of the stick only if one robot uses the stick, because a stick that several
-  // robots share is read-only.
+  // Records changes of the stick only if there is one robot, because several robots can only read
+  // their sticks.
   if (options.robots == 1) {
     auto* const stick = dynamic_cast<FolderStick*>(system.robot(0).stick.get());
     ASSERT(stick != nullptr);

@@ -36,8 +36,8 @@ RecordingBytes::RecordingBytes(const std::string& file) {
     return;
   }
   descriptor_ = open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  // Takes the size of the open file and not of the file at this path, because another run may have
-  // put a new file in its place.
+  // Reads the size of the open file, not of the file that is at this path now, because another run
+  // may have put a new file there meanwhile.
   if (descriptor_ < 0 || fstat(descriptor_, &facts) != 0) FailToRead(file);
   size_ = static_cast<uint64_t>(facts.st_size);
 }

@@ -140,7 +140,7 @@ Replayer::Replayer(const ReplayOptions& replay) : file_(replay.file), reader_(re
   }
   SimulationOptions options = OptionsOf(reader_.header(), replay);
   const std::string stick = options.stick;
-  if (options.robots == 1) {  // a stick that several robots share is read-only: needs no copy
+  if (options.robots == 1) {  // several robots can only read their sticks, so these need no copy
     if (std::error_code error; !std::filesystem::is_directory(stick, error)) {
       throw std::runtime_error(
           fmt::format("{}: the stick {} is no longer there; give it with --stick", file_, stick));
@@ -241,8 +241,8 @@ void Replayer::CompareFields(const TraceEntry& recorded, const TraceRecord& now,
            fmt::format("is caused by message {} now, by {} when recorded", now.cause, then.cause));
   } else if (now.size != then.size) {
     // Compares the sizes of messages of the object `only_`, too, although the content of these
-    // messages may differ from the recording.  The recorded bytes are put in place of their content
-    // for the other objects, and this needs the same size.
+    // messages may differ from the recording.  For the other objects the recorded bytes replace
+    // this content, so both must have the same size.
     Differ(recorded, fmt::format("has {} bytes now, {} when recorded", now.size, then.size));
   }
 }

@@ -72,8 +72,8 @@ class Replayer : public KnownRun {
   // Ends the comparison with the recording.  The run can then go on without the recording.
   void EndComparison() { at_end_ = true; }
 
-  // Returns the name of the object that ReplayOptions::only names.  The capitals in it are those of
-  // the object, because the user may have typed other ones.
+  // Returns the exact name of the object that ReplayOptions::only names.  The user may have typed
+  // this name with other capitals.
   const std::string& only() const { return only_; }
   // Returns how many messages of the object ReplayOptions::only were compared.
   uint64_t answer_count() const { return answer_count_; }
@@ -83,8 +83,8 @@ class Replayer : public KnownRun {
   // Returns how many messages so far were equal to the recording.
   uint64_t count() const { return count_; }
   // Returns how many messages the recording has up to and including the message with the number
-  // `number`; nullopt if it has no such message.  The count is not the number, because messages are
-  // numbered when they are posted and recorded when they are delivered.
+  // `number`; nullopt if it has no such message.  This count may differ from `number`, because
+  // messages are numbered when they are posted, but recorded when they are delivered.
   std::optional<uint64_t> CountUpTo(uint64_t number) const;
   bool at_end() const { return at_end_; }
   // Returns why the replay has ended early; "" if it has not ended early.  A replay ends early

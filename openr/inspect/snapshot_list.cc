@@ -7,10 +7,10 @@
 namespace openr_host {
 namespace {
 
-// Decides which snapshots of openr replay --step (processes that wait) are removed.  Let d be the
-// number of messages between the snapshot before and the snapshot after a snapshot in the list, and
-// n the number of messages since the snapshot after it.  The snapshot is removed if n is at least
-// this many times d.
+// Decides which snapshots of openr replay --step (processes that wait) are removed.  Let `distance`
+// be the number of messages between the two neighbours of a snapshot in the list, and `age` the
+// number of messages from the later neighbour to the newest snapshot.  The snapshot is removed if
+// `age` is at least kAgePerDistance times `distance`.
 constexpr uint64_t kAgePerDistance = 4;
 
 }  // namespace

@@ -20,11 +20,11 @@ struct ProcessSnapshot {
 // so keeps the state of the replay at one moment.  The list is in memory of a fixed size without
 // pointers, because all processes of openr replay --step share it.
 //
-// Old snapshots are thinned out, because fork() takes longer with each ancestor that lives.  The
-// distances between snapshots grow with their age.  Let n be the number of messages between a
-// snapshot and the newest snapshot.  Then the snapshot is at most n/4 messages after the snapshot
-// before it in the list, unless these two were added one after the other.  So the number of
-// snapshots grows only with the logarithm of the number of messages.
+// Old snapshots are thinned out, because fork() takes longer with each ancestor that lives.  A
+// snapshot is removed if its two neighbours in the list are at most n/4 messages apart, where n is
+// the number of messages from the later neighbour to the newest snapshot.  So the distances between
+// snapshots grow with their age, and the number of snapshots grows only with the logarithm of the
+// number of messages.
 class SnapshotList {
  public:
   // The greatest number of snapshots (processes that wait) in the list.  A replay of 10^9 messages,

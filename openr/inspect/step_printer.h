@@ -10,8 +10,8 @@ namespace openr_host {
 
 class StepPrinter {
  public:
-  // Prints the present state of `replayer`, and quantities of `view`.  Both must outlive the
-  // StepPrinter.
+  // Makes a StepPrinter that prints the present state of `replayer`, and quantities of `view`.
+  // Both must outlive the StepPrinter.
   StepPrinter(Replayer* replayer, SimulationView* view) : replayer_(replayer), view_(view) {}
 
   // Prints where the replay is: the message that was delivered last, and differences from the

@@ -110,8 +110,8 @@ class Stepper {
 
   // Adds this process, which now keeps the state of the replay, to the list of snapshots.  Ends the
   // processes of snapshots that are no longer needed.  The child of an ended process becomes a
-  // child of the nearest earlier snapshot, because each snapshot is a "subreaper" (prctl(2)).  This
-  // snapshot then waits for the child.
+  // child of the nearest earlier snapshot, because each snapshot is a "subreaper" (prctl(2)).  So
+  // the earlier snapshot then waits for this child.
   void AddToSnapshots(uint64_t here) {
     prctl(PR_SET_CHILD_SUBREAPER, 1);
     for (const pid_t process :
@@ -254,8 +254,9 @@ class Stepper {
     printer_.Show();
   }
 
-  // Runs forward to the next breakpoint, and shows on a terminal how far the end of the recording
-  // is.  Returns the number of the breakpoint; 0 if the replay has ended before a breakpoint.
+  // Runs forward to the next breakpoint, and shows on a terminal the progress towards the end of
+  // the recording.  Returns the number of the breakpoint; 0 if the replay has ended before a
+  // breakpoint.
   size_t ForwardToBreak() {
     RunProgressLine progress(STDERR_FILENO, replayer_->system().now_us(), replayer_->length_us());
     while (Forward(1)) {

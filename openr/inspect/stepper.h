@@ -15,8 +15,8 @@ namespace openr_host {
 // waits.  When the user goes back to a message, the running copy ends, and so does each waiting
 // process whose snapshot is later than that message.  The latest of the remaining processes makes a
 // new copy, which runs forward to the message.  The older the snapshots are, the fewer of them are
-// kept (snapshot_list.h).  REQUIRES: the process has one thread, because fork() copies only the
-// calling thread, and no child processes.
+// kept (snapshot_list.h).  REQUIRES: the process has no child processes, and has only one thread,
+// because fork() copies only the calling thread.
 bool StepThrough(const ReplayOptions& options);
 
 }  // namespace openr_host

@@ -229,7 +229,7 @@ TraceEntry TraceCoder::Read(ByteReader* in) {
     Forget();
   switch (entry.kind) {
     case TraceEntry::Kind::kForget:
-      break;  // was read by the loop above
+      break;  // cannot happen: the loop above has read every kForget
     case TraceEntry::Kind::kObject:
       entry.id = static_cast<int32_t>(in->Zigzag());
       entry.robot = static_cast<int32_t>(in->Varint());

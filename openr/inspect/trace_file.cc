@@ -75,13 +75,13 @@ TraceHeader HeaderOf(std::string_view text) {
   json.at("robots").get_to(h.robots);
   json.at("seed").get_to(h.seed);
   json.at("microphone").get_to(h.microphone);
-  // Takes the test pattern if the field "images" is "", because recordings with "" are older and
+  // Uses the test pattern if the field "images" is "", because recordings with "" are older and
   // their cameras saw only the test pattern.
   json.at("images").get_to(h.images);
   if (h.images.empty()) h.images = kImagesOfPattern;
   json.at("strict").get_to(h.strict);
   json.at("payloads").get_to(h.payloads);
-  // Takes "drain" if the field "battery" is missing, because older recordings do not have the field
+  // Uses "drain" if the field "battery" is missing, because older recordings do not have the field
   // and their runs had a battery that drains.
   h.battery = json.value("battery", "drain");
   if (json.contains("schedule")) h.schedule = JsonText(json["schedule"]);
@@ -99,8 +99,8 @@ TraceHeader HeaderOf(std::string_view text) {
 TraceWriter::TraceWriter(const std::string& file, const TraceHeader& header)
     : file_(file), payloads_(header.payloads), coder_(header.payloads) {
   std::string problem;
-  // Opens a new file with this name and leaves the old recording to a process that may be replaying
-  // it.
+  // Puts a new file in the place of an old recording, so that a process which is replaying the old
+  // recording can go on reading it.
   descriptor_ = OpenNewGrowingFile(file, &problem);
   if (descriptor_ < 0) throw std::runtime_error(problem);
   ByteWriter head;

@@ -73,7 +73,7 @@ struct TraceEntry {
     kOldShutdown = 6,  // an input in a file of version 2 or 3; converted to kInput
     kEnd = 7,          // the end of the recording; fields: time_us, trace_hash, state_hash
     kOldConsole = 8,   // an input in a file of version 2 or 3; converted to kInput
-    kStick = 9,  // content of a path of the stick before a change; fields: what, name, payload
+    kStick = 9,  // a file or folder of the stick before its change; fields: what, name, payload
     kLoss = 10,  // loss of a worker process; what follows cannot be replayed; fields: time_us, name
     // The end of the run.  The field `name` says how the run ended, as a word of EndName(), and
     // `payload` is the reason as text.  A recording whose process was killed has no kEnded.
@@ -102,7 +102,7 @@ struct TraceEntry {
 };
 
 // Encodes and decodes the parts of a recording, such as messages and inputs; each part is a
-// TraceEntry.  Stores most numbers as the difference to the number before, because small numbers
+// TraceEntry.  Stores most numbers as the difference from the number before, because small numbers
 // take fewer bytes.
 class TraceCoder {
  public:
@@ -115,9 +115,9 @@ class TraceCoder {
   // first called for them.
   uint32_t LinkOf(const TraceRecord& record);
 
-  // Writes a message as a TraceEntry of the kind kMessage.  REQUIRES: `number_of_link` is
-  // LinkOf(record), the number of the path from one sender to one handler of one receiver, and a
-  // message of each path with a smaller number has been written before.
+  // Writes a message as a TraceEntry of the kind kMessage.  `number_of_link` is the number of the
+  // message's link.  REQUIRES: `number_of_link` is LinkOf(record), and a message of every link with
+  // a smaller number has been written before.
   void WriteMessage(const TraceRecord& record, std::string_view payload, uint32_t number_of_link,
                     ByteWriter* out);
 
@@ -144,7 +144,7 @@ class TraceCoder {
   };
 
   // Returns whether the last payload of the sender `sender` with the size `size` is kept already,
-  // or may be kept besides the other payloads.
+  // or whether it can be kept below the limit kKeptMax for the bytes of all kept payloads.
   bool HasRoomFor(int32_t sender, size_t size) const;
   // Forgets the last payloads of all senders.
   void Forget();

@@ -1,5 +1,5 @@
-// Couplings: requests of clients that make the run go on in real time while they control a robot of
-// the run together with a second robot, which may be a real robot.
+// Couplings: a client asks for a coupling while it controls a robot of the run together with a
+// second robot, which may be a real robot.  During a coupling, the run goes on in real time.
 #pragma once
 
 #include <cstdint>

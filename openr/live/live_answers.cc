@@ -280,9 +280,9 @@ Json AnswerCamera(const RequestContext& context) {
           {"png", Base64(png)}};
 }
 
-// Returns the event of the kind that the request names, such as "values": a line about the state of
-// the run.  The line is about this process: if the process is a view, a copy that repeats the run
-// up to a past moment, the line is about that moment.
+// Returns the event of the kind that the request names, such as "values", as one line.  The line
+// describes the state of this process: in a view (a copy that repeats the run up to a past moment)
+// the state at the past moment.
 Json AnswerEvent(const RequestContext& context) {
   const auto name = context.request.at("name").get<std::string>();
   const auto& kinds = LiveEvents::Kinds();
@@ -346,7 +346,8 @@ Json AnswerInPast(const RequestContext& context, const std::string& name) {
   if (!RunClock::ParseStep(request["step"].get<std::string>(), &step)) return AnswerClock(context);
   const int count = request.value("count", 1);
   if (count < 1 || count > RunClock::kStepsMax) return AnswerClock(context);
-  // Converts steps over sensor values to steps over frames: sensor values come every four frames.
+  // Converts `count` to frames: a step of the kind kVector is four frames long, because sensor
+  // values come every four frames.
   const int64_t frames = step == RunClock::Step::kVector ? 4 * count : count;
   const std::string problem =
       step == RunClock::Step::kMessage

@@ -29,8 +29,8 @@ constexpr int64_t kMs = 1'000'000;  // a millisecond in nanoseconds
 // The least virtual time over which messages are counted to compute a rate.
 constexpr int64_t kRateUs = 500'000;
 
-// The largest number of earlier lines that a client gets when it begins to watch the event "log",
-// which has the lines that objects have printed.
+// A client that begins to watch the event "log" gets at most this many of the lines that objects
+// have printed before that.
 constexpr size_t kFirstLines = 200;
 
 double InSeconds(int64_t time_us) { return static_cast<double>(time_us) / 1e6; }
@@ -136,8 +136,9 @@ std::string LiveEvents::LineOfPast(std::string_view name, EventCursor* cursor) {
   // findings again when the present is shown again.
   if (name == "findings") cursor->findings = UINT64_MAX;
   const Rewind& rewind = *context_.rewind;
-  // Sets the highest bit of the version of this past moment.  A version of the present is the sum
-  // of messages and virtual time in us, which is below 2^63, so the two are never equal.
+  // Sets the highest bit, so that the version of a past moment never equals a version of the
+  // present: the sum of messages and virtual time in us, which is below 2^63.  So the client gets a
+  // new line when the user goes from the present to the past, or back.
   const uint64_t moment =
       static_cast<uint64_t>(rewind.shown_us()) + rewind.shown_messages() + (uint64_t{1} << 63);
   uint64_t& shown = cursor->versions[std::string(name)];

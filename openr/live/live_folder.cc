@@ -24,17 +24,17 @@ constexpr size_t kNameMax = 40;
 
 bool IsRunning(int process) { return kill(process, 0) == 0 || errno == EPERM; }
 
-// Returns whether a process has the socket at `path` open, as the run that made the socket does.
+// Returns whether a process, such as the run that made the socket, has the socket at `path` open.
 // Tries to connect a socket of another type, because this attempt always fails: with EPROTOTYPE if
-// the socket is open, with ECONNREFUSED if it is not (man 7 unix).  So the test neither waits for
-// the run nor uses up one of its connections.
+// the socket is open, with ECONNREFUSED if it is not (man 7 unix).  So this function does not wait
+// for the run, and does not take the place of a client.
 bool IsOpen(const std::string& path) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   if (path.size() >= sizeof address.sun_path) return false;
   std::memcpy(address.sun_path, path.c_str(), path.size() + 1);
   const int descriptor = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-  if (descriptor < 0) return true;  // nothing is known about the socket, and its run may go on
+  if (descriptor < 0) return true;  // the socket counts as open, because its run may go on
   const bool is_refused =
       connect(descriptor, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 &&
       (errno == ECONNREFUSED || errno == ENOENT);
@@ -93,9 +93,9 @@ std::vector<LiveRun> LiveRuns() {
     if (dot == std::string::npos ||
         std::from_chars(file.data() + dot + 1, end, run.process).ptr != end)
       continue;
-    // Accepts every open socket.  If a container shares the folder with others, the process of the
-    // socket may be in another container, where this process cannot see it.  A process id alone
-    // does not show a run either, because it may now belong to another process.
+    // Lists a run if its socket is open, even if its process is not found: the process may be in
+    // another container that shares this folder.  The process id alone would not prove that the run
+    // goes on, because the id may now belong to another process.
     if (IsOpen(run.socket)) {
       runs.push_back(std::move(run));
     } else if (!IsRunning(run.process)) {

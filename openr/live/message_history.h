@@ -31,13 +31,13 @@ class MessageHistory {
     // True: a ready message of the observer; false: a notification of the subject.
     bool is_ready;
     uint32_t size;        // number of bytes of the whole content
-    std::string content;  // the content as in a recording, cut to kContentMax bytes
+    std::string content;  // the content, from PayloadBytes(), cut to kContentMax bytes
   };
 
   // The largest number of messages that are kept for a connection.
   static constexpr size_t kMessagesMax = 20;
-  // The largest number of bytes that are kept of a message.  A sensor vector of any robot has fewer
-  // bytes.
+  // The largest number of bytes of a message's content that are kept.  A sensor vector of any robot
+  // has fewer bytes, so it is kept whole.
   static constexpr size_t kContentMax = kDecodedBytesMax;
 
   // Makes a history of the messages in `system`, which must outlive the history.
@@ -68,9 +68,9 @@ class MessageHistory {
   struct ConnectionMessages {
     std::string subject;  // names of the services at the two ends of the connection
     std::string observer;
-    // How often the objects at both ends of this connection had been replaced when the names
-    // `subject` and `observer` were set.  If this number changes, the kept messages are dropped and
-    // both names are looked up again.
+    // Number of times that the objects at both ends had been replaced when the names `subject` and
+    // `observer` were set; -1: the names are not set yet.  If an object is replaced again, the kept
+    // messages are dropped and both names are looked up again.
     int loads = -1;
     uint64_t count = 0;
     std::deque<Entry> last;
@@ -81,7 +81,7 @@ class MessageHistory {
                                  const std::string& observer) const;
 
   System& system_;
-  int sink_ = 0;  // id of the function that the trace calls for each message; 0: none is kept
+  int sink_ = 0;  // id of the function that the trace calls for each message; 0: no such function
   std::map<Ends, ConnectionMessages> connections_;
 };
 

@@ -201,8 +201,8 @@ Json SceneJson(const Simulation& simulation) {
     robots.push_back(RobotJson(simulation.model()));
   for (const render::Shape& shape : ShapesOfWorld(simulation.world()))
     shapes.push_back(JsonOf(shape));
-  // Counts the things of the world that can move, because the event "pose" has one pose for each of
-  // them, in the order of the things.
+  // Numbers the things of the world that can move, in their order.  The number of a thing is the
+  // index of its pose in the event "pose".
   int movable = 0;
   const std::vector<WorldThing>& things = simulation.world().things;
   for (size_t i = 0; i < things.size(); ++i) {

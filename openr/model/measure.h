@@ -13,7 +13,7 @@ struct StepResponse {
   std::string joint;
   double from_deg = 0, to_deg = 0;
   std::vector<double> times_ms, commanded_deg, measured_deg;
-  double rise_ms = 0;         // time until the joint has moved 90 % of the way; -1: it never has
+  double rise_ms = 0;         // time until the joint has moved 90 % of the way; -1: it moved less
   double overshoot_deg = 0;   // how far the joint went beyond its new set point
   double end_error_deg = 0;   // distance from the set point at the end of the measurement
   double current_ma_max = 0;  // highest current that the robot draws from its battery

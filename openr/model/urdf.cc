@@ -91,8 +91,8 @@ void AddCameraFrame(const RobotModel& model, const Camera& camera, std::string* 
   const Vector3d z = camera.direction.normalized();
   const Vector3d x = z.cross(Vector3d::UnitZ()).normalized();
   const Vector3d y = z.cross(x);
-  // Converts the matrix with the columns x, y and z to roll, pitch and yaw, because URDF gives
-  // attitudes as turns about the fixed axes x, y and z of the part.
+  // Converts the attitude of the frame, a matrix with the columns `x`, `y` and `z`, to roll, pitch
+  // and yaw.  URDF gives an attitude as these three turns about the fixed axes of the part.
   const double roll = std::atan2(y.z(), z.z());
   const double pitch = std::atan2(-x.z(), std::hypot(y.z(), z.z()));
   const double yaw = std::atan2(x.y(), x.x());

@@ -12,8 +12,8 @@ namespace openr_host {
 namespace {
 
 constexpr double kDegPerCdeg = 0.01;
-// Distance between two neighbouring shifts of time that the first search for the lag between two
-// motions tries.
+// The first search for the lag between two motions tries only shifts of time that are multiples of
+// this time.
 constexpr double kShiftStepMs = 4;
 // The second search for the lag between two motions tries only shifts of time that differ by at
 // most this much from the best shift of the first search.
@@ -73,8 +73,8 @@ FittedLine FitLine(const std::vector<double>& a, const std::vector<double>& b) {
     bb += db * db;
     ab += da * db;
   }
-  // Returns no fit if the positions of the joint do not vary, or vary in opposite directions,
-  // because no shift of time makes such motions equal.
+  // Returns no fit (unexplained = 1) if the joint does not move in motion A or in motion B, or if
+  // it moves in opposite directions in A and B, because A and B are not the same movement then.
   if (aa <= 0 || bb <= 0 || ab <= 0) return {};
   return {ab / aa, 1 - ab * ab / (aa * bb)};
 }
@@ -129,8 +129,8 @@ class LagSearch {
   }
 
  private:
-  // Copies the records (positions at key frames) of motion A whose times stay inside the time that
-  // A and motion B have in common, with any shift up to `margin_ms`.
+  // Copies the records (positions at key frames) of motion A.  Leaves out a record if a shift by up
+  // to `margin_ms` could move it out of the time that A and motion B have in common.
   void CopyRecords(double margin_ms) {
     times_.clear();
     a_deg_.clear();

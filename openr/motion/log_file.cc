@@ -123,8 +123,9 @@ std::vector<const JointConstants*> LoggedJoints(const RobotConstants& robot) {
   return joints;
 }
 
-// Tries each design of robot, because a log file does not name its robot.  At most one design fits,
-// because with a wrong number of joints the reader takes wrong bytes for the counts of values.
+// Tries each design of robot, because a log file does not name its robot.  With a wrong number of
+// joints, the reader looks for the counts of values at wrong places and usually refuses the numbers
+// that it finds there.
 LogFile ParseLog(const std::string& bytes) {
   std::string problem;
   for (const char* const design : {"ERS-210", "ERS-7"}) {
@@ -135,8 +136,8 @@ LogFile ParseLog(const std::string& bytes) {
       return log;
     } catch (const std::runtime_error& error) {
       if (problem.empty())
-        // Keeps only the error of reading the file as a log of the ERS-210, the design that is
-        // tried first, because Hohl 2004 describes the format for this robot.
+        // Keeps the error of the first design, the ERS-210, for the user, because Hohl 2004
+        // describes the format for this robot.
         problem = error.what();
     }
   }
