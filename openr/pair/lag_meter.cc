@@ -98,8 +98,9 @@ std::optional<int64_t> LagMeter::LagMs() const {
     misfits.push_back(RelativeError(joint, lag_ms, from_ms));
   const double best = *std::min_element(misfits.begin(), misfits.end());
   if (best > kMisfitMax) return std::nullopt;
-  // Takes the smallest lag at which the misfit has a minimum that is about as small as the least
-  // misfit.  A periodic movement fits again one period later, and this larger lag would be wrong.
+  // Finds the smallest lag whose misfit is near the least misfit, and then goes on to the next
+  // minimum.  Does not use the lag with the least misfit: a periodic movement fits again one period
+  // later, and this larger lag would be wrong.
   size_t at = 0;
   while (misfits[at] > best + kNearBest) ++at;
   while (at + 1 < misfits.size() && misfits[at + 1] < misfits[at]) ++at;

@@ -57,7 +57,7 @@ struct PairStatus {
   std::string motion;              // file of the motion that the second robot plays
   int key_frame = -1;
   uint64_t key_frames = 0;  // number of key frames that were sent to the first robot
-  // Reason why a robot has refused the last positions; "": it has taken them.
+  // Reason why a robot has refused the last positions; "": the robot has not refused them.
   std::string refusal[2];
 };
 

@@ -51,7 +51,7 @@ std::string Access::Url(const std::string& token) const {
 bool Access::IsPanelAddress(std::string_view host) const {
   if (host.ends_with(port_)) {
     host.remove_suffix(port_.size());
-  } else if (port_ != ":80") {  // browsers leave out the port of HTTP, 80
+  } else if (port_ != ":80") {  // only port 80 may be missing, because browsers leave it out
     return false;
   }
   const std::string name(host);

@@ -1,5 +1,5 @@
-// AnswerQueue, the queue of the panel's server through which threads give answers and events for a
-// page to the event loop.
+// AnswerQueue, a queue of the panel's server.  Threads put answers and events for a page into the
+// queue, and the event loop sends them to the page.
 #pragma once
 
 #include <functional>

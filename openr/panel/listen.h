@@ -34,8 +34,8 @@ std::string ListenAddressProblem(const std::string& address);
 void CheckListen(const ListenOptions& options);
 
 // Returns the token, the secret that clients must send, from the file `file`, as
-// remote::ReadTokenFile() does.  If there is no such file, makes the file with a new token, so that
-// only this user may read it.
+// remote::ReadTokenFile() does.  If there is no such file, first makes a file with a new token that
+// only this user may read.
 std::string ReadOrMakeToken(const std::string& file);
 
 // Returns a socket that listens at the IPv4 address `address`, on the first free port from `*port`

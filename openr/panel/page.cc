@@ -130,11 +130,11 @@ void Page::HandleRequest(const std::string& text) {
   try {
     request = ParseJson<nlohmann::json>(text);
   } catch (const JsonTooDeep& error) {
-    // Looks for the id of the request in the text, because the page may wait for an answer to this
-    // request.
+    // Looks for the id of the request in the text, because JSON that is nested too deeply is not
+    // read, and the page may wait for the answer with this id.
     return Refuse(PlainMember(text, "id"), error.what());
   } catch (const nlohmann::json::exception&) {
-    request = nullptr;  // is refused below, like JSON that is no object
+    request = nullptr;  // null is no object, so the next test refuses the request
   }
   if (!request.is_object()) return Refuse({}, "the request is no JSON object");
   // Copies the id, because CallRobot() moves the request away, and a refusal needs the id.

@@ -94,7 +94,7 @@ class Page : public WebPage {
   std::string received_;
   PageQueue queue_;
   bool is_amid_message_ = false;  // true: a part of a message has come, but not its last part
-  bool is_closing_ = false;       // true: no message is queued or obeyed any more
+  bool is_closing_ = false;       // true: further messages to or from the page are dropped
   // The code and the reason with which the server closes the page when the rest of the present
   // message from the page has come.
   struct Ending {

@@ -130,7 +130,7 @@ class Coupling {
   }
   ~Coupling() {
     try {
-      Ask("");  // ends the coupling, so that the page sees the old rate at once
+      Ask("");  // ends the coupling, so that the run has its earlier rate again at once
     } catch (const std::exception&) {
       // Ignores an error of the request that ends the coupling: either the run has ended, or the
       // run ends the coupling when it sees that the connection is closed.

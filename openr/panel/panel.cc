@@ -351,8 +351,8 @@ std::unique_ptr<WebAnswer> Panel::Refuse(const WebRequest& request) {
 }
 
 std::unique_ptr<WebPage> Panel::Open(const WebRequest& request, WebConnection* connection) {
-  // Counts the pages before OpenPage() adds the new page to pages_, because the new page does not
-  // count.
+  // Compares the number of pages with the limit before OpenPage() adds the new page to pages_, so
+  // that kPagesMax pages can be open.
   const bool is_full = pages_.size() >= kPagesMax;
   auto page = std::make_unique<OpenPage>(this, connection);
   if (is_full) {

@@ -50,7 +50,8 @@ bool WaitFor(int socket, short events, int64_t deadline_ms) {
   return poll(&wanted, 1, static_cast<int>(left_ms)) > 0;
 }
 
-// Sends all of `bytes`.  Returns false if the connection was lost, or takes no bytes for too long.
+// Sends all of `bytes`.  Returns false if the connection was lost, or if it has not taken all bytes
+// within kSendTimeoutMs.
 bool SendAll(int socket, const uint8_t* bytes, size_t size) {
   const int64_t deadline_ms = WallClockMs() + RcForwarder::kSendTimeoutMs;
   for (size_t sent = 0; sent < size;) {
@@ -77,8 +78,7 @@ Received Receive(int socket, RcFramer* framer) {
   return n > 0 || errno == EAGAIN || errno == EINTR ? Received::kBytes : Received::kLost;
 }
 
-// An answer that the RcForwarder gives itself to a client of the remote control, in place of the
-// robot.
+// An answer to a client of the remote control that the RcForwarder makes in place of the robot.
 struct OwnAnswer {
   RcHeader request;
   int status;
@@ -114,7 +114,7 @@ class Forwarding {
   RcFramer requests_, answers_;
   // Header of the first packet that the client of the remote control has sent.
   RcHeader first_ = {RC_HEADER_SIZE, RC_VERSION_FILES, 0, 0};
-  bool is_client_there_ = true;  // false: the client has ended its sending side
+  bool is_client_there_ = true;  // false: the client sends no more, but still reads answers
   int unanswered_ = 0;           // number of requests that the robot has not answered yet
   // An answer that waits until the robot has answered all earlier requests, because answers come in
   // the order of the requests.  No request is read meanwhile.
@@ -176,9 +176,9 @@ bool Forwarding::ReceiveToken() {
 // may go to the robot.
 std::optional<OwnAnswer> Forwarding::OwnAnswerToRequest() const {
   const RcHeader& header = requests_.Header();
-  // Refuses a request with the command 0 here.  If the robot got it, ReceiveAnswers() would not
-  // count the robot's answer when it has the command 0 and the tag 0, because such a packet answers
-  // no request.
+  // Refuses a request with the command 0, and does not send it to the robot.  A request can have
+  // the command 0 and the tag 0, and the robot's answer would have both, too.  ReceiveAnswers()
+  // does not count such a packet as an answer, so the request would count as unanswered for ever.
   if (header.command == 0)
     return OwnAnswer{header, rcerrorUNKNOWN_COMMAND, "there is no command 0", false};
   // Treats the upload of every kind of file except a motion as code, so that a kind that the
@@ -224,7 +224,7 @@ bool Forwarding::ReceiveRequests() {
       return ForwardRequests();
     case Received::kEnd:
       is_client_there_ = false;
-      shutdown(robot_, SHUT_WR);  // the robot answers all requests that it has got, and then ends
+      shutdown(robot_, SHUT_WR);  // the robot answers all requests, and then closes the connection
       return true;
     case Received::kLost:
       return false;
@@ -310,8 +310,8 @@ void RcForwarder::ServeClient(int connection) {
       close(connection);
     }).detach();
   } catch (const std::system_error&) {
-    // Gives up the new client, because this computer cannot make a thread for it, and counts it no
-    // longer among the clients that have not shown the token (a secret) yet.
+    // Closes the connection, because this computer cannot make a thread for the new client.  The
+    // client was counted in g_without_token above.
     --g_without_token;
     close(connection);
   }

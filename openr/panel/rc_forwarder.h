@@ -18,9 +18,9 @@ class RcForwarder {
   // A robot itself serves eight clients.
   static constexpr int kClientsMax = 16;
   static constexpr int kWithoutTokenMax = 16;
-  // The longest time in which a new client must show the token, a secret.
+  // Time limit for a new client to show the token, a secret.
   static constexpr int kTokenTimeoutMs = 10'000;
-  // The longest time in which a client, or the robot, must take a piece of data that is sent to it.
+  // Time limit for sending a packet to a client or to the robot.
   static constexpr int kSendTimeoutMs = 30'000;
 
   // Makes a forwarder for the robot whose address `find_address` returns.  `find_address` is called

@@ -22,8 +22,8 @@ class RunLink final : public WebDescriptor {
     // A function that is called once when the connection to the run is lost.  The owner of this
     // RunLink may delete it in this function.
     std::function<void(const std::string& why)> end;
-    // A function that is called when again fewer than kWaitingMax bytes wait for the run, so that
-    // the page may send more lines.
+    // A function that is called when the number of bytes that wait for the run is no longer above
+    // kWaitingMax, so that the page may send more lines.
     std::function<void()> resume;
   };
 

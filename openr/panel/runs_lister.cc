@@ -74,8 +74,8 @@ struct RunsLister::Questions {
     for (;;) {
       std::vector<Question> now;
       {
-        // Decides under the lock whether this thread ends, so that a new request of a page for the
-        // state of the runs is either taken here or starts a new thread.
+        // Decides under the lock whether this thread ends, so that no request of a page for the
+        // state of the runs is lost: this thread takes the request, or Ask() starts a new thread.
         const std::lock_guard lock(mutex);
         now = std::exchange(waiting, {});
         is_answering = !now.empty();

@@ -12,9 +12,10 @@
 
 namespace openr_host {
 
-// SpareDescriptor: a file descriptor that is given up for a moment when this process can open no
-// more descriptors, to close the connection that waits.  Without this, the connection would stay in
-// the queue of the listener, and the event loop would find the listener readable again and again.
+// SpareDescriptor: a file descriptor that is kept in reserve.  When this process can open no more
+// descriptors, CloseNext() closes the reserve for a moment, so that it can accept and close the
+// connection that waits.  A connection that stays in the queue of the listener would make the event
+// loop find the listener readable again and again.
 class SpareDescriptor {
  public:
   // `pause` waits a moment.  It is called when a connection can neither be accepted nor closed,

@@ -144,15 +144,16 @@ void SendText(lws* wsi, const WebAnswer& answer) {
     return;
   std::vector<unsigned char> body(LWS_PRE + answer.text.size());
   std::memcpy(body.data() + LWS_PRE, answer.text.data(), answer.text.size());
-  // Ignores an error, because the connection is closed in either case.
+  // Ignores an error, because the connection is closed next, with or without an error.
   lws_write(wsi, body.data() + LWS_PRE, answer.text.size(), LWS_WRITE_HTTP_FINAL);
 }
 
-// Sends `answer` to an HTTP request.  Returns the result for libwebsockets' callback: not 0 if the
-// connection must be closed, which libwebsockets does when the answer is sent.
+// Sends `answer` to an HTTP request.  Returns the result for libwebsockets' callback: not 0 if
+// libwebsockets must close the connection, which it does after it has sent the answer.
 //
-// Every answer ends its connection.  libwebsockets 4.1 never ends to parse some requests that come
-// in the same packet behind another request, so one client could stop the panel for all others.
+// Every answer ends its connection, because libwebsockets 4.1 never finishes parsing some requests
+// that come in the same packet behind another request.  With such requests, one client could stop
+// the panel for all others.
 int SendAnswer(lws* wsi, const WebAnswer& answer) {
   if (answer.file.empty()) {
     SendText(wsi, answer);

@@ -227,8 +227,8 @@ bool Connection::IsAnswered(RequestId id) {
 Answer Connection::WaitForAny(RequestId id) {
   const Clock::time_point deadline = Clock::now() + options_.timeout;
   while (!pending_.at(id).answer) {
-    // Looks at the clock even if packets arrive, because all of them may be events, so that the
-    // answer never comes.
+    // Looks at the clock even if packets arrive, because all of them may be events, and this loop
+    // must end even if the answer never comes.
     if (Clock::now() > deadline || !ReceivePacket(deadline)) ThrowSilent();
     HandlePacket();
   }

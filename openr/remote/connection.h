@@ -79,10 +79,10 @@ struct Event {
   RequestId subscription = 0;  // id of the subscription, which Subscribe() has returned
   uint32_t frame = 0;
   int stream = 0;  // kind of the stream, an RcStream
-  // How many times the robot left out the values of this stream between the event before and this
-  // event.
+  // Number of times that the robot left out the values of this stream between the previous event
+  // and this event.
   int left_out = 0;
-  Bytes values;  // values of Sensors or SetValues; see Read()
+  Bytes values;  // Sensors or SetValues as bytes, which Read() converts to the struct
 };
 
 // A function that is called during a transfer with two numbers: the bytes that were transferred,
@@ -189,14 +189,15 @@ class Connection {
   // Subscribes to a stream of events (sensor values or set values); replaces an earlier
   // subscription to it.  `period` is the smallest number of frames between two events: a multiple
   // of 4 and not 0 for sensors, 0 or more for set values. Functions of this class acknowledge
-  // events when they receive them, so the robot sends few events to a caller that calls no
-  // function.
+  // events when they receive them.  While the caller calls no function, the robot gets no
+  // acknowledgement and sends events only every 28 frames.
   RequestId Subscribe(RcStream stream, int period);
   void Unsubscribe(RcStream stream);
 
   // Waits for the next event, as long as the robot answers.  If no event comes within the time
   // limit of the options, sends INFO to test that the robot still answers, and throws Error if it
-  // does not.  While another function waits, keeps the newest kEventsMax events that arrive.
+  // does not.  Of the events that have arrived while other functions waited, only the newest
+  // kEventsMax are kept for this function.
   Event NextEvent();
   // Returns the next event; nullopt if no event arrives until `deadline`.  If `deadline` is in the
   // past, still receives bytes that have arrived already.

@@ -8,10 +8,10 @@
 namespace openr::remote {
 
 enum class ErrorCode {
-  kAddress,  // the text is no address, or no host has the name in it
+  kAddress,  // the text is no address, or the IP address of the named host cannot be found
   // No connection was made: no program listens at the address, or no program answers in time.
   kUnreachable,
-  kTimeout,      // the robot has not answered or taken bytes in time on an existing connection
+  kTimeout,      // a connection exists, but the robot does not answer or accept bytes in time
   kLost,         // the connection to the robot has ended
   kProtocol,     // the bytes that arrived do not follow the protocol of the remote control
   kRefused,      // the robot refuses the request; status() and text() say why

@@ -81,7 +81,8 @@ std::string Picture::Rgb() const {
                            row_size * static_cast<size_t>(row * bands + 1);
     const auto* const cb = cr + row_size;
     for (size_t x = 0; x < row_size; ++x) {
-      const int red = cr[x] - 128;  // Cr is R - Y and Cb is B - Y, both plus 128 (robot.md 11.2)
+      // Subtracts 128, because the bytes are Cr = R - Y + 128 and Cb = B - Y + 128 (robot.md 11.2).
+      const int red = cr[x] - 128;
       const int blue = cb[x] - 128;
       pixels += Clipped(y[x] + red);
       pixels += Clipped(y[x] - (131 * red + 49 * blue) / 256);

@@ -35,7 +35,8 @@ UnitOfKind UnitOf(const RcDescription& sensor) {
   return found == std::end(kUnits) ? UnitOfKind{kind, "", 1} : *found;
 }
 
-// Returns a JSON object that has each of `values` as a member with the sensor's name.
+// Returns a JSON object with a member for each of `values`.  The name of a member is the sensor's
+// name in `names`.
 Json Values(const std::vector<RcDescription>& names, const std::vector<Sint32>& values) {
   Json json = Json::object();
   for (size_t i = 0; i < std::min(names.size(), values.size()); ++i) {

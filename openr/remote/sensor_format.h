@@ -16,7 +16,7 @@ class Connection;
 std::string StateName(int state);
 
 // Returns the unit in which SensorFormat shows values of `sensor`: "N", "m", "degree C" or "m/s^2".
-// Returns "" for a switch and for counts of a converter (A/D).
+// Returns "" for a switch and for raw counts of an A/D converter.
 std::string SensorUnit(const RcDescription& sensor);
 
 // Formats sensor values with the names and units of the robot's sensors.

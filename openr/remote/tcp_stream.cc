@@ -74,8 +74,8 @@ bool TcpStream::WaitFor(short events, Clock::time_point deadline) const {
     const int ready = poll(&wanted, 1, static_cast<int>(left_ms));
     if (ready > 0) return true;
     if (ready == 0 && left_ms < 1'000'000'000) return false;
-    // Returns true after an error of poll(), as if the socket were ready, because the next call of
-    // the caller on the socket reports an error of the socket.
+    // Returns true after an error of poll(), as if the socket were ready.  If the socket has an
+    // error, the next call of the caller on this socket reports the error.
     if (ready < 0 && errno != EINTR) return true;
   }
 }

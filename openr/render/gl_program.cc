@@ -61,8 +61,9 @@ DepthTarget::DepthTarget(int size_px) : size_px_(size_px) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  // Makes OpenGL compare when a shader reads the texture: the shader passes the distance of a point
-  // from the light, and gets 1 if the point is lit or 0 if it is in shadow.
+  // Makes OpenGL compare distances from the light when a shader reads the texture: the distance
+  // that the shader passes and the distance in the texture.  The shader gets 1 if its point is lit,
+  // or 0 if its point is in shadow.
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
   glGenFramebuffers(1, &framebuffer_);

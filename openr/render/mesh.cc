@@ -8,10 +8,10 @@ namespace openr_host::render {
 namespace {
 
 // Adds one of the six sides of a rounded box to `mesh`, as a square grid of points.  `axis` (0 to
-// 2: x to z) and `sign` (1 or -1) give the direction in which the side faces.  `flat` has half the
-// length of each edge of the box, minus `radius`.  In both directions of the grid, the first half
-// of the lines lies on the rounding at one edge of the side, and the second half lies on the
-// rounding at the opposite edge.  The flat part of the side is between the two halves.
+// 2: x to z) and `sign` (1 or -1) give the direction in which the side faces.  `flat` is half the
+// size of the box along each axis, minus `radius`.  In both directions of the grid, the lines of
+// the first half are on the round edge at one end of the side.  The lines of the second half are on
+// the round edge at the opposite end.  The flat part of the side is between the two halves.
 void AddSide(int axis, float sign, const Eigen::Vector3f& flat, float radius, int steps,
              Mesh* mesh) {
   const int u_axis = (axis + 1) % 3;

@@ -26,8 +26,8 @@ Mesh RoundedBox(const Eigen::Vector3f& size, float radius, int steps);
 // number of its side faces, at least 3.
 Mesh Cylinder(const Eigen::Vector3f& size, int sides);
 
-// Returns a mesh of flat triangles; the first three points of `corners` are the corners of a
-// triangle, and so are each three points after them.
+// Returns a mesh of flat triangles.  The first three points of `corners` are the corners of the
+// first triangle, the next three points are the corners of the second triangle, and so on.
 Mesh Surface(const std::vector<Eigen::Vector3f>& corners);
 
 }  // namespace openr_host::render

@@ -97,8 +97,8 @@ std::string WritePicture(const PictureRequest& plan, VirtualRobot* robot,
   World world = robot->body().world();
   const size_t things = world.things.size();
   world.things = robot->body().Surroundings();
-  // Removes the parts of the other robots, which Surroundings() returns as boxes after the things
-  // of the world, because these robots are drawn with their own shapes.
+  // Surroundings() returns the things of the world first, and then boxes for the parts of the other
+  // robots.  Removes these boxes, because the other robots are drawn with their own shapes.
   world.things.resize(things);
   std::vector<RobotLook> looks = {LookOf(*robot)};
   for (const VirtualRobot* const other : company) {

@@ -329,8 +329,8 @@ std::vector<Shape> ShapesOfWorld(const World& world) {
     shape.X_WS.translation() = thing.centre_m;
     shape.size_m = thing.size_m;
     const double shortest_m = thing.size_m.minCoeff();
-    // Rounds the edges of the box that stands for a sphere by half their length, so that the box
-    // becomes a ball.
+    // A sphere is drawn as a box.  Its edges get a radius of half their length, so the box becomes
+    // a ball.
     shape.radius_m =
         thing.shape == ThingShape::kSphere ? shortest_m / 2 : std::min(0.004, 0.2 * shortest_m);
     shape.is_cylinder = thing.shape == ThingShape::kCylinder;

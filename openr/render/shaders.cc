@@ -45,7 +45,7 @@ uniform vec3 colour;
 uniform vec3 background;
 uniform vec3 centre;
 uniform float gloss;
-uniform float softness;  // factor of the softness of shadows
+uniform float softness;  // larger values make the borders of shadows softer
 uniform float glow;
 uniform float grid;   // distance of the lines on the floor; 0: not the floor
 uniform float reach;  // distance at which the floor has faded away
@@ -54,8 +54,9 @@ varying vec3 normal;
 varying vec3 in_sun;
 varying vec3 in_sky;
 
-// Returns the lit share of `samples` points in a disc.  Neighbouring pixels turn the disc by
-// different angles; averaging pixels smooths the result.  All is lit outside the depth picture.
+// Returns the share, 0 to 1, of `samples` points in a disc that are lit.  Neighbouring pixels turn
+// the disc by different angles, and the program later averages neighbouring pixels, which smooths
+// the result.  Points outside the depth picture count as lit.
 float Lit(sampler2DShadow depth, vec3 at, float radius, float samples) {
   float turn = 6.2831853 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
   float lit = 0.0;

@@ -43,8 +43,8 @@ Eigen::Matrix4f CameraMatrix(const Camera& camera, double aspect) {
 Eigen::Matrix4f LightMatrix(const Eigen::Vector3d& target_W, const Eigen::Vector3d& to_light,
                             double half_m) {
   const double distance = 4 * half_m;
-  // Takes an upward direction that is not parallel to the light, because LookAt() needs an upward
-  // direction that differs from the line of sight.
+  // Chooses an upward direction that is not parallel to the light, because LookAt() cannot use an
+  // upward direction that is parallel to the line of sight.
   const Eigen::Vector3d up =
       std::abs(to_light.x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
   Eigen::Matrix4d box = Eigen::Matrix4d::Identity();

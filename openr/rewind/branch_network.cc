@@ -32,8 +32,8 @@ void BranchNetwork::OpenAgain(NetHandle handle, const Socket& socket) {
       PassingNetwork::Listen(handle, socket.port);
       for (const NetHandle accepted : socket.accepts) PassingNetwork::Accept(handle, accepted);
       break;
-    // A TCP connection cannot be opened again from the side of the robot.  So the robot gets an
-    // event that tells it that the connection is broken.
+    // A TCP connection cannot go on in this run, because its other end was connected to the
+    // original run.  So the robot gets an event that tells it that the connection is broken.
     case Socket::Kind::kStream: {
       NetworkEvent broken;
       broken.kind = NetworkEvent::Kind::kFailed;
@@ -139,8 +139,9 @@ void BranchNetwork::Follow(const NetworkEvent& event) {
     case NetworkEvent::Kind::kResolved:
     case NetworkEvent::Kind::kFailed:
     case NetworkEvent::Kind::kClosed:
-      // Marks the socket as unused, because after the end of a connection, an error or the answer
-      // of a name look-up the robot can only drop the socket.  GoOn() then does not open it again.
+      // Marks the socket as unused, so that GoOn() does not open it again.  The robot can only drop
+      // a socket after its connection has ended, after an error, or after its name look-up was
+      // answered.
       sockets_[event.handle].kind = Socket::Kind::kNew;
       break;
     default:

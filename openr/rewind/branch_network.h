@@ -63,7 +63,7 @@ class BranchNetwork : public PassingNetwork {
     uint32_t address = 0;      // for a kAddress: the address whose name the robot has asked for
     uint16_t port = 0;
     bool any_port = false;
-    std::deque<NetHandle> accepts;  // for a kListener: sockets of the calls of Accept() that wait
+    std::deque<NetHandle> accepts;  // for a kListener: sockets with a waiting call of Accept()
     // For kUdp: the number of datagrams for which ReceiveFrom() waits; 0: it does not wait.
     size_t datagrams = 0;
     std::string name;  // for a kName: the host name whose address the robot has asked for

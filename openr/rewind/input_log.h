@@ -57,7 +57,7 @@ class InputLog {
 
 // Converts inputs to JSON with binary values, to send them to another process.
 nlohmann::json ToJson(const std::vector<LoggedInput>& inputs);
-// Converts JSON that ToJson() has made back to inputs.
+// Returns the inputs from which ToJson() has made `json`.
 std::vector<LoggedInput> LoggedInputsOf(const nlohmann::json& json);
 
 }  // namespace openr_host

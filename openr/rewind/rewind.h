@@ -42,8 +42,8 @@ class System;
 struct RewindParts {
   Simulation* simulation = nullptr;
   std::string no_rewind_reason;  // the reason why this run cannot be rewound; "": it can be rewound
-  // The replay, if this run replays a recording or is another known run: to repeat its inputs, a
-  // view (which shows a past moment) or a branch (a new run) calls the replay.  Null: a view
+  // The run, if it is a known run, such as the replay of a recording.  In a view (which shows a
+  // past moment) and in a branch (a new run), the known run repeats its inputs.  Null: a view
   // repeats the logged inputs of this run.
   KnownRun* known = nullptr;
   // The longest virtual time by which the run can go back from the present.
@@ -52,7 +52,7 @@ struct RewindParts {
   // past moment.
   std::function<nlohmann::ordered_json(const nlohmann::json& request)> answer;
   // A function that is called in the process of a new checkpoint.  It makes this process print
-  // nothing, and leave the sockets of the original process alone.
+  // nothing, and close the sockets of clients, because only the original process may use them.
   std::function<void()> become_copy;
   // A function that is called in a new view, the process that shows a past moment.  It gets the
   // files of the stick that objects have changed in the original run, with the content from before
@@ -178,7 +178,7 @@ class Rewind {
   pid_t branch_ = -1;
   // Process of the checkpoint that made the branch; a child of this process.
   pid_t branch_parent_ = -1;
-  std::string trouble_;  // reason why no more checkpoints are taken; "": they are taken
+  std::string trouble_;  // reason why no more checkpoints can be made; "": they can be made
   std::string refusal_;  // reason that was given to Refuse(); "": requests are allowed
 
   bool is_view_ = false;

@@ -90,8 +90,8 @@ bool Rewind::RunView(int socket, const SavedStick& stick, ProcessFiles* files,
       }
     } catch (const std::exception& error) {
       answer = {{"error", error.what()}};
-      // Ends the view only if it could not reach the moment that it was to show.  If the view has
-      // refused a request "answer" or "branch", its state is as before.
+      // Does not end a view that has refused a request "answer" or "branch", because this view
+      // still shows its moment.  Ends a view that could not reach the moment that it was to show.
       has_failed = !next->contains("answer") && !next->contains("branch");
     }
     SendMessage(socket, answer);
@@ -115,8 +115,8 @@ void Rewind::Prepare(const SavedStick& stick, ProcessFiles* files, const PlainJs
   auto* const present = dynamic_cast<FolderStick*>(system().robot(0).stick.get());
   const std::string root = present->root();
   CopyStick(root, copy);
-  // Gives the files in the copy the content from before the run.  The stick also has changes from
-  // after the checkpoint, which must not be in the copy, because the view has not made these
+  // Gives the content from before the run to all files that objects have changed.  The copy of the
+  // stick must not have changes from after the checkpoint, because the view has not made these
   // changes yet.
   const SavedStick changed = SavedStick::Of(request.at("files"));
   changed.CopyTo(copy);

@@ -102,9 +102,9 @@ std::string KeepFile(const fs::path& path, const std::function<void(const fs::pa
 // folder.
 bool IsInTrace(const fs::path& path) { return path.parent_path().extension() == ".ctf"; }
 
-// Makes a new trace in the Common Trace Format, DIR/NAME-2.ctf, from the file `path` in
-// DIR/NAME.ctf and the files beside it.  The other files are needed, because readers take all files
-// of one folder together.  Calls `copy` with the new path of the file, and returns the new folder.
+// Makes a new trace in the Common Trace Format, the folder DIR/NAME-2.ctf, from the file `path` in
+// DIR/NAME.ctf.  Also copies the file "metadata", because programs that read a trace need all files
+// of its folder.  Calls `copy` with the new path of the file, and returns the new folder.
 std::string KeepTrace(const fs::path& path, const std::function<void(const fs::path&)>& copy) {
   const fs::path folder = path.parent_path();
   int number = 2;
@@ -207,8 +207,8 @@ void ProcessFiles::OpenAgain(const std::string& stick, const std::string& copy,
       Replace(file.descriptor, copy + "/" + file.path.substr(stick_begin.size()), flags,
               file.offset);
     } else if ((flags & O_ACCMODE) == O_RDONLY) {
-      // Opens even a file that is only read again, because descriptors of a fork share their offset
-      // with the original process.
+      // Opens a file again even if it is open only for reading, because otherwise this fork and the
+      // original process would share its offset.
       Replace(file.descriptor, fmt::format("/proc/self/fd/{}", file.descriptor), flags,
               file.offset);
     } else {

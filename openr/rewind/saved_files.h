@@ -37,7 +37,7 @@ class SavedStick {
 
   // Converts these saved files to JSON with binary values, to send them to another process.
   nlohmann::json ToJson() const;
-  // Converts JSON that ToJson() has made back to files.
+  // Returns the saved files from which ToJson() has made `json`.
   static SavedStick Of(const nlohmann::json& json);
 
  private:
@@ -57,8 +57,8 @@ class ProcessFiles {
   // Opens each of the remembered files again, so that a fork does not share them with the original
   // process.  Called in the fork.  Files below the folder `stick` are replaced by the files with
   // the same names below `copy`.  Other files that are open for writing are replaced by copies in
-  // the folder `temporary`.  These copies are cut to the bytes that were written when the
-  // constructor was called.  Throws std::system_error.
+  // the folder `temporary`.  Such a copy has only the bytes that its file had when the constructor
+  // was called.  Throws std::system_error.
   void OpenAgain(const std::string& stick, const std::string& copy, const std::string& temporary);
 
   // Keeps the copies of written files when the fork has become a run of its own.  The copy of

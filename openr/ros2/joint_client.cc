@@ -33,8 +33,8 @@ NetworkEvent EventOf(NetworkEvent::Kind kind, NetHandle handle) {
 void JointClient::SetTargets(const std::map<int, JointTarget>& targets) {
   for (const auto& [joint, target] : targets) {
     JointTarget& wanted = wanted_[joint];
-    // If the new target of the joint gives no limit of speed, keeps the limit of the target that it
-    // replaces, which has waited for its turn to be sent to the robot.
+    // If the new target of the joint has no speed limit, keeps the speed limit of the old target,
+    // because this limit has not been sent to the robot yet.
     const double speed_rad_s = wanted.speed_rad_s;
     wanted = target;
     if (target.speed_rad_s <= 0) wanted.speed_rad_s = speed_rad_s;
@@ -173,8 +173,8 @@ std::vector<NetworkEvent> JointClient::Poll() {
     EndConnection();
     return events;
   }
-  // Sends no more requests after an invalid answer and ends the connection, because the object that
-  // listens on this port is not the remote control.
+  // After an invalid answer, sends no more requests and ends the connection below, because the
+  // object that listens on the port of the remote control is then another object.
   if (!is_broken_) WriteRequests();
   if (wants_ > 0 && (is_broken_ || !out_.empty())) {
     events.push_back(EventOf(NetworkEvent::Kind::kReceived, handle_));

@@ -37,10 +37,10 @@ class JointClient : public PassingNetwork {
   // stored target of the same joint.
   void SetTargets(const std::map<int, JointTarget>& targets);
 
-  // Returns whether stored joint targets still wait until the robot takes them.
+  // Returns whether stored joint targets still wait to be sent to the robot.
   bool IsWaiting() const { return !wanted_.empty(); }
-  // Drops the stored joint targets.  Called when the robot has not taken them for 1 s, because the
-  // robot must not move much later by an old command.
+  // Drops the stored joint targets.  Called when they could not be sent to the robot for 1 s,
+  // because an old command must not move the robot much later.
   void GiveUp() { wanted_.clear(); }
 
   void Listen(NetHandle listener, uint16_t port) override;
@@ -64,11 +64,11 @@ class JointClient : public PassingNetwork {
   NetHandle listener_ = 0;         // listener of the robot's remote control; 0: it does not listen
   std::deque<NetHandle> accepts_;  // Accept() calls of the remote control that wait
 
-  // ---- Members about the connection to the robot
+  // ---- Members for the connection to the robot
   NetHandle handle_ = 0;  // the robot's end of the connection; 0: no connection
   std::string out_;       // requests that the robot has not received yet
   int unanswered_ = 0;
-  uint64_t taken_ = 0;  // bytes of answers that came since the last Poll()
+  uint64_t taken_ = 0;  // number of bytes that the robot has sent; the next Poll() confirms them
   // The largest number of bytes that the remote control accepts in its present call of Receive();
   // 0: no call of Receive() waits for bytes.
   size_t wants_ = 0;

@@ -116,7 +116,7 @@ RobotTopics::RobotTopics(Bus* bus, const std::string& space, VirtualRobot* robot
         switches_[sensor] = std::make_unique<Ros2Switch>(bus, space + "/touch/" + part);
         break;
       case SensorKind::kForce:
-      case SensorKind::kRaw:  // its value is the strength of a touch and has no unit
+      case SensorKind::kRaw:  // the strength of a touch, a value without a unit
         numbers_[sensor] = std::make_unique<Ros2Number>(bus, space + "/touch/" + part);
         break;
       case SensorKind::kDistance:

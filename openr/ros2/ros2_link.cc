@@ -12,7 +12,7 @@
 namespace openr_host {
 namespace {
 
-// Number of frames (1 s) after which a joint target that the robot has not taken is dropped.
+// Number of frames (1 s) after which joint targets that could not be sent to the robot are dropped.
 constexpr int kPatienceFrames = 125;
 constexpr size_t kNamespaceMax = 64;  // largest length of a namespace, in characters
 constexpr const char* kCommandTopic = "/joint_command";

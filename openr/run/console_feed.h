@@ -10,10 +10,10 @@ class System;
 
 class ConsoleFeed {
  public:
-  // Opens the source of the console input.  For the file "-" it is standard input, and each Feed()
-  // gives the lines that have arrived.  The file "" means the same if standard input is a terminal,
-  // else it means no input.  Any other file is given as a whole at the start of the run.  Throws
-  // std::runtime_error if the file cannot be read.
+  // Opens the source of the console input.  If `file` is "-", or if it is "" and standard input is
+  // a terminal, the source is standard input, and each Feed() gives the lines that have arrived.
+  // If `file` is "" and standard input is no terminal, there is no input.  The content of any other
+  // file is given at the start of the run.  Throws std::runtime_error if the file cannot be read.
   explicit ConsoleFeed(const std::string& file);
 
   // Gives every robot of `system` the console input since the last call: lines from standard input,

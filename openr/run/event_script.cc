@@ -97,8 +97,8 @@ void EventScript::Feed(System* system) {
     const Event& event = events_.front();
     const std::string problem = system->inputs().Add(event.robot, event.input);
     if (problem.empty()) continue;
-    // Adds a finding about a line of the script, although Check() has accepted this line before the
-    // run, because Check() could not check names of services before the boot.
+    // Reports an error in this line of the script as a finding.  Check() could not find the error
+    // before the run, because it cannot check names of services before the boot.
     system->AddFindingAboutRobot(event.robot, Severity::kError,
                                  fmt::format("{}: {}", event.place, problem));
   }

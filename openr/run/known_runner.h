@@ -1,4 +1,4 @@
-// KnownRunner: runs a known run, such as a recording, at the rate that its viewers choose.
+// KnownRunner: runs a known run, such as a recording, at the rate that its clients choose.
 #pragma once
 
 #include <functional>

@@ -9,7 +9,8 @@
 namespace openr_host {
 namespace {
 
-// Virtual time after which a step of a paused run to the next message ends if no message comes.
+// The longest virtual time of a step to the next message, or to the next message with sensor
+// values.  The step ends after this time even if no such message has come.
 constexpr int64_t kStepMaxUs = 1'000'000;
 
 // Returns whether `message` gives an object new sensor values.

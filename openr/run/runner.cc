@@ -258,8 +258,8 @@ bool Runner::Run() {
     if (plan_.live != nullptr) plan_.live->Serve();
     const int64_t before_us = system.now_us();
     if (!WaitWhilePaused(&pacer)) GoOn(&pacer);
-    // Does not end the frame if the run has stopped within the frame.  A paused run stops there
-    // when the user asks for a step to the next message.
+    // Does not end the frame if the run has stopped within the frame.  A paused run can stop within
+    // a frame when the user asks for a step to the next message.
     const bool is_within_frame = system.now_us() < NextStopAfter(before_us);
     if (!is_within_frame || system.powered_off()) AfterFrame();
     // Restarts the pacer in a branch, a run that goes on from an earlier moment, because the pacer,

@@ -29,7 +29,7 @@ struct RunPlan {
   // are off.
   std::optional<int64_t> for_us;
   std::string for_text;    // value of --for as the user wrote it
-  bool has_begun = false;  // true: the robots have booted already, as in a replay that goes on
+  bool has_begun = false;  // true: the robots have booted already; the run continues a replay
   // Value of --until-idle: the run also ends when objects are quiet for kIdleUs.
   bool until_idle = false;
   double rate = 1;  // virtual seconds per real second; 0: as fast as possible
@@ -45,7 +45,7 @@ struct RunPlan {
   std::function<void(const std::string& line)> say;
   // False: the robots have no ports of this computer, so the runner names none to the user.
   bool has_ports = true;
-  Recorder* recorder = nullptr;  // records lost processes; null: none
+  Recorder* recorder = nullptr;  // records the loss of worker processes; null: no recording
   // A function for a free run, in which virtual time goes on while handlers run in worker
   // processes; null in other runs.  It waits at most `timeout_us` for results of these handlers and
   // applies them.  The runner calls it where it would sleep in other runs.  REQUIRES: rate > 0.
@@ -84,7 +84,7 @@ class Runner {
   // The state of a robot when the runner last printed a line about the robot.  The runner prints
   // again only when this state has changed.
   struct PrintedFacts {
-    uint16_t port = 0;    // port of its remote control; 0: none
+    uint16_t port = 0;    // port of the robot's remote control; 0: none
     int boots = 1;        // number of boots of the robot
     bool is_off = false;  // true: the robot was off and waited for its boot timer
   };

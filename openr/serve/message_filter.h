@@ -32,8 +32,8 @@ struct DeliveredMessage {
 
 struct MessageFilter {
   // The conditions of the filter; an empty field is no condition.  A message fits the filter if it
-  // fits all other fields.  `from` and `to` each name an object ("RCServer") or a service.  The
-  // last parts of the name of a service may be left out ("RCServer.Mover").
+  // meets all conditions.  `from` and `to` each name an object ("RCServer") or a service.  The last
+  // parts of the name of a service may be left out ("RCServer.Mover").
   std::string kind, from, to, entry;
 
   // Checks the filter.  Returns "", or the reason why no message can ever fit: an unknown kind,

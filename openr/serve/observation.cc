@@ -144,7 +144,7 @@ std::vector<ReadValue> FindGroup(const RobotValueName& wanted, const RobotModel&
 }
 
 // Returns the quantity with the name `wanted` if this source file defines it, such as
-// "speed.JOINT"; null otherwise.  After null, the caller asks FindQuantity().
+// "speed.JOINT"; otherwise returns null, and the caller then asks FindQuantity().
 Quantity FindOwn(const RobotValueName& wanted, const RobotModel& model) {
   const size_t dot = wanted.rest.find('.');
   if (dot == std::string::npos) return MotionOf(wanted.robot, wanted.rest);
@@ -186,7 +186,7 @@ void Observation::Choose(const std::vector<std::string>& names, const RunView& v
       values.push_back(std::move(value));
     }
   }
-  // Only now replaces the values that were chosen before, so that a wrong name changes nothing.
+  // Replaces the old values only after all names were found, so that a wrong name changes nothing.
   values_ = std::move(values);
 }
 

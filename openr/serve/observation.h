@@ -38,7 +38,7 @@ class Observation {
   const std::vector<ReadValue>& values() const { return values_; }
 
   // Returns the present values of the quantities that Choose() has chosen, as numbers of the type
-  // double, one behind the other.
+  // double, one after the other.
   std::string Bytes(const RunView& view) const;
 
  private:

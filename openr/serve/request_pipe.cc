@@ -46,7 +46,7 @@ void RequestPipe::UseSocket(int socket) {
   // instead.  Then the program that drives the run, at the other end, sees when the original
   // process ends, although the fork goes on.
   if (input_ == output_) {
-    close(input_);  // the socket of a fork; nothing but its RequestPipe uses the socket
+    close(input_);  // the socket of a fork; may be closed, because nothing else uses this socket
   } else {
     // Makes both descriptors lead to /dev/null and does not close them, because standard input must
     // stay open.

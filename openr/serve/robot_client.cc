@@ -13,7 +13,7 @@ namespace openr_host {
 namespace {
 
 constexpr NetHandle kHandle = 1;
-constexpr uint32_t kFirstIp = 0x0a000103;  // the IPv4 address 10.0.1.3, of the first connection
+constexpr uint32_t kFirstIp = 0x0a000103;  // 10.0.1.3, the lowest address that a connection gets
 constexpr uint16_t kFirstPort = 40000;
 constexpr size_t kReceiveMax = size_t{1} << 20;
 constexpr int kClientsMax = 64;

@@ -62,8 +62,8 @@ class RobotClients {
     if (hub == nullptr) hub = std::make_shared<LoopbackHub>();
     return hub;
   }
-  // Returns the address for a new connection to a robot: the lowest one of the network that neither
-  // the robot, whose address is `robot_ip`, nor an open connection to this robot has.
+  // Returns the address for a new connection to a robot: the lowest address from 10.0.1.3 on that
+  // is neither `robot_ip`, the robot's own address, nor in use by an open connection to this robot.
   uint32_t FreeAddress(int robot, uint32_t robot_ip) const;
   Client& Find(int connection);
   static void Poll(Client* client);

@@ -55,8 +55,8 @@ ServedRun::ServedRun(const ServedRunOptions& options)
     DeliveredMessage seen = Describe(system(), record, message);
     const bool fits = std::any_of(filters_.begin(), filters_.end(),
                                   [&](const MessageFilter& filter) { return filter.Fits(seen); });
-    // Leaves out a message that fits no filter before its content is copied.  Most messages fit no
-    // filter, and the content can be large, such as a camera's image.
+    // Stops here if the message fits no filter, so that its content is not copied.  Most messages
+    // fit no filter, and the content can be large, such as a camera's image.
     if (!fits) return;
     seen.content = ContentOf(message);
     Keep(std::move(seen));

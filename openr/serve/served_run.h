@@ -1,4 +1,5 @@
-// ServedRun: a run that goes on only as far as another program asks for.
+// ServedRun: a run that another program controls.  The run goes on only when this program requests
+// it, and only as far as the request says.
 //
 // Everything that the program does to the run enters as an input or through the network of the
 // robot.  Both are recorded, so `openr replay` repeats the run.

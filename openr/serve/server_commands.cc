@@ -284,7 +284,8 @@ RunServer::Answer RunServer::DoAct(const Request& request) {
     for (size_t i = 0; i < actuators_.size(); ++i) {
       double degrees = 0;
       std::memcpy(&degrees, request.bytes.data() + i * sizeof degrees, sizeof degrees);
-      // Five decimals are finer than 1 urad, the unit of set points.
+      // Five decimals are enough, because 0.00001 degrees is less than 1 urad, the unit of set
+      // points.
       fmt::format_to(std::back_inserter(line), " {} {:.5f}", actuators_[i], degrees);
     }
     if (request.json.at("ramp").get<bool>())

@@ -129,8 +129,8 @@ RunServer::Answer RunServer::DoFork(const Request& request) {
       throw std::runtime_error("this run cannot be copied: " + why);
     if (!record.empty() && !run_->is_recorded())
       throw std::runtime_error("the run has no recording that could go on in " + record);
-    // Makes this process the parent of copies whose own original ends (a "subreaper", prctl(2)), so
-    // that Serve() waits for them, too.
+    // Makes this process a "subreaper" (prctl(2)): if a copy ends, this process becomes the parent
+    // of the copies that the ended copy has made.  So Serve() waits for them, too.
     if (!is_copy_) prctl(PR_SET_CHILD_SUBREAPER, 1);
     ReadyPipe ready;
     const pid_t copy = CopyProcess(Flushed::kOwn, Orphan::kGoesOn);

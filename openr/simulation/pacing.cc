@@ -18,9 +18,9 @@ int64_t Pacer::DueNs(int64_t time_us) const {
   return start_wall_ns_ + static_cast<int64_t>(1000 * ahead_us / rate_);
 }
 
-// Makes the virtual time `time_us` and the real time `now_ns` the start from which DueNs() and
-// TimeNow() compute times.  Does so if the pacer has no start, or if the run is more than
-// kLateMaxNs late, because a late run must not catch up.  Returns whether there is a new start.
+// Sets a new start, from which DueNs() and TimeNow() count: the virtual time `time_us` at the real
+// time `now_ns`.  Does so only if the pacer has no start, or if the run is more than kLateMaxNs
+// late, because a late run must not catch up.  Returns whether a new start was set.
 bool Pacer::StartsAt(int64_t time_us, int64_t now_ns) {
   if (started_ && now_ns - DueNs(time_us) <= kLateMaxNs) return false;
   started_ = true;

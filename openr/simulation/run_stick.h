@@ -1,9 +1,9 @@
 // RunStick, the folder that a run uses as its Memory Stick.
 //
-// If the user has named a stick, objects write to it, and so does a crash record.  Without --stick,
-// runs use the default stick, which came with the program and must not change.  So such a run gets
-// a copy of the default stick, which is removed at the end of the run.  Its crash record goes to
-// the program's cache folder.
+// If the user has named a stick, objects write to this stick, and a crash record is written there,
+// too.  Without --stick, runs use the default stick, which came with the program and must not
+// change.  So such a run gets a copy of the default stick, which is removed at the end of the run.
+// Its crash record goes to the program's cache folder.
 #pragma once
 
 #include <filesystem>

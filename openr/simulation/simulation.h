@@ -31,9 +31,9 @@ struct SimulationOptions {
   // with openr and must not change.  So if objects may write, set this field to RunStick::folder(),
   // which is a copy of the default stick or the user's own stick.
   std::string stick;
-  // The folders of further sticks.  With them, the robots take the sticks in turn: robot 0 takes
-  // `stick`, robot 1 takes the first further stick, and so on.  After the last further stick,
-  // `stick` comes again.
+  // The folders of further sticks.  The sticks are given to the robots in turn: robot 0 gets
+  // `stick`, robot 1 gets the first further stick, and so on.  The robot after the last further
+  // stick gets `stick` again.
   std::vector<std::string> more_sticks;
   std::string robot = "ers210";  // name of the robot model
   std::string world;             // the world file; "": a flat floor
@@ -54,7 +54,7 @@ struct SimulationOptions {
   // True: objects may write to the stick.  Has no effect if there are several robots, because their
   // objects must never write to the sticks.
   bool writable_stick = true;
-  bool measures = true;             // true: measures handler times and stacks for the report
+  bool measures = true;             // true: measures handler times and stack use for the report
   bool guard_regions = false;       // see SystemOptions::guard_regions
   std::string cost_file;            // name of a cost file; see LoadCostFile()
   std::shared_ptr<CostModel> cost;  // costs to use instead of cost_file; null: cost_file is used

@@ -52,7 +52,7 @@ class StandingMonitor {
   const RobotModel* model_;
   std::optional<Stance> posture_;
   // Joint angles and attitude (R_WB_) of the robot when it had last moved slowly for kRestingUs.
-  // standing() compares them with the model's posture "stand" only when somebody asks, because
+  // Only standing() compares them with the model's posture "stand".  Sample() does not, because
   // computing the poses of all parts costs more time than a frame of a robot without physics.
   std::vector<double> angles_rad_;
   Eigen::Matrix3d R_WB_ = Eigen::Matrix3d::Identity();

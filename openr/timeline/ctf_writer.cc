@@ -122,7 +122,7 @@ void CtfWriter::AddSlice(const HandlerSlice& slice) {
 }
 
 // Writes to the file of the timeline the events "handler_end" of all handlers that ended at or
-// before `time_ns`.  Called before the begin of a handler is written, because the events in the
+// before `time_ns`.  Called before an event "handler_begin" is written, because the events in the
 // file are in order of time.
 void CtfWriter::WriteEndsUntil(uint64_t time_ns) {
   for (; !ends_.empty() && ends_.top().time_ns <= time_ns; ends_.pop()) Add(ends_.top().bytes);

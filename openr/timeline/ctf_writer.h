@@ -12,8 +12,8 @@
 
 namespace openr_host {
 
-// Writes a trace in the Common Trace Format, a folder with two files: `metadata` describes the
-// events, and `handlers` has the events: the begin and the end of each handler, in order of time.
+// Writes a trace in the Common Trace Format, a folder with two files.  `metadata` describes the
+// events.  `handlers` has the events, in order of time: when each handler began and when it ended.
 class CtfWriter : public TimelineWriter {
  public:
   // Makes `folder`, the folder of a trace in the Common Trace Format.  Throws std::runtime_error
@@ -40,7 +40,7 @@ class CtfWriter : public TimelineWriter {
   void Flush();
 
   std::unique_ptr<GrowingFile> events_;
-  std::priority_queue<End> ends_;  // ends of handlers whose begin was already written
+  std::priority_queue<End> ends_;  // ends of handlers whose beginning was already written
   std::string bytes_;              // events that are not in the file yet
 };
 

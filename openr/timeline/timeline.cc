@@ -54,9 +54,9 @@ void Timeline::NameObject(const Object* object) {
   writer_->AddObject(object->robot, object->id, object->name);
 }
 
-// Returns the processor time that the cost file gives the handler of `message`.  Returns nullopt
-// without a cost file, for a message to a system object (a part of the robot), and for a reply,
-// because these take no processor time.
+// Returns the processor time that the cost file gives the handler of `message`.  Returns nullopt if
+// there is no cost file.  Also returns nullopt for a message to a system object (a part of the
+// robot) and for a reply, because handling them takes no processor time.
 std::optional<double> Timeline::CostOf(const Object& object, const Message& message) const {
   if (system_->dispatcher().cpus().empty() || object.is_system || message.is_reply) return {};
   if (!object.delivery.is_busy()) return 0;
@@ -97,9 +97,9 @@ void Timeline::EndSlice() {
     slice.length = HandlerSlice::Length::kWall;
     slice.length_us = static_cast<double>(now_ns - begin_ns_) / 1e3;
   }
-  // Without a cost file, handlers that run at the same virtual time are drawn one after the other,
-  // because this computer ran them so.  With a cost file, each robot has a processor that gives
-  // each of its handlers a virtual time of its own.
+  // Without a cost file, draws handlers that run at the same virtual time one after the other, in
+  // the order in which this computer ran them.  With a cost file this is not needed, because the
+  // processor of a robot then runs handlers one after the other in virtual time.
   if (system_->dispatcher().cpus().empty()) {
     slice.at_us = std::max(slice.at_us, free_us_);
     free_us_ = slice.at_us + slice.length_us;

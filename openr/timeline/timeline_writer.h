@@ -22,7 +22,7 @@ struct HandlerSlice {
   TraceRecord record{};
   int robot = 0;  // number of the robot that has the object
   std::string object, entry, sender;
-  std::string said;      // what the message says, in words; "" if it is not shown
+  std::string said;      // content of the message in words; "": the content is not shown
   double at_us = 0;      // time on the timeline at which the handler began
   double length_us = 0;  // length of the slice; 0 if it is unknown
   Length length = Length::kUnknown;
