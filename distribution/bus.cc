@@ -236,8 +236,8 @@ void* ChannelBase::ReceiveUntyped(int timeout_ms) {
       received_.pop_front();
       return sample;
     }
-    // Before this end waits, sends the samples that SendBatched() has kept, because the other end
-    // may be waiting for them.
+    // Sends the samples that SendBatched() has kept, because this end of the channel waits now, and
+    // the other end may be waiting for these samples.
     FlushBatch();
     if (timeout_ms == 0) return nullptr;
     if (Dds().dds_waitset_wait(waitset_, nullptr, 0, DDS_MSECS(timeout_ms)) <= 0) return nullptr;
@@ -252,9 +252,9 @@ void ChannelBase::ReceiveMore() {
   void* samples[kSamplesPerPacketMax];
   dds_sample_info_t infos[kSamplesPerPacketMax];
   std::copy_n(free_samples_.rbegin(), kSamplesPerPacketMax, samples);
-  // Receives only one sample if the sample before was large (kBulkBytes).  The next sample is then
-  // probably large too, and large samples are received one at a time, so that each reuses memory
-  // that is still in the processor's cache.
+  // Receives only one sample after a large sample (kBulkBytes), because the next sample is probably
+  // large, too.  Large samples are received one at a time, so that each sample reuses memory that
+  // is still in the processor's cache.
   const uint32_t wanted = last_bulk_bytes_ < kBulkBytes ? kSamplesPerPacketMax : 1;
   const int count =
       Check(Dds().dds_take(reader_, samples, infos, kSamplesPerPacketMax, wanted), "take");

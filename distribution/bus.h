@@ -40,8 +40,9 @@ struct BusOptions {
   int domain = 0;                     // number of the DDS domain
   std::string address = "127.0.0.1";  // address of this host's network interface
   std::vector<std::string> peers;     // addresses of other hosts with processes of the run
-  std::string config_file;            // additional settings of Cyclone DDS, such as DDS Security
-  int participants_max = 120;         // largest number of processes on one host
+  // Path of a file with additional settings of Cyclone DDS, such as DDS Security; "" if none.
+  std::string config_file;
+  int participants_max = 120;  // largest number of processes on one host
   // Lease of this process in seconds, such as kWatchedLease_s; 0 means kLease_s.
   int lease_s = 0;
   // If true, Cyclone DDS keeps many sent samples, so that a write does not block while a receiving
@@ -58,7 +59,7 @@ class Bus {
   Bus(const Bus&) = delete;
   Bus& operator=(const Bus&) = delete;
 
-  // Waits until a Channel of this bus has a sample to receive, but at most `timeout_us`.
+  // Waits until a Channel or a StatusReader of this bus has a sample, at most `timeout_us`.
   void Wait(int64_t timeout_us);
 
   dds_entity_t participant() const { return participant_; }
@@ -73,7 +74,7 @@ class Bus {
   const int number_;  // number of the DDS domain
   dds_entity_t domain_ = 0;
   dds_entity_t participant_ = 0;
-  dds_entity_t waitset_ = 0;  // wakes when any Channel of this bus has a sample
+  dds_entity_t waitset_ = 0;  // DDS wait set; Wait() returns when an attached reader has a sample
 };
 
 // The two ends of a Channel: the master uses kMaster, the worker kWorker.

@@ -16,9 +16,9 @@
 namespace openr_host {
 namespace {
 
-// Longest time in microseconds that a worker may send.  A program gives a time as a RelativeTime,
-// with 32 bits for seconds and 32 bits for milliseconds, which is always shorter.  So a longer time
-// is an error of the worker and is refused.
+// Longest time in microseconds that a worker may send.  Programs give times as RelativeTime, with
+// 32 bits for seconds and 32 bits for milliseconds, and the longest RelativeTime is shorter than
+// this limit.  So a time above the limit is an error of the worker and is refused.
 constexpr int64_t kTimeMaxUs = int64_t{1} << 53;
 
 // Largest number of bytes that the master returns for a ControlPrimitive() request.  A faulty

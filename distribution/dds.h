@@ -1,8 +1,8 @@
 // Declares Dds(), which returns the functions of Cyclone DDS that this program calls.
 //
-// The library is loaded by the first call of Dds() and not at the start of the program.  Loading
-// it, together with OpenSSL and iceoryx, takes a fifth of that start, and most runs have only one
-// process and need no DDS (docs/performance.md, "The start of a run").
+// The library is loaded by the first call of Dds() and not at the start of the program.  Most runs
+// have only one process and need no DDS.  At the start, loading the library with OpenSSL and
+// iceoryx would take a fifth of the time of the start (docs/performance.md, "The start of a run").
 #pragma once
 
 #include <dds/dds.h>

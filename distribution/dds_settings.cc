@@ -65,9 +65,8 @@ class SettingsFile {
     } else if (parent == kRoot) {
       file->has_others_ = true;
     } else if (parent == kDomain && IsSame(name, "Id")) {
-      // Accepts the id of a DDS domain also as an element <Id>.  In settings files for older
-      // versions of Cyclone DDS it is such an element; in newer files it is an attribute of
-      // <Domain>.
+      // Accepts an element <Id>, because settings files for older versions of Cyclone DDS give the
+      // id of a DDS domain in this element.  Newer files give the id in an attribute of <Domain>.
       *element = kDomainId;
     } else if (parent == kDomain && (IsSame(name, "Security") || IsSame(name, "DDSSecurity"))) {
       file->domains_.back().has_security = true;

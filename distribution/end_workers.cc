@@ -18,9 +18,9 @@ class Deadline {
         is_interrupted_(is_interrupted),
         now_ms_(now_ms) {}
 
-  // Calls `wait` until it returns true or no time is left, but at least once.  The argument
-  // `limit_ms` of `wait` is the time for which `wait` may wait, at most kEndSliceMs.  Returns
-  // whether `wait` has returned true.
+  // Calls the function `wait` once, and then again until the function returns true or no time is
+  // left.  Each call gets the time that it may last, at most kEndSliceMs.  Returns whether the
+  // function has returned true.
   bool Wait(const std::function<bool(int64_t limit_ms)>& wait) {
     int64_t left_ms = LeftMs();
     do {
@@ -45,7 +45,7 @@ class Deadline {
   const int64_t interrupted_ms_;
   const std::function<bool()>& is_interrupted_;
   const std::function<int64_t()>& now_ms_;
-  bool is_shortened_ = false;  // whether the user has asked not to wait, so end_ms_ was shortened
+  bool is_shortened_ = false;  // whether the user has interrupted the wait and so moved end_ms_
 };
 
 }  // namespace

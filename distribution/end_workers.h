@@ -12,8 +12,8 @@ struct EndingWorker {
   // Tells the worker that the run is over, and does not wait.  Returns false if there is no worker
   // that can be told.
   std::function<bool()> tell;
-  // Returns whether the process of the worker has ended.  EndWorkers() then does not wait until
-  // this worker has received what tell() has sent.
+  // Returns whether the process of the worker has ended.  If the process has ended, EndWorkers()
+  // does not wait until this worker has received what tell() has sent.
   std::function<bool()> has_ended;
   // Waits until the worker has received what tell() has sent, at most `limit_ms`.  Returns whether
   // the worker has received it.
@@ -22,13 +22,13 @@ struct EndingWorker {
   // process has ended.  May kill a process that has never joined the run, because nothing of the
   // run is lost with it.
   std::function<bool(int64_t limit_ms)> await_exit;
-  // Kills the process of the worker, which has not ended.
+  // Kills the process of the worker.  Called when await_exit() has not seen the end of the process.
   std::function<void()> kill;
 };
 
 struct EndLimits {
   int64_t receipt_ms;  // time for all workers together to receive that the run is over
-  int64_t exit_ms;     // time for all workers together to end after that
+  int64_t exit_ms;     // time for all their processes together to end, after the receipt
   // Replaces `receipt_ms` and `exit_ms` as soon as the user does not want to wait any more.  If a
   // wait is under way at that time, it lasts at most `interrupted_ms` longer.
   int64_t interrupted_ms;

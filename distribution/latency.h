@@ -41,9 +41,9 @@ class Latency {
   double MaxUs() const { return static_cast<double>(max_ns_) / 1000; }
   double MeanUs() const;
 
-  // Returns a histogram of the durations that were added after `before`, an earlier copy of this
-  // histogram, was made.  Its maximum may be up to 1/16 too high, because it is computed from the
-  // buckets.
+  // Returns a histogram of only those durations that are not in `before`, an earlier copy of this
+  // histogram.  The maximum of the result may be up to 1/16 too high, because it is computed from
+  // the buckets.
   Latency Since(const Latency& before) const;
 
  private:

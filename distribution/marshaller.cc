@@ -26,8 +26,8 @@ bool IsStack(const System& system, ObjectId id) {
   return object != nullptr && object->name == IpStack::kName;
 }
 
-// Returns the form in which the payload of `message` is sent: as plain bytes, or in a form without
-// the pointers that it contains.
+// Returns the form in which the payload of `message` is sent: plain bytes, or, for a payload with
+// pointers, a form with other data in place of the pointers.
 openr_wire_PayloadKind KindOf(const System& system, const Message& message) {
   switch (message.kind) {
     case PayloadKind::kNotify:

@@ -50,11 +50,10 @@ class Marshaller {
   // its regions.
   void CompleteSend(const Message& message);
 
-  // Decodes `in` into the new message `out`.  Does not set the message's class (MessageClass,
-  // which decides its place in the queue) and its due time, because a sample has neither; the
-  // caller sets them.  Returns "" or the error in `in`.  `in` must stay
-  // valid until ReleaseSample(), because changed regions are found by comparing them with its
-  // bytes.
+  // Decodes `in` into the new message `out`.  Leaves the message's class (MessageClass, which
+  // decides its place in the queue) and its due time to the caller, because a sample has neither.
+  // Returns "" or the error in `in`.  `in` must stay valid until ReleaseSample(), because changed
+  // regions are found by comparing them with the bytes of `in`.
   std::string Decode(const openr_wire_Message& in, Message* out);
   void ReleaseSample();
   // Undoes the last Decode(), because the System has refused the message, so that no object gets
@@ -67,7 +66,7 @@ class Marshaller {
   // the memory in the peer.
   bool HasImported(uint32_t region) const;
 
-  // Returns whether `region` was sent to the peer, which may still use it.
+  // Returns true if `region` was sent to the peer and the peer may still use the region.
   bool HasExported(uint32_t region) const;
 
   // A region that was sent to the peer and has not been given back.

@@ -27,8 +27,8 @@ class NameClaim {
   void Announce(const std::string& claim);
 
   Bus* const bus_;
-  // The claim of this run, a text that begins with the time of the claim.  Of two claims, the claim
-  // that comes first in the order of texts wins, which is the earlier claim.
+  // The claim of this run, a text that begins with the time of the claim.  So comparing two claims
+  // as texts compares their times.  The run with the earlier claim keeps the name.
   const std::string own_;
   bool is_permanent_ = false;
   dds_entity_t topic_ = 0;

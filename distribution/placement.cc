@@ -22,7 +22,7 @@ bool IsName(std::string_view text) {
   });
 }
 
-// Adds to the placement that `object` is in `process`.  Returns "" or the error.
+// Places `object` in `process`, by an entry in `placement`.  Returns "" or the error.
 std::string Add(const std::string& object, const std::string& process, Placement* placement) {
   const std::string no_name = NameProblem("process", process);
   if (!no_name.empty()) return no_name;

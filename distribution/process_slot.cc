@@ -137,9 +137,9 @@ void ProcessSlot::AnswerJoinRequest(const openr_wire_JoinRequest& request) {
   } else if (is_closed_) {
     answer.refusal = arena.Text(fmt::format("the run goes on without process '{}'", process_));
   } else if (has_joined_ && requester_id_ != id) {
-    // If the process that has joined has ended, gives no answer to this join request.  The master
-    // will soon notice that end.  The process that has sent the request repeats it until it gets an
-    // answer.
+    // Gives no answer now if the joined process has ended.  A refusal would be wrong, because the
+    // slot is no longer in use, but the master will give the slot away only when it notices that
+    // end.  The requester repeats its request until it gets an answer.
     if (liveness_.HasEnded()) return;
     answer.session = arena.Text(kTakenSession);
     answer.refusal = arena.Text(fmt::format("the run has its process '{}' already: pid {} on {}",

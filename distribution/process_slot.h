@@ -65,8 +65,9 @@ class ProcessSlot {
   // Returns whether the joined process has ended, as far as this machine can tell (LivenessCheck).
   bool HasEnded() const;
 
-  // Answers the join requests that have arrived.  While a worker has the slot, or after Close(),
-  // the answers are refusals.
+  // Answers the join requests that have arrived.  Refuses them while a worker has the slot, and
+  // after Close(); otherwise the first requester gets a session.  Also tells abandoned workers that
+  // they were given up.
   void RefuseOtherRequests();
   // Closes the slot: all later join requests are refused.
   void Close() { is_closed_ = true; }

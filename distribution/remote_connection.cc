@@ -64,7 +64,8 @@ void RemoteConnection::Send(const openr_wire_ToWorker& to_worker, bool batched) 
   try {
     if (batched) return channel()->SendBatched(to_worker);
     channel()->Send(to_worker);
-  } catch (const std::runtime_error& error) {  // the write timed out, or DDS has no memory
+  } catch (const std::runtime_error& error) {
+    // The write timed out, or DDS has no memory.  In both cases the worker counts as lost.
     throw ProcessLost(fmt::format("process '{}' (pid {}) takes nothing any more: {}", name_,
                                   identity().pid, error.what()));
   }

@@ -22,7 +22,7 @@ namespace openr_host {
 struct ProcessCrashed : ProcessLost {
   ProcessCrashed(const std::string& what, ObjectId crashed) : ProcessLost(what), object(crashed) {}
 
-  ObjectId object;  // the object of the handler; kNoObject if it is not known
+  ObjectId object;  // the object whose handler has ended the process, or kNoObject if not known
 };
 
 // Thrown if the worker has refused the run before taking part.  The run does not fail, because the
@@ -93,15 +93,15 @@ class RemoteConnection {
   // Throws ProcessLost, because the worker has sent `what`, which is not allowed.
   [[noreturn]] void Refuse(const std::string& what) const;
 
-  // Returns the problem of the worker, or "".  Needs no answer of the worker, so it also finds the
-  // loss of a worker that has nothing to do.
+  // Returns the problem of the worker, or "" if there is none.  Does not wait for a sample of the
+  // worker, so the loss of an idle worker, which sends nothing, is found, too.
   std::string FindProblem() const;
   // Returns the problem of the worker as FindProblem() does.  If the worker has sent a goodbye,
   // returns the reason in the goodbye, which is more exact.
   std::string FindLoss();
 
-  // Tells the worker that it has to end, and `why` the run has ended: the text of DescribeEnd(), or
-  // "".  Returns false if no worker has joined, or if the worker is lost now.
+  // Tells the worker to end.  `why` is the reason why the run has ended: the text of DescribeEnd(),
+  // or "".  Returns false if no worker has joined, or if sending fails and the worker is lost.
   bool SendEnd(const std::string& why);
   // Waits until the worker has received all samples, at most `limit_ms`.  Returns whether it has
   // received them.  REQUIRES: SendEnd() has returned true.

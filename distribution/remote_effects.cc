@@ -14,9 +14,9 @@
 namespace openr_host {
 namespace {
 
-// The longest delay or timeout in microseconds that a worker may ask for.  A program gives a time
-// as a RelativeTime, with 32 bits for seconds and 32 bits for milliseconds, which is always
-// shorter.  So a longer delay is an error of the worker and is refused.
+// The longest delay or timeout in microseconds that a worker may ask for.  Programs give times as
+// RelativeTime, with 32 bits for seconds and 32 bits for milliseconds, and the longest RelativeTime
+// is shorter than this limit.  So a time above the limit is an error of the worker and is refused.
 constexpr int64_t kDelayMaxUs = int64_t{1} << 53;
 
 // Gives WorkerCallList::Call() the C++ object on which it is to call a function.  Call() calls

@@ -45,10 +45,11 @@ class RemoteEffects {
   // Applies the effects in `to_master` in the name of `self`.  If `self` is null, no handler has
   // caused them: the worker was loading its objects, for instance.
   void Apply(const openr_wire_ToMaster& to_master, Object* self);
-  // Applies the sample by which the worker tells that a handler has stopped.
+  // Handles the sample that reports that a handler in the worker has stopped: applies the effects
+  // of the handler, and records the data about its object.  Returns why the handler has stopped.
   HandlerStop ApplyStop(const openr_wire_ToMaster& to_master);
-  // Applies the sample by which the worker tells that it has dropped its connections to a replaced
-  // object.
+  // Handles the sample that reports that the worker has dropped its connections to a replaced
+  // object: applies the effects, and forgets regions that the worker does not use any more.
   void ApplyForgotten(const openr_wire_ToMaster& to_master);
 
  private:

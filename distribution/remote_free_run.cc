@@ -13,10 +13,10 @@
 namespace openr_host {
 namespace {
 
-// First number of the wake boxes.  In a free run, the stand-in of an object whose handler runs in a
-// worker waits for a reply to such a box; the master posts the reply when the handler has returned
-// or waits.  The boxes that objects open count from 1 and never get so large, so the two kinds of
-// boxes stay different.
+// First number of the wake boxes, the reply boxes of stand-ins.  In a free run, while a handler of
+// an object runs in a worker, the object's stand-in waits for a reply to its wake box.  The master
+// posts the reply when the handler has returned or waits.  The boxes that objects open themselves
+// count from 1 and never reach this number, so a wake box never has the number of such a box.
 constexpr uint64_t kFirstWakeBox = uint64_t{1} << 40;
 
 }  // namespace
@@ -111,7 +111,7 @@ void RemoteFreeRun::CheckHealth() {
     const std::string problem = connection_->FindProblem();
     if (problem.empty()) return;
     if (const RemoteConnection::ReceivedSample late = connection_->ReceiveLate())
-      return HandleSample(*late);  // the worker's goodbye tells more than `problem`
+      return HandleSample(*late);  // a goodbye has a more exact reason than `problem`
     throw ProcessLost(problem);
   });
 }

@@ -48,7 +48,7 @@ class RemoteFreeRun {
   struct Loss {
     std::string why;           // the reason, "" if the worker is not lost
     bool has_crashed = false;  // whether a handler has ended the worker, for instance by a crash
-    ObjectId crashed_object = kNoObject;  // the object of this handler; kNoObject if not known
+    ObjectId crashed_object = kNoObject;  // object whose handler has ended the worker, or kNoObject
   };
   // Returns the loss of the worker that HandleReceived() or CheckHealth() has found.
   const Loss& loss() const { return loss_; }

@@ -31,7 +31,7 @@ bool RemoteHandlers::Run(RemoteObject* object, const Message& message) {
   }
 }
 
-// Sends `message` to the worker, which then runs its handler.
+// Sends `message` to the worker, which then runs the handler of this message.
 void RemoteHandlers::Deliver(RemoteObject* object, const Message& message) {
   WireArena arena;
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_DELIVER);

@@ -55,7 +55,7 @@ class RemoteProcess {
   // ---- Loss and restart of the worker
 
   // Counts the worker as lost, also in the stand-ins for its objects (Object::is_lost).  Does not
-  // give back the regions of the worker, so it suffices only in a run that ends.
+  // give back the regions of the worker.  If the run goes on, ReleaseAll() must be called instead.
   void SetLost();
   // Counts the worker as lost and releases everything that belongs to it while the run goes on.
   // Regions that were sent to the worker go back to their subjects.  Also ends the waits of all
@@ -68,9 +68,9 @@ class RemoteProcess {
   // replaced this object and will be connected again.  Throws ProcessLost.
   void Forget(ObjectId id);
 
-  // Destroys the marshaller of the worker, and tells the worker that it has to end, and `why` the
-  // run has ended (RemoteConnection::SendEnd()).  REQUIRES: the System still exists, because the
-  // marshaller uses its regions.
+  // Destroys the marshaller of the worker.  Then tells the worker to end, by
+  // RemoteConnection::SendEnd() with the reason `why`, and returns the result of that function.
+  // REQUIRES: the System still exists, because the marshaller uses its regions.
   bool SendEnd(const std::string& why);
 
  private:

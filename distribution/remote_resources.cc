@@ -80,7 +80,7 @@ void RemoteResources::ReleaseAll() {
     if (object->delivery.blocked() != nullptr) Wake(id, object->wait.box);
   }
   calls_->ReleasePins();
-  // Removes the lost process's counts of dropped notifications and its heap use, because the next
+  // Removes the lost process's counts of lost data and messages and its heap use, because the next
   // process counts from 0.
   dropped_.clear();
   for (const auto& [robot, bytes] : std::exchange(heap_by_robot_, {}))

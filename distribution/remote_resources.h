@@ -38,7 +38,7 @@ class RemoteResources {
   // ---- The results of the next three functions are null before Begin().
   System* system() const { return system_; }
   Marshaller* marshaller() const { return marshaller_.get(); }
-  // Returns the object that checks what handlers in the worker ask the master to do, and does it.
+  // Returns the CheckedCalls, which check and then do what handlers in the worker ask the master.
   CheckedCalls* calls() const { return calls_.get(); }
 
   // Returns the master's stand-ins for the worker's objects.
@@ -49,8 +49,8 @@ class RemoteResources {
   void Replace(const std::map<ObjectId, RemoteObject*>& objects) { objects_ = objects; }
   // Records in the stand-ins whether the worker is lost (Object::is_lost).
   void SetLost(bool is_lost) const;
-  // Returns the stand-in of an object of which the worker has sent something.  Throws ProcessLost
-  // if the worker has no such object.
+  // Returns the stand-in for object `id`, which the worker has named in a sample.  Throws
+  // ProcessLost if this object is not an object of the worker.
   RemoteObject* ObjectOf(ObjectId id) const;
 
   // Returns whether the worker may send bytes for the memory region `region`.  The worker may do so
@@ -65,8 +65,8 @@ class RemoteResources {
   // Records the bytes of heap that the worker's objects use on `robot`.  Throws ProcessLost if the
   // number is too large.
   void RecordHeap(int robot, uint64_t bytes);
-  // Records that `count` data and messages of `object` have been lost so far, as the worker has
-  // counted them (Object::dropped_count).
+  // Records how many data and messages of `object` were lost (Object::dropped_count).  `count` is
+  // the number that the worker has counted since its start.
   void RecordDropped(RemoteObject* object, uint64_t count);
 
   // Releases a memory region that the worker sent, and sends no ready message for it.  To be called
@@ -92,8 +92,8 @@ class RemoteResources {
   std::unique_ptr<Marshaller> marshaller_;
   std::unique_ptr<CheckedCalls> calls_;
   std::map<ObjectId, RemoteObject*> objects_;
-  // For each object of the worker, the number of dropped notifications (Object::dropped_count) that
-  // the worker has reported last.  The master adds only the increase to its own count.
+  // For each object of the worker, the number of lost data and messages (Object::dropped_count)
+  // that the worker has reported last.  The master adds only the increase to its own count.
   std::map<ObjectId, uint64_t> dropped_;
   // For each robot, the number of heap bytes that the worker's objects use.
   std::map<int, uint64_t> heap_by_robot_;

@@ -185,7 +185,7 @@ std::vector<RunStatus> StatusReader::Take() {
     if (info.valid_data) {
       all.push_back(Decode(status));
     } else {
-      RunStatus gone;  // reports a run whose writer has gone; DDS then gives only the key fields
+      RunStatus gone;  // the run's writer is gone, so DDS gives only the key fields of its status
       gone.run = Printable(status.run);
       gone.host = Printable(status.host);
       gone.pid = status.pid;

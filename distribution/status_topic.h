@@ -31,8 +31,8 @@ class StatusReader {
 
   // Returns the newest status of each run that has arrived since the last call.  A run whose
   // process has ended without a final status is reported as ended.  Texts are made printable,
-  // because they come from the network and are shown on terminals; they are at most as long as in
-  // openr_status.idl.
+  // because they come from the network and are shown on terminals.  No text is longer than its type
+  // in openr_status.idl allows.
   std::vector<RunStatus> Take();
 
  private:

@@ -62,7 +62,7 @@ class WireArena {
   void Clear() { memory_.release(); }
 
  private:
-  char first_[1024];  // enough for most samples, so they need no allocation
+  char first_[1024];  // first memory of the arena; most samples fit and need no allocation
   std::pmr::monotonic_buffer_resource memory_{first_, sizeof first_};
 };
 

@@ -32,10 +32,10 @@ struct WorkerOptions {
   BusOptions bus;
   std::string process;  // name of this process in the placement
   std::string session;  // session given by the run; "" if the worker requests a session
-  std::string stick;    // folder of the Memory Stick here; "" for the path of the master
+  std::string stick;    // folder of the Memory Stick on this host; "" to use the master's path
   int64_t master_wait_ms = 60'000;     // time limit for finding the master, in ms of the wall clock
   bool waits_for_predecessor = false;  // whether to wait until an earlier process of this name ends
-  std::function<bool()> is_ended;      // returns true once the user ends this process; may be null
+  std::function<bool()> is_ended;      // whether the user has told this process to end; or null
   std::function<void(const std::string& line)> say;  // prints a line for the user
   // Returns a local folder to use as the Memory Stick when the run's folder is not on this host, or
   // "".  The worker uses the folder only if its files are the same as in the run's folder.  The
@@ -46,7 +46,7 @@ struct WorkerOptions {
   // The worker then refuses the run, which waits for another process.
   std::function<std::string(const std::string& stick)> find_stick_problem;
   // A function that is called once, with the folder of the Memory Stick, before objects are loaded;
-  // may be null.  The caller then knows where to write crash records.
+  // may be null.  With this folder, openr join chooses the file for crash records.
   std::function<void(const std::string& stick)> begins;
 };
 
@@ -159,7 +159,7 @@ class Worker : public MasterLink {
   std::vector<openr_wire_Effect> effects_;
   std::vector<uint32_t> pinned_;  // regions whose memory is kept until their bytes have been sent
   std::map<uint32_t, openr_wire_NotifiedRegion>
-      parts_in_sample_;  // data that the next sample sends; the key is the region's id
+      parts_in_sample_;  // data that the next sample already contains; the key is the region's id
   std::map<ObjectId, Wait> waits_;
 };
 

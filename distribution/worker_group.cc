@@ -432,8 +432,9 @@ bool WorkerGroup::HasEnded(const Member& member) {
 }
 
 // Waits for the end of a worker's process, at most `limit_ms`.  Returns whether the process has
-// ended.  Kills a process that has never joined at once, because it was not told that the run is
-// over.  A worker that is lost was not told either, but may be writing the record of its crash.
+// ended.  Does not wait for a process that has never joined, but kills it, because it was not told
+// that the run is over.  A lost worker was not told either, but is not killed here, because it may
+// be writing the record of its crash.
 bool WorkerGroup::AwaitExit(const Member& member, int64_t limit_ms) {
   if (member.child == nullptr) return true;
   if (member.process->connection().identity().pid != 0) return member.child->WaitForEnd(limit_ms);

@@ -25,7 +25,8 @@ struct RunEnd;
 struct WorkerGroupOptions {
   BusOptions bus;
   Placement placement;
-  // Command line that starts a worker on this host, to which the name of the process is appended.
+  // Command line that starts a worker on this host.  WorkerGroup appends the name of the process
+  // and the name of the session.
   std::vector<std::string> command;
   // Command line that is put before `command`, for a debugger or Valgrind.
   std::vector<std::string> wrapper;
@@ -37,8 +38,8 @@ struct WorkerGroupOptions {
   int restarts = 0;          // how often each worker may be restarted
   std::function<void(const std::string& line)> say;  // prints a line for the user
   // Returns the number of times that the user has asked the run to end (Ctrl-C).  After the first
-  // request the run waits for no lost worker; after the second request the run ends at once.  If
-  // this function is null, the user never asks.
+  // request, the run no longer waits for workers that have to join or to be restarted.  After the
+  // second request, the run ends at once.  If this function is null, the user never asks.
   std::function<int()> interrupts;
 };
 
@@ -116,8 +117,8 @@ class WorkerGroup {
   // lost.
   void ReportLosses();
 
-  // Tells all workers that the run has ended.  Kills those workers that this run has started and
-  // that do not receive this or do not end in time.  REQUIRES: the System still exists.
+  // Tells all workers that the run has ended.  Kills a worker that this run has started if it does
+  // not receive this message, or does not end in time.  REQUIRES: the System still exists.
   void End();
 
  private:
@@ -155,7 +156,7 @@ class WorkerGroup {
     int restarts_left = 0;
     int losses = 0;
     int returns = 0;
-    uint64_t undelivered_before = 0;  // number of undelivered messages before the loss
+    uint64_t undelivered_before = 0;  // number of undelivered messages of all earlier losses
     // Owns the master's new stand-ins for the objects of a restarted worker, until the object table
     // takes them to replace the old stand-ins.
     std::vector<std::unique_ptr<RemoteObject>> new_objects;
@@ -208,7 +209,7 @@ class WorkerGroup {
   std::function<void(const std::string&)> loss_listener_;
   std::function<void(Object*)> crash_listener_;
   std::function<void(Object*)> return_listener_;
-  std::vector<std::string> placed_;  // names of the placed objects that OBJECT.CFG names
+  std::vector<std::string> placed_;  // names of objects that are in OBJECT.CFG and run in workers
 };
 
 }  // namespace openr_host

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int64_t kCrashRecordMs = 5'000;   // time for a crashed process to write its crash record
 constexpr int64_t kRetryPauseMs = 1'000;    // pause after a failed restart
-constexpr int64_t kReturnNoticeMs = 2'000;  // the user is told of a restart that takes longer
+constexpr int64_t kReturnNoticeMs = 2'000;  // time in one stage after which the user is told
 // The pause between two steps of restarts in lockstep (the master waits for each handler).  It is
 // short, because the run stands still until the restarts are complete.
 constexpr int kReturnPollUs = 1'000;
@@ -212,9 +212,9 @@ void WorkerGroup::OnReplaced(ObjectId id) {
     // This member is the restarted worker of object `id`.  We do not remove the readies of the old
     // object `id` from the stand-ins of this worker (ForgetObserver()), because these readies have
     // no effect: ObjectManager::ReplaceAndBoot() does not send a ready again if both its sender and
-    // its receiver are replaced.  ForgetObserver() could not be called for all old stand-ins in
-    // member.objects anyway: those with ids below `id` are destroyed already, because objects are
-    // replaced in the order of their ids.
+    // its receiver are replaced.  Also, ForgetObserver() must not be called for the old stand-ins
+    // with ids below `id`.  They are destroyed already, because objects are replaced in the order
+    // of their ids.
     //
     // Copies the count of undelivered messages from the master's old stand-in for the object to the
     // new one.  NewInstance() has copied it already, but messages may have come for the old

@@ -94,8 +94,8 @@ bool Worker::MayBeRefused(const Message& message) {
   openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_ENTRY);
   to_master.body._u.entry = {message.target, message.selector};
   Send(to_master);
-  // Remembers that the receiver's entry exists, so that the master is asked only at the first
-  // message to an entry.  Forget() removes the entries of an object that is replaced.
+  // If the receiver has the entry (status 1), remembers the entry, so that the worker need not ask
+  // the master again.  Forget() removes the entries of an object that is replaced.
   if (WaitForAnswer().status != 1) return true;
   known_entries_.insert(entry);
   return false;

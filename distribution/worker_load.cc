@@ -125,7 +125,7 @@ void Worker::AddObject(const openr_wire_ObjectEntry& entry,
       loaded->push_back(Describe(*object));
       return;
     }
-    // Sends the reason why the object cannot be loaded to the master, which reports the error.
+    // Tells the master why the object cannot be loaded.  The master reports this error.
     openr_wire_LoadedObject bad{};
     bad.id = entry.id;
     bad.name = arena_.Text(StringOf(entry.name));

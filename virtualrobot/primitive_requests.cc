@@ -95,8 +95,8 @@ OStatus PrimitiveRequests::GetSoundType(const RequestCall& call) {
 }
 
 OStatus PrimitiveRequests::SetJoint2(const RequestCall& call) {
-  // Names the caller as the commander of the joint, because SafePosture moves the joints of an
-  // object that has crashed.
+  // Records the calling object as the commander of the joint, because SafePosture moves the joints
+  // whose commander has crashed.
   call.parts.devices.set_commander(t_current.object == nullptr ? kNoObject : t_current.object->id);
   call.parts.devices.SetTarget(
       call.primitive.index, ParamOf(call, OPrimitiveControl_JointCommandValue2(0)).command.value);

@@ -20,8 +20,8 @@ namespace openr_host {
 VirtualRobot::VirtualRobot(System* system, int robot, const RobotModel& model,
                            std::unique_ptr<Body> body, VirtualRobotOptions options)
     : parts_(system, robot, model, std::move(body), std::move(options)) {
-  // Stores the locators of the primitives for debuggers only once, for the first robot, because all
-  // robots of a run are of one model and have the same locators.
+  // Stores the locators of the primitives where debuggers find them.  Only robot 0 does this,
+  // because all robots of a run are of one model and have the same locators.
   if (robot == 0) SetLocatorsForDebugger(parts_.primitives.Lines());
 }
 
@@ -183,8 +183,9 @@ OStatus VirtualRobot::DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey
   return oFAIL;
 }
 
-// Gives the camera the colour tables of the vector with memory `id`.  If one of the tables is
-// wrong, the whole vector is refused and the camera keeps its tables.
+// Gives the camera the colour tables of a vector that an object has filled.  `id` identifies the
+// region of this vector.  If one of the tables is wrong, refuses the whole vector, and the camera
+// keeps its tables.
 OStatus VirtualRobot::SetCdtVectorData(MemoryRegionID id) {
   RegionTable& regions = parts_.system.regions();
   if (regions.SizeOf(id) < sizeof(OCdtVectorData)) return oFAIL;
@@ -218,9 +219,9 @@ OStatus VirtualRobot::GetBootCondition(OBootCondition* condition) {
 // because System::Shutdown() does not know these two reasons.
 OStatus VirtualRobot::Shutdown(const OBootCondition& condition) {
   parts_.power.next_boot = condition;
-  // Adds a note when an object shuts the robot down and asks the boot timer, for the second time,
-  // to start the robot again after a waiting time.  One developer's robot did only the first such
-  // restart, and only restarts without a waiting time were reliable (field-notes.md 5.13).
+  // Adds a note when an object asks the boot timer, for the second time in a run, for a restart
+  // after a waiting time, because one developer's robot did only the first of these restarts.  On
+  // that robot, only restarts without a waiting time were reliable (field-notes.md 5.13).
   const bool is_timed = (condition.bitmap & obcbBOOT_TIMER) != 0 && condition.bootTime > 0;
   if (is_timed && ++timed_restarts_ == 2) {
     parts_.system.AddFinding(

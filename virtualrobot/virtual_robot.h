@@ -54,8 +54,8 @@ class VirtualRobot : public RobotServices {
     return parts_.camera.CopyPicture(parts_.frame, *parts_.body, picture);
   }
 
-  // Copies a picture of the colours that the camera's colour detection has found in the image that
-  // the camera has just completed (see CameraDevice::CopyColours()).
+  // Writes to `colours` a picture that shows what the camera's colour detection finds in the image
+  // that the camera has just completed (see CameraDevice::CopyColours()).
   std::string CopyColours(Picture* colours) {
     return parts_.camera.CopyColours(parts_.frame, *parts_.body, colours);
   }
@@ -90,8 +90,8 @@ class VirtualRobot : public RobotServices {
   template <typename Function>
   OStatus ForJoints(OPrimitiveID id, Function function);
 
-  // Adds a warning to the findings for each servo that a change of gains or motor power has just
-  // made active while its joint is far from its set point, or before a set point was sent.
+  // Called after a change of gains or motor power.  Adds a warning for each servo that has become
+  // active by this change, if its joint is far from the set point or no set point was sent yet.
   void CheckServos();
 
   // Returns the primitive that `function` of OPENR:: reads; null when primitive `id` has no sensor.
@@ -100,7 +100,7 @@ class VirtualRobot : public RobotServices {
   const Primitive* Readable(OPrimitiveID id, const char* function);
 
   RobotParts parts_;
-  int timed_restarts_ = 0;  // number of shutdowns of this run after which the boot timer waits
+  int timed_restarts_ = 0;  // how often objects asked, in this run, for a restart after a wait
 };
 
 // Adds the two system objects of `robot`, OVirtualRobotComm and OVirtualRobotAudioComm, to its

@@ -19,9 +19,9 @@
 namespace openr_host {
 namespace {
 
-// For each kind of topic, how many of the newest messages are kept for a slow reader.  We keep 5
-// messages of sensor data, as ROS 2 does.  We keep fewer large messages, and only one message of
-// the clock, because only the newest time matters.
+// Number of the newest messages that a writer keeps for slow readers, for each kind of topic.  For
+// sensor data we keep 5 messages, as ROS 2 does.  We keep fewer images, because they are large, and
+// only one message of the clock, because only the newest time matters.
 constexpr int kSensorDepth = 5;
 constexpr int kImageDepth = 2;
 constexpr int kClockDepth = 1;

@@ -14,9 +14,9 @@ namespace openr_host {
 std::string ReadNumber(std::string_view text, double* number);
 std::string ReadPercent(std::string_view text, int* percent);
 
-// Removes the words "for DURATION" from the end of `words`, the words of an input, and sets
-// `frames` to the duration in frames, at least one.  Changes nothing if `words` has no such end.
-// Returns "" or the error.
+// Reads the duration of an input with the words `words`.  If they end in "for DURATION", removes
+// these two words and sets `frames` to the duration in frames, rounded up, at least one.  Otherwise
+// changes nothing.  Returns "" or the error.
 std::string TakeForDuration(std::vector<std::string>* words, std::optional<int64_t>* frames);
 
 }  // namespace openr_host

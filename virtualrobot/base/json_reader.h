@@ -37,7 +37,7 @@ class JsonReader {
   JsonReader At(const char* key) const;
 
   // Returns the elements of a JSON array.  This function and the functions below throw (Fail())
-  // when the value has another kind than the function reads.
+  // when the value is not of the kind that the function reads, for example not an array.
   std::vector<JsonReader> Elements() const;
 
   // Throws (Fail()) when the JSON object has a member that is not in `keys`, because a misspelt

@@ -10,9 +10,10 @@ using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Factor by which the ball around a box is larger than needed.  LowestAlong() skips a box whose
-// ball does not reach low enough.  Because the factor exceeds all errors of rounding by far,
-// LowestAlong() never skips the box that has the lowest point.
+// Factor that makes the ball around a box slightly larger than the smallest ball that encloses the
+// box.  LowestAlong() skips a box if its ball does not reach lower than the lowest point found so
+// far.  Because the balls grow by far more than all errors of rounding, LowestAlong() never skips
+// the box that has the lowest point.
 constexpr double kBallFactor = 1 + 1e-9;
 
 }  // namespace

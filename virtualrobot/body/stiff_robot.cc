@@ -17,8 +17,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 // Distance below which a paw counts as touching the floor.  In all standing postures of the
-// ERS-210, the four paws (balls in the model) end in one plane within 0.1 mm, so all of them touch
-// the floor.
+// ERS-210, the lower ends of the four paws are less than 0.1 mm away from a common plane, so all
+// four paws touch the floor.
 constexpr double kTouch_m = 0.0005;
 
 // Returns the rotation R_WB with yaw 0 whose third row is `up_B`, the upward direction of the world
@@ -128,8 +128,8 @@ void StiffRobot::Move() {
   }
 }
 
-// Computes the moment of part `i` (its mass times its centre of mass), and moves the box and the
-// paws of the part in hull_, both according to the pose of the part.
+// Computes two results from the pose of part `i`: the moment of the part (its mass times its centre
+// of mass), and the places of its box and its paws in hull_.
 void StiffRobot::PlacePart(size_t i) {
   moments_[i] = model_.bodies[i].mass_kg * Moved(X_BL_[i], model_.bodies[i].centre_m);
   hull_.Move(static_cast<int>(i), X_BL_[i]);

@@ -36,8 +36,8 @@ class StiffRobot {
   // changed in place, so that its memory is used again.
   void PlaceOnFloor(RestingPose* pose) const;
 
-  // Returns the height over z = 0 of the lowest point of the robot, which is a point of a box (the
-  // shape of a part) or of a paw, when the trunk is at `X_WB`.
+  // Returns the height over z = 0 of the robot's lowest point when the trunk is at `X_WB`.  The
+  // lowest point belongs to a box (the shape of a part) or to a paw.
   double LowestPoint(const Eigen::Isometry3d& X_WB) const;
 
  private:

@@ -13,14 +13,15 @@ namespace {
 
 // The tables below have the factors by which the settings of the camera change the colours of a
 // picture; kOne stands for the factor 1.  The index of each table is the parameter that an object
-// passes to ControlPrimitive().  With the default settings, all factors are 1.  Gain and shutter
-// make the image brighter or darker.  White balance multiplies red and divides blue by the square
-// root of T / 4300 K, where T is the colour temperature of the setting.  The default setting has
-// 4300 K.  The square root is our choice, because no measurement is known.
+// passes to ControlPrimitive(), 1 to 3; element 0 is not used.  With the default settings, all
+// factors are 1.  Gain and shutter make the image brighter or darker.  White balance multiplies red
+// and divides blue by the square root of T / 4300 K, where T is the colour temperature of the
+// setting.  The default setting has 4300 K.  The square root is our choice, because no measurement
+// is known.
 constexpr int kOne = 256;
-constexpr int kGain[] = {0, kOne, kOne, 2 * kOne};  // factors for the gains 0 dB, 0 dB and 6 dB
-constexpr int kShutter[] = {0, 2 * kOne, kOne, kOne / 2};  // factors for 1/50, 1/100 and 1/200 s
-constexpr int kRed[] = {0, 207, 327, kOne};  // factors of red for 2800, 7000 and 4300 K
+constexpr int kGain[] = {0, kOne, kOne, 2 * kOne};         // 1 and 2: 0 dB, 3: 6 dB
+constexpr int kShutter[] = {0, 2 * kOne, kOne, kOne / 2};  // 1: 1/50 s, 2: 1/100 s, 3: 1/200 s
+constexpr int kRed[] = {0, 207, 327, kOne};  // factors of red; 1: 2800 K, 2: 7000 K, 3: 4300 K
 constexpr int kBlue[] = {0, 317, 201, kOne};
 
 // The colours that stand for the channels of the colour detection in a picture of layer C (the

@@ -63,10 +63,10 @@ class CameraDevice {
   // to 7, in a picture of CopyColours().
   static const std::array<uint8_t, 3>& ColourOfChannel(int channel);
 
-  // Sets the settings as they are at boot, and gives up the references to the regions of all
-  // vectors.  The robot is switched off in frame `frame`; after the next boot, the source of
-  // pictures goes on with its next picture.  REQUIRES: the object that sends the vectors is the
-  // current object.
+  // Resets the camera because the robot is switched off in frame `frame`: the settings get their
+  // values at boot, the colour tables are removed, and the references to the regions of all vectors
+  // are given up.  After the next boot, the source of pictures goes on with its next picture.
+  // REQUIRES: the object that sends the vectors is the current object.
   void SwitchOff(int64_t frame);
 
   void HashState(Hasher* hasher) const;

@@ -254,8 +254,8 @@ void Canvas::DrawBall(const Vector3d& centre_W, double radius_m, const Vector3d&
       const double inverse = (b + std::sqrt(square)) * per_c;
       const auto depth = static_cast<float>(inverse);
       if (depth <= depths[x] || inverse * kNear_m > 1) continue;
-      // Leaves out a point below the floor.  The sum below is the height of the point, divided by
-      // its distance along the optical axis.
+      // Does not draw a point that is under the floor.  The sum in this condition is the height of
+      // the point over the floor, divided by its distance from the lens along the optical axis.
       if (is_sunk && p_WC_.z() * inverse + rise.Of(px, py) < 0) continue;
       depths[x] = depth;
       const double share = std::clamp(light.Of(px, py) / inverse - light_of_centre, 0.0, 1.0);

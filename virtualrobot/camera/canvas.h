@@ -114,7 +114,7 @@ class Canvas {
   Eigen::Vector3d p_WC_{0, 0, 0};
   double slope_h_ = 1, slope_v_ = 1;  // slopes of the rays at the picture's left and upper edge
   // For each pixel, 1 divided by the distance of the drawn point from the lens along the optical
-  // axis, so the greatest value is nearest to the lens; 0 where only floor or background is drawn.
+  // axis, so a nearer point has a greater value; 0 where only floor or background is drawn.
   std::vector<float> inverse_depth_;
   std::vector<std::array<double, 2>> x_;  // for each row: the least and the greatest x of a face
 };

@@ -7,8 +7,8 @@
 namespace openr_host {
 namespace {
 
-// Sets the bit of the mask `bit` in the elements `min` to `max` of `bits`, and clears this bit in
-// all other elements.
+// Sets one bit in the elements `min` to `max` of `bits`, and clears this bit in all other elements.
+// `bit` is a mask in which only this bit is set.
 void Mark(std::array<uint8_t, 256>* bits, uint8_t bit, longword min, longword max) {
   for (longword value = 0; value < 256; ++value) {
     uint8_t& channels = (*bits)[value];

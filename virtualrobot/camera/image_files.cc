@@ -45,9 +45,9 @@ Picture ReadPng(const std::string& bytes, const std::string& file) {
   return picture;
 }
 
-// Skips blanks and comments of a PPM header, from position `*at` of `bytes` on.  Returns the number
-// that follows, and moves `*at` to the end of this number.  Throws std::runtime_error with the name
-// `file` if no number from 1 to `limit` follows.
+// Reads the next number of a PPM header.  Begins at position `*at` of `bytes`, skips blanks and
+// comments, returns the number after them, and moves `*at` to the end of this number.  Throws
+// std::runtime_error with the name `file` if no number from 1 to `limit` follows.
 int HeaderNumber(const std::string& bytes, int limit, size_t* at, const std::string& file) {
   while (*at < bytes.size() && std::strchr(" \t\r\n#", bytes[*at]) != nullptr) {
     if (bytes[*at] == '#') *at = std::min(bytes.find('\n', *at), bytes.size() - 1);
@@ -73,8 +73,8 @@ Picture ReadPpm(const std::string& bytes, const std::string& file) {
   const int max = HeaderNumber(bytes, 65535, &at, file);
   if (max != 255) Fail(file, fmt::format("PPM with values up to {}; only 255 is read", max));
   ++at;  // skips the one blank character that ends a PPM header
-  // Checks the number of bytes before it makes the picture, because a short file may name a size
-  // that needs much memory.
+  // Checks the number of bytes before memory for the picture is allocated, because a short file may
+  // name a size that needs much memory.
   const size_t needed = size_t{3} * static_cast<size_t>(width) * static_cast<size_t>(height);
   const size_t found = bytes.size() - std::min(at, bytes.size());
   if (found < needed) {

@@ -16,9 +16,10 @@ byte Offset(int value) { return static_cast<byte>(std::clamp(value + 128, 0, 255
 // from Y, Cr and Cb (image_layers.h), so the result of this formula is the original green.
 int Luminance(int r, int g, int b) { return (77 * r + 150 * g + 29 * b) >> 8; }
 
-// Writes the tag of a layer, the bytes with which its last row begins: the field counter (number of
-// the image), then a byte per channel (channels 4 to 7, then channels 0 to 3) that counts the
-// pixels in which the channel was detected, in units of 16 pixels.
+// Writes the tag of a layer: the bytes with which the last row of the layer begins.  Bytes 0 and 1
+// are the field counter (number of the image).  Bytes 4 to 7 belong to the channels 4 to 7, and
+// bytes 8 to 11 to the channels 0 to 3.  Each of these bytes is the number of pixels in which the
+// channel was detected, in units of 16 pixels, at most 255.
 void WriteTag(word field_counter, const std::array<int, ocdtNUM_CHANNELS>& counts, byte* tag) {
   std::fill_n(tag, ImageLayers::kTagBytes, byte{0});
   tag[0] = static_cast<byte>(field_counter & 0xff);

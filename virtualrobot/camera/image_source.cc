@@ -14,10 +14,10 @@ using Colour = std::array<uint8_t, 3>;
 constexpr Colour kBars[] = {{255, 255, 255}, {255, 255, 0}, {0, 255, 255}, {0, 255, 0},
                             {255, 0, 255},   {255, 0, 0},   {0, 0, 255},   {0, 0, 0}};
 // The colour of the ball.  In the image it has Cr 216 and Cb 140.  This is well inside the colour
-// tables of programs that look for the pink ball, which end at Cr 230.
+// tables by which programs find the pink ball, such as Cr 150 to 230 and Cb 120 to 190.
 constexpr Colour kPink = {250, 115, 174};
 constexpr int kCells = 16;   // cells of the test pattern: each shows a bit of the image's number
-constexpr int kRound = 100;  // images in which the pattern's ball goes to the right and back: 4 s
+constexpr int kRound = 100;  // number of images until the ball is back at the left: 4 s at 25 Hz
 
 void Put(Picture* picture, int x, int y, const Colour& colour) {
   std::copy(colour.begin(), colour.end(), picture->At(x, y));

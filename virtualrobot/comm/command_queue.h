@@ -78,7 +78,9 @@ class CommandQueue {
   int64_t start_ = 0;        // frame in which the vector in playing_ begins
   int64_t end_ = 0;          // first frame after the vector in playing_
   std::vector<Element> elements_;
-  std::vector<CommandElement> read_;  // elements that Start() reads; a member to reuse its memory
+  // The elements that Start() has read.  It is a member and no local variable, so that Start() does
+  // not allocate memory for each vector.
+  std::vector<CommandElement> read_;
   int face_ = -1;  // index of the element with the last light of the face; -1: no such light
 };
 

@@ -31,7 +31,7 @@ std::string PlayProblem(const OSoundInfo& info, const Primitive* primitive) {
 // Returns a warning if `info` names a rate, sample size or number of channels that differs from the
 // speaker's settings; otherwise "".
 std::string FormatWarning(const OSoundInfo& info, const SoundType& type) {
-  // Accepts a field that is 0, because the program did not set it.
+  // Gives no warning about a field that is 0, because 0 means that the program did not set it.
   const auto says = [](word said, int set) { return said != 0 && said != set; };
   if (!says(info.samplingRate, type.rate_hz()) &&
       !says(info.bitsPerSample, 8 * type.bytes_per_sample) && !says(info.channel, 1))
@@ -70,7 +70,7 @@ void SoundQueue::ReadSound(const SentVector& vector, int index, longword frame_n
   OSoundInfo& info = reinterpret_cast<OSoundVectorData*>(vector.header)->info[index];
   const SoundType& type = robot_.speaker.sound_type();
   info.frameNumber = frame_number;
-  // Cuts a sound off at the end of its memory, because the size in the vector may be wrong.
+  // Plays only the bytes for which the vector has room, because the size in `info` may be wrong.
   size_t bytes = info.dataSize;
   if (bytes > info.maxDataSize || vector.At(info.dataOffset, bytes) == nullptr) {
     const size_t room = info.dataOffset > vector.bytes ? 0 : vector.bytes - info.dataOffset;

@@ -56,8 +56,8 @@ void OVirtualRobotComm::PostNextFrame() {
 // Runs everything that happens at the boundary between two frames.  The order of the steps is the
 // order in which objects receive their messages, so a change of the order changes all runs.
 void OVirtualRobotComm::Frame() {
-  // 1. End the frame that is over: the body moves for 8 ms under the present set points and the
-  // hands of a person, then its sensors are sampled.
+  // 1. End the frame that is over: simulate 8 ms in which the set points of the joints and the
+  // hands of people move the body, then sample the sensors.
   robot_.shared_frame->End(system().now_us());
   std::vector<Protection::Reason> reasons = robot_.NoteFrame(true);
   const bool is_vector_complete = robot_.sensors.Sample(robot_.frame, *robot_.body, robot_.devices);
@@ -90,11 +90,11 @@ void OVirtualRobotComm::Frame() {
   }
 
   // 5. Send the image that the camera took before, and take the next image.  No source says how
-  // much time the camera needs to read out an image.  But BallTrackingHead, a sample of Sony, finds
-  // the angles that belong to an image in the two newest sensor vectors (robot.md, 14), which have
-  // the samples of 8 frames.  The newest of these samples is 1 to 4 frames old, so an image that is
-  // sent 4 to 8 frames after the frame that it shows always has its angles among them.  So we send
-  // an image in this time.
+  // much time the camera needs to read out an image.  But when BallTrackingHead, a sample of Sony,
+  // receives an image, it looks up the joint angles of the image's frame in the two newest sensor
+  // vectors (robot.md, 14).  These vectors have the samples of 8 frames, and the newest sample is 1
+  // to 4 frames old.  So an image must be sent 4 to 8 frames after its frame.  We send it when the
+  // next image is taken, because this is 4 or 5 frames later in our models.
   if (image_->NumberOfObservers() > 0 && robot_.camera.Due(frame)) {
     if (exposed_) SendToListeners(image_, exposed_.get());
     exposed_.Release();

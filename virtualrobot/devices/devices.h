@@ -17,7 +17,8 @@ namespace openr_host {
 
 class Hasher;
 
-// The gains P, I and D, then the shifts of P, I and D, as OPENR::SetJointGain() takes them.
+// The gains P, I and D, then the shifts of P, I and D, in the order of the parameters of
+// OPENR::SetJointGain().
 using GainWords = std::array<word, 6>;
 // The shifts of the gains P, I and D.  A gain with shift s acts like gain * 2^(s - 16).
 using ShiftWords = std::array<word, 3>;

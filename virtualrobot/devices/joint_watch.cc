@@ -27,9 +27,9 @@ constexpr int kHalfSecondFrames = 62;
 // is above 20 degrees, by which the vendor's own walks change set points in a frame, so that such
 // walks are not reported.
 const slongword kJumpUrad = static_cast<slongword>(Radians(30) / kRadPerUrad);
-// Set points, which are in microradians, are taken for radians when they are 1 to 10, positive or
-// negative, for 32 frames (a quarter of a second), because as microradians they would hardly move a
-// joint.  The numbers are our choice.
+// The unit of set points is the microradian.  If the set points of a joint are 1 to 10, positive or
+// negative, for 32 frames (a quarter of a second), we assume that the program sends radians by
+// mistake, because so few microradians hardly move a joint.  The numbers are our choice.
 constexpr slongword kTinyUrad = 10;
 constexpr int kTinyFrames = 32;
 constexpr double kLoad = 0.78 * kDriveFull;

@@ -184,8 +184,8 @@ void SensorSource::SampleTurn(int turn, const Body& body, const Devices& devices
     if (sensor.turn >= 0) latest_[i].signal = is_kept ? kKeptSignal : kFreshSignal;
     const auto fault = faults_.find(static_cast<int>(i));
     if (fault == faults_.end()) continue;
-    // Adds no noise to the value of a sensor whose turn it is not, because the noise was added when
-    // the value was measured.
+    // Adds no noise if the sensor kept its value while the other sensor was measured, because the
+    // noise was added already when the value was measured.
     if (is_kept && fault->second.kind == SensorFaultKind::kNoisy) continue;
     ApplyFault(fault->second, sensor, before, &latest_[i]);
   }

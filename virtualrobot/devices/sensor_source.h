@@ -132,7 +132,7 @@ class SensorSource {
   std::vector<JointReading> readings_;          // one element for each joint
   std::vector<std::optional<slongword>> held_;  // for each sensor, the value that Hold() has set
   std::map<int, SensorFault> faults_;           // the key is the index of the sensor
-  std::vector<OSensorValue> frames_;  // frames_[frame][sensor]: samples of kFramesPerVector frames
+  std::vector<OSensorValue> frames_;  // for each frame of a vector, the samples of all sensors
   int body_c_ = 30;
   bool has_sample_ = false;  // whether a sample was taken since the robot was switched on
   int64_t first_frame_ = 0;  // number of the first frame whose samples are in frames_

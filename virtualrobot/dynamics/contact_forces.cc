@@ -32,9 +32,9 @@ struct Friction {
 // Returns the next impulse of a contact along the ground, after the impulse `now`.  This is the
 // impulse that stops the sliding, if its length is at most `max`.  Otherwise the contact slides,
 // and the result is one step of the search for the impulse of a sliding contact, cut to the length
-// `max`.  `missing` is the change of velocity that is still needed, besides the effect of `now`, to
-// stop the sliding.  `a`, `b` and `c` are the contact's part of the matrix K, with the rows (a, b)
-// and (b, c), which gives the change of velocity that an impulse along the ground causes.
+// `max`.  `missing` is the change of velocity that the impulse `now` does not give, but that is
+// needed to stop the sliding.  The matrix with the rows (a, b) and (b, c) is a part of the matrix
+// K: multiplied by an impulse of this contact along the ground, it gives the change of velocity.
 Friction NextFriction(const Friction& now, double a, double b, double c, const Friction& missing,
                       double max) {
   const double det = a * c - b * b;
@@ -87,8 +87,8 @@ bool ContactForces::SolveSticking(const ContactEquations& equations) {
   for (int c = 0; c < equations.contacts(); ++c) closed_[c] = c;
   for (int round = 0; round < kMaxRounds; ++round) {
     SolveClosed(equations);
-    // Tries again without the contacts that pulled, because the other impulses change when these
-    // are 0.
+    // Tries again without the contacts that pulled, because the impulses of the other contacts
+    // change when these contacts are left out.
     if (std::erase_if(closed_, [this](int c) { return impulses_[3 * c] < 0; }) > 0) continue;
     for (int c = 0; c < equations.contacts(); ++c) {
       const bool is_closed = std::binary_search(closed_.begin(), closed_.end(), c);

@@ -33,8 +33,8 @@ class ContactEquations {
   int rows() const { return static_cast<int>(wanted.size()); }
 
   // Returns the element of the matrix K (change of velocity for each unit of impulse) at a row and
-  // a column.  Both are counted as 3 * contact for the normal of a contact, + 1 and + 2 for its two
-  // directions of the ground.
+  // a column.  Contact c has the row and the column 3 c for its normal, and 3 c + 1 and 3 c + 2 for
+  // its two directions of the ground.
   double& At(int row, int column) { return matrix_[static_cast<size_t>(row) * rows() + column]; }
   const double* Row(int row) const { return &matrix_[static_cast<size_t>(row) * rows()]; }
 

@@ -136,8 +136,9 @@ void TouchBallOnHeights(const Vector3d& centre_W, double radius_m, const WorldTh
   } else {
     const SurfacePoint surface = SurfaceAt(thing, p.x(), p.y());
     const double height_m = HeightOver(thing, p, surface) * surface.normal_T.z();
-    // Pushes the ball out along the normal of the surface above its centre if the centre is below
-    // the surface, because TouchTriangles() ignores triangles that are above the centre.
+    // If the centre of the ball is below the surface, pushes the ball out along the normal of the
+    // surface at the point above the centre, because TouchTriangles() ignores a triangle if the
+    // centre is below it.
     if (height_m <= 0) {
       found.push_back({p - radius_m * surface.normal_T, surface.normal_T, radius_m - height_m});
     } else {
@@ -161,8 +162,8 @@ void TouchBoxOnHeights(const Vector3d& centre_W, const Matrix3d& R_WB, const Vec
   for (int i = 0; i < 8; ++i) {
     const Vector3d sign(i & 1 ? 0.5 : -0.5, i & 2 ? 0.5 : -0.5, i & 4 ? 0.5 : -0.5);
     const Vector3d corner = centre + R * sign.cwiseProduct(size_m);
-    // Leaves out a corner below the lower face of the heightfield, because the corner has passed
-    // through it and is not in the ground.
+    // Leaves out a corner below the lower face of the heightfield, because the corner is then under
+    // the heightfield and not in it.
     if (!IsOverBase(thing, corner) || corner.z() < -thing.size_m.z() / 2) continue;
     const SurfacePoint surface = SurfaceAt(thing, corner.x(), corner.y());
     const double height_m = HeightOver(thing, corner, surface) * surface.normal_T.z();

@@ -185,8 +185,8 @@ void JointTree::FindForces(const std::vector<TorqueLine>& lines, double gravity_
     Vector3d angular, centre;
   };
   std::vector<Acceleration> acceleration(parts_.size());
-  // Lets the trunk accelerate upwards instead of letting gravity act on each part, because both
-  // demand the same forces.
+  // Lets the trunk accelerate upwards and leaves out gravity, because the parts then need the same
+  // forces as with gravity on each part.
   acceleration[0] = {Vector3d::Zero(), Vector3d(0, 0, gravity_m_s2)};
   for (int i = 0; i < parts(); ++i) {
     const PartState& now = part_states_[i];

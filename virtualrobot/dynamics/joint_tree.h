@@ -77,8 +77,8 @@ class JointTree {
   double speed_rad_s(int part) const { return speed_rad_s_[part]; }
 
   // Begins a step of `step_s` seconds: sets up the equation of motion without pushes and contacts,
-  // and factors its matrix.  `lines` has for the hinge of each part the torque of its servo as a
-  // linear function of the hinge's speed; the element of the trunk is not used.
+  // and factors its matrix.  `lines` has one element for each part: the torque of the servo at the
+  // part's hinge, as a linear function of the hinge's speed.  The element of the trunk is not used.
   void BeginStep(const std::vector<TorqueLine>& lines, double gravity_m_s2, double step_s);
 
   // Pushes `part` with `force_W`, in N, at the point `p_W` during the step that has begun.
@@ -161,7 +161,7 @@ class JointTree {
 
   // The members below belong to the step that BeginStep() has begun.
   double step_s_ = 0;
-  std::vector<Inertia> inertia_;  // for each part: inertia of it and of all parts that it carries
+  std::vector<Inertia> inertia_;  // for each part: inertia of the part and all parts it carries
   // For each part: force that the present motion and gravity demand for the part and all parts that
   // it carries.
   std::vector<Spatial> force_;
@@ -174,15 +174,15 @@ class JointTree {
   std::vector<double> along_;
   bool is_eliminated_ = false;
   // The product of the inverse of L^T (see matrix_) and J^T, where J is the Jacobian of the
-  // contacts.  Each call of AddRow() appends a row of Unknowns() numbers, one for each unknown (a
-  // velocity of the trunk or of a hinge).  So row_[row * Unknowns() + unknown] is the number of the
-  // unknown `unknown` in the row `row`; both are counted from 0.
+  // contacts.  Each call of AddRow() appends a row: one value for each unknown.  An unknown is a
+  // velocity of the trunk or of a hinge.  The value for the unknown `unknown` in the row `row` is
+  // row_[row * Unknowns() + unknown]; `unknown` and `row` are counted from 0.
   std::vector<double> row_;
   std::vector<double> row_scaled_;  // row_ divided by D (see matrix_), in the order of row_
-  // For each row of the Jacobian (the velocity of a point of a part along a direction): the index
-  // of the unknown (UnknownOf()) of the part to which the point belongs.
+  // For each call of AddRow(): the index of the unknown (UnknownOf()) of the parameter `part`.  The
+  // row in row_ is 0 except at the unknowns on the path from this unknown to unknown 0 (parent_).
   std::vector<int> row_unknown_;
-  std::vector<double> row_speed_;  // for each row of AddRow(): the result of FreeSpeed()
+  std::vector<double> row_speed_;  // for each call of AddRow(): the speed that FreeSpeed() returns
 };
 
 }  // namespace openr_host

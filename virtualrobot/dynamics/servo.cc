@@ -38,8 +38,8 @@ void Servo::BeginFrame(const JointCommand& command, double angle_rad) {
     integral_ = 0;
     return;
   }
-  // Takes the set point as unchanged if the servo was off.  The D part acts on the change of the
-  // set point, and a servo that was off has no earlier set point.
+  // The D part acts on the change of the set point.  A servo that was off has no earlier set point,
+  // so the change counts as 0.
   const double last_rad = enabled_ ? target_rad_ : command.target_rad;
   enabled_ = true;
   target_rad_ = command.target_rad;

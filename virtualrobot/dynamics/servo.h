@@ -16,10 +16,10 @@
 namespace openr_host {
 
 inline constexpr double kDriveFull = 255;  // maximum drive, in PWM counts (BBS 1735)
-inline constexpr double kAdSteps = 1023;  // steps of the A/D converter between the stops (inferred)
+inline constexpr double kAdSteps = 1023;   // A/D counts between the two stops of a joint (inferred)
 
 struct ServoSettings {
-  double no_load_speed_ratio = 2.0;  // no-load speed, divided by the model's highest planned speed
+  double no_load_speed_ratio = 2.0;  // no-load speed, divided by the joint's highest planned speed
   double limp_friction = 0.01;       // dry friction of a limp joint, divided by the stall torque
   double limp_creep_rad_s = 0.02;    // below this speed, dry friction acts like viscous friction
   double stop_stiffness_per_rad = 100;  // stiffness of a joint's stop, divided by the stall torque

@@ -136,11 +136,11 @@ void TouchByRims(const Vector3d& centre, const Matrix3d& R, const Vector3d& half
   }
 }
 
-// Adds the points of `cylinder` that are in `thing`.  Tests points on the rims of the ends of
-// `cylinder`, and points on the straight line of its side that is nearest to `thing`.  The points
-// on this line are not near the ends, because a point there may also be near an end of `thing`; its
-// shortest way out of `thing` would then lead along the axis of `thing` and not sideways.  `sign`
-// is 1 if normals are to point out of `thing`, and -1 if they are to point into it.
+// Adds the points of `cylinder` that are in the cylinder `thing`.  Tests points on the rims of the
+// ends of `cylinder`, and points on the straight line of its side that is nearest to `thing`.
+// Tests no point of this line near its ends.  Such a point may also be near an end of `thing`, and
+// its shortest way out of `thing` would then lead along the axis of `thing` and not sideways.
+// `sign` is 1 if normals are to point out of `thing`, and -1 if normals are to point into `thing`.
 void TouchByRimsAndSide(const WorldThing& cylinder, const WorldThing& thing, double sign,
                         std::vector<TouchPoint>* points) {
   const auto test = [&](const Vector3d& p) {
@@ -155,8 +155,8 @@ void TouchByRimsAndSide(const WorldThing& cylinder, const WorldThing& thing, dou
   }
   const Vector3d way = cylinder.R_WT.transpose() * (thing.centre_m - cylinder.centre_m);
   const double length = std::sqrt(way.x() * way.x() + way.y() * way.y());
-  // Returns if the centre of `thing` is on the axis of `cylinder`, because then no line of the side
-  // of `cylinder` is the nearest to `thing`.
+  // Tests no points on the side of `cylinder` if the centre of `thing` is on the axis of
+  // `cylinder`, because all lines of the side are then equally near to this centre.
   if (length == 0) return;
   const double scale = cylinder.size_m.x() / 2 / length;
   for (const double height : {-0.4, 0.0, 0.4})

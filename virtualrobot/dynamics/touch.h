@@ -14,7 +14,7 @@ namespace openr_host {
 
 // A point at which a shape (a ball, a box or a cylinder) touches a thing.
 struct TouchPoint {
-  Eigen::Vector3d p_W{0, 0, 0};       // the deepest point of the shape in the thing, or the reverse
+  Eigen::Vector3d p_W{0, 0, 0};       // point of the shape or the thing that is inside the other
   Eigen::Vector3d normal_W{0, 0, 1};  // unit vector that points out of the thing
   double depth_m = 0;                 // depth of the shape in the thing, > 0
 };

@@ -105,8 +105,8 @@ void ReadJoint(const JsonReader& row, RobotModel* model) {
   if (child.joint >= 0) row.At("child").Fail("'{}' already hangs on a joint", child.name);
   child.joint = static_cast<int>(model->joints.size());
   joint.axis = row.At("axis").Vector();
-  // Accepts only the axes x, y and z, in both directions: only for these are the sum of the
-  // absolute values of the coordinates and the length of the vector both 1.
+  // Accepts only the axes x, y and z, in both directions.  Only for these axes, both numbers are 1:
+  // the sum of the absolute values of the coordinates, and the length of the vector.
   if (joint.axis.cwiseAbs().sum() != 1 || joint.axis.norm() != 1) {
     row.At("axis").Fail("must be one of the axes of B, as [0, -1, 0]");
   }
@@ -195,7 +195,7 @@ void ReadSensor(const JsonReader& row, RobotModel* model) {
   if (row.Has("lookup")) sensor.lookup = ReadLookup(row.At("lookup"));
   if (row.Has("turn")) sensor.turn = static_cast<int>(row.At("turn").Whole(0, 1));
   if (sensor.kind == SensorKind::kDistance && sensor.body >= 0) {
-    row.At("place"), row.At("direction"), row.At("lookup");  // At() fails when a member is missing
+    row.At("place"), row.At("direction"), row.At("lookup");  // refuses a row without these members
   }
   const int index = static_cast<int>(model->sensors.size());
   if (sensor.kind == SensorKind::kJoint) {

@@ -15,7 +15,7 @@
 
 namespace openr_host {
 
-// Gains of a servo, as OPENR::SetJointGain() takes them.  A gain with a shift acts like gain *
+// Gains of a servo: the parameters of OPENR::SetJointGain().  A gain with a shift acts like gain *
 // 2^(shift - 16) (robot.md, section 8).
 struct PidGains {
   uint16_t p = 0, i = 0, d = 0;
@@ -34,8 +34,8 @@ struct BodyPart {
   std::string name;
   double mass_kg = 0;    // mass of the part, >= 0; the body with physics requires > 0
   bool has_box = false;  // false: the shape is not known, so the robot can have no physics
-  Eigen::Vector3d size_m{0, 0, 0};    // edges of the box, parallel to the axes of B at zero angles
-  Eigen::Vector3d centre_m{0, 0, 0};  // centre of the box and centre of mass
+  Eigen::Vector3d size_m{0, 0, 0};    // size of the box along x, y, z of B with all joints at 0
+  Eigen::Vector3d centre_m{0, 0, 0};  // centre of mass, which is also the centre of the box
   int joint = -1;                     // index of the joint that moves the part; -1 for the trunk
 };
 
@@ -156,7 +156,7 @@ struct RobotModel {
   std::vector<std::string> mtn_labels;  // design labels of the motion files that fit this robot
   std::vector<BodyPart> bodies;
   std::vector<Paw> paws;
-  double paw_force_n = 0;  // force from which the switch of a paw is on
+  double paw_force_n = 0;  // least force, in N, that turns the switch of a paw on
   std::vector<JointModel> joints;
   double accel_min_rad_s2 = 0, accel_default_rad_s2 = 0, accel_max_rad_s2 = 0;
   std::vector<Led> leds;
@@ -198,7 +198,7 @@ struct RobotModel {
 // file cannot be read or describes an impossible robot.
 RobotModel LoadRobotModel(const std::string& path);
 
-// Reads a model from `text`; errors name the file as `name`.
+// Reads a model from `text`, the text of a model file.  Error messages call this file `name`.
 RobotModel ParseRobotModel(const std::string& text, const std::string& name);
 
 }  // namespace openr_host

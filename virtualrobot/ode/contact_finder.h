@@ -68,7 +68,7 @@ class ContactFinder {
     int paw = -1;
     dGeomID geom = nullptr;
     dBodyID body = nullptr;             // null: the shape is fixed
-    Eigen::Vector3d offset_m{0, 0, 0};  // from the centre of mass to the shape, in the body's axes
+    Eigen::Vector3d offset_m{0, 0, 0};  // shape's centre minus body's centre of mass, in body axes
     const WorldThing* thing = nullptr;  // null: the shape is a part of a robot
     Room room = {};
 

@@ -150,8 +150,8 @@ void OdeBody::EndFrame() {
     JointState& joint = state_.joints[j];
     joint.drive = servos_[j].Drive(joint.angle_rad, joint.speed_rad_s);
   }
-  // Takes the mean acceleration of the frame, because the accelerometer's value is a mean over the
-  // frame, too.
+  // Computes the mean acceleration over the frame, because the accelerometer's value is a mean over
+  // the frame, too.
   const Vector3d acceleration_W = (state_.v_WB - v_before_W_) / kFrame_s;
   state_.gravity_B =
       state_.X_WB.linear().transpose() * (Vector3d(0, 0, -kGravity_m_s2) - acceleration_W);

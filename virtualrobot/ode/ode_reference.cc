@@ -25,8 +25,8 @@ OdeReference::OdeReference(const RobotModel& model, const World& world, const Is
   dWorldSetGravity(world_, 0, 0, -kGravity_m_s2);
   dWorldSetERP(world_, 0.2);
   dWorldSetCFM(world_, 1e-9);
-  // Lets ODE compute bodies that rest as well, because the body with physics (OdeBody), with which
-  // this reference is compared, computes them, too.
+  // Forbids ODE to leave out bodies that are at rest, because OdeBody, with which this robot is
+  // compared, computes bodies at rest, too.
   dWorldSetAutoDisableFlag(world_, 0);
   dWorldSetContactMaxCorrectingVel(world_, settings.depart_speed_m_s);
   const std::vector<Isometry3d> X_BL = LinkPoses(model, angles_rad);

@@ -1,6 +1,6 @@
 // OdeReference: a robot that ODE's own joints and ODE's exact solver move.  A test compares the
-// motion of OdeBody with the motion of this robot, and the bench compares their times.  No run of
-// the program uses OdeReference.
+// motion of OdeBody with the motion of this robot.  bench/graph_rows.cc compares the times that
+// both need to compute a frame.  No run of the program uses OdeReference.
 //
 // Unlike JointTree, ODE computes 6 velocities for each part and holds the parts together by 5
 // equations for each hinge.  A motor at each hinge stands for the servo, whose torque t at the

@@ -76,9 +76,10 @@ class PhysicsWorld {
     size_t thing;  // index of the thing in World::things
     dxBody* body;
     JointTree tree;
-    // The largest torque that brakes the rotation of the thing, and the least inertia of the thing.
-    // This inertia limits the torque further, so that the torque never reverses a rotation about
-    // any axis.
+    // Limits of the torque that brakes the rotation of the thing.  The torque is at most brake_nm.
+    // It is also at most the torque that stops, in one step, a thing with the inertia
+    // least_inertia_kg_m2.  This is the least inertia of the thing about any of its axes, so the
+    // torque never reverses a rotation.
     double brake_nm = 0, least_inertia_kg_m2 = 0;
   };
 
@@ -114,9 +115,8 @@ class PhysicsWorld {
   // The members below belong to the present step of the physics.
   std::vector<RowSides> rows_;  // three rows of the equations for each contact
   // The groups of the trees.  A tree is a robot or a movable thing, and trees that touch each other
-  // form a group.  The element of a tree is the number of a tree in its group: of the tree itself,
-  // or of a tree with a lower number.  GroupOf() follows these numbers to the lowest number of the
-  // group.
+  // form a group.  groups_[tree] is `tree` itself, or the lower number of another tree in the same
+  // group.  GroupOf() follows these numbers to the lowest number of the group.
   std::vector<int> groups_;
   std::vector<size_t> contacts_of_group_;  // contacts of the group that SolveGroup() solves
   // The impulses of the contacts in the present step: impulses_[tree][row of the tree].  A tree is

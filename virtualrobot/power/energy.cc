@@ -19,9 +19,9 @@ constexpr double kMeanShare = 0.08;
 // Rise of the body's temperature, in kelvin per watt of heat from the motors, if the heat stays the
 // same for a long time; and the time constant of this rise.
 constexpr double kBodyPerW_k = 2.5, kBodyTime_s = 600;
-// kBatteryUsual_k * (r^2 - 1) is the rise of the battery's temperature, in kelvin, if the battery
-// gives for a long time a current of r times kUsualMa, the usual current, and r is above 1.
-// kBatteryTime_s is the time constant of this rise.
+// If the battery gives r times the usual current kUsualMa for a long time, and r is above 1, the
+// battery's temperature rises by kBatteryUsual_k * (r^2 - 1) kelvin.  kBatteryTime_s is the time
+// constant of this rise.
 constexpr double kBatteryUsual_k = 5, kBatteryTime_s = 1200;
 // Further rise of the battery's temperature, in kelvin, if the battery charges for a long time.
 constexpr double kChargingBattery_k = 6;

@@ -20,7 +20,7 @@ constexpr int kZeroCelsius = 2731;       // 0 degrees Celsius in units of 0.1 K
 constexpr word kFullCapacityMah = 2000;  // capacity of a full battery; our choice
 constexpr word kVoltageMv = 7400;        // voltage of two lithium cells; our choice
 constexpr int kChargingMa = 1000;        // charging current on the charging station; our choice
-constexpr int kCurrentMaxMa = 32767;     // largest current that OPowerStatus can tell
+constexpr int kCurrentMaxMa = 32767;     // largest current that OPowerStatus can hold
 
 // Returns whether the observer that has given `filter` asks to be notified of the change from
 // `before` to `now`.
@@ -51,7 +51,7 @@ word Power::RemainingCapacity() const {
   const int64_t time_us = system_->now_us() - capacity_since_us_;
   if (!charging_) {
     // Converts the charge that was drawn from the battery to the time in which the usual current
-    // draws this charge, because PercentAt() takes such a time.
+    // draws this charge, because PercentAt() computes the capacity from this time.
     const int64_t drained_us = time_us + extra_ma_us_ / Energy::kUsualMa;
     return static_cast<word>(battery_.PercentAt(std::max<int64_t>(drained_us, 0)));
   }

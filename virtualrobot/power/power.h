@@ -56,8 +56,8 @@ class Power {
     bool over_current = false, over_temperature = false;
     bool operator==(const Load&) const = default;
   };
-  // Takes the load of a frame, and drains the battery by the current of this load.  Called once a
-  // frame.
+  // Sets the load of a frame of 8 ms.  Counts the charge that this load draws from the battery,
+  // unless the robot is on its charging station.  Called once a frame.
   void SetLoad(const Load& load);
 
   // Sends messages about values that change without a call of a setter, such as the battery's

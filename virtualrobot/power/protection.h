@@ -30,7 +30,7 @@ class Protection {
   // for a shutdown that are new in this frame.
   std::vector<Reason> NoteFrame(const BodyState& body, const Energy& energy, bool charging);
 
-  // Makes the robot wait longer before it takes a joint for jammed, if `is_patient`.
+  // If `is_patient` is true, a joint may be jammed for longer before the robot shuts down.
   void set_patient(bool is_patient) { is_patient_ = is_patient; }
   // Returns the number of frames of 8 ms for which a joint may be jammed; 0: the robot does not
   // look for jams.

@@ -326,7 +326,7 @@ void Faults::DoFrame() {
   for (auto at = faults_.begin(); at != faults_.end();) {
     const Place place = at->first;
     Fault& fault = at->second;
-    ++at;  // the next element is taken first, because End() erases this element
+    ++at;  // advances `at` before End() erases this element
     if (fault.frames && (*fault.frames)-- == 0) {
       End(place);
       continue;

@@ -81,8 +81,8 @@ class Faults {
   std::string ReadDraw(std::string_view rest, Inputs::Action* action);
   std::string ReadRepair(std::string_view rest, Inputs::Action* action);
 
-  // Finds the parts with the name `name`, and writes the indices of their sensors to `sensors`.  A
-  // joint has a sensor, so this also finds joints.  Returns "" or the error.
+  // Finds the sensors and joints with the name `name`.  Writes the indices of the sensors to
+  // `sensors`; for a joint, this is the index of its sensor.  Returns "" or the error.
   std::string FindParts(const std::string& name, std::vector<int>* sensors) const;
   // Finds the primitives with the name or locator `name`, and writes their ids to `ids`.  Lights
   // and other primitives without a sensor have only locators.  Returns "" or the error.

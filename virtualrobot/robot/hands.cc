@@ -20,7 +20,7 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr int64_t kPushFrames = 13;  // about 100 ms, the duration of a push whose input gives none
+constexpr int64_t kPushFrames = 13;  // duration of a push without `for DURATION`: about 100 ms
 constexpr double kPushMax_n = 1000;  // limit of a push; far more than a robot of 1.4 kg survives
 constexpr double kLiftDefault_m = 0.2, kLiftMax_m = 2;
 constexpr double kLiftPerFrame_m = 0.2 * kFrame_s;   // a hand lifts with 0.2 m/s
@@ -206,8 +206,8 @@ std::string Hands::ReadTurn(std::string_view rest, Inputs::Action* action) {
   }
   *action = [this, joint, turn] {
     const auto before = turns_.find(joint);
-    // If a hand turns the joint already, begins at the angle of this hand and not at the angle of
-    // the joint, because the joint lags behind the hand.
+    // If a hand turns the joint already, the new turn begins at the angle of this hand and not at
+    // the angle of the joint, because the joint lags behind the hand.
     const double angle_rad =
         before != turns_.end() ? before->second.angle_rad
                                : robot_.body->state().joints[static_cast<size_t>(joint)].angle_rad;
@@ -292,8 +292,8 @@ std::string Hands::ReadPut(std::string_view rest, Inputs::Action* action) {
   return "";
 }
 
-// Returns the error message of the input "put" with the text `rest`, if no movable thing has the
-// name in `rest`.
+// Returns the error message for an input "put" that names no movable thing.  `rest` is the text of
+// the input after the word "put".
 std::string Hands::NoMovableThingText(std::string_view rest) const {
   std::vector<std::string> known;
   for (const WorldThing& thing : robot_.body->MovableThings()) known.push_back(thing.name);
@@ -334,7 +334,7 @@ void Hands::ReleaseJoint(int joint) {
 // Simulates one frame (8 ms) of the hands that turn joints.
 void Hands::MoveJoints() {
   for (auto at = turns_.begin(); at != turns_.end();) {
-    auto& [joint, turn] = *at++;  // `at` goes on first, because ReleaseJoint() erases this element
+    auto& [joint, turn] = *at++;  // advances `at` before ReleaseJoint() erases this element
     if (turn.frames && (*turn.frames)-- == 0) {
       ReleaseJoint(joint);
       continue;
@@ -373,7 +373,7 @@ void Hands::MoveGrip() {
 
 void Hands::DoFrame() {
   for (auto touch = touches_.begin(); touch != touches_.end();) {
-    const auto now = touch++;  // `touch` goes on first, because Release() erases this element
+    const auto now = touch++;  // advances `touch` before Release() erases this element
     if (now->second && (*now->second)-- == 0) Release(now->first);
   }
   for (Push& push : pushes_) {

@@ -63,7 +63,7 @@ void RobotParts::SwitchOff() {
   speaker.SwitchOff(frame);
   safe_posture.SwitchOff();
   targets.SwitchOff();
-  {  // the current object must be OVirtualRobotComm, which owns the regions of both parts
+  {  // makes OVirtualRobotComm the current object: it owns the regions of sensors and camera
     const CurrentScope scope(&system, system.FindObject(robot_index, kVirtualRobotComm));
     sensors.SwitchOff();
     camera.SwitchOff(frame);

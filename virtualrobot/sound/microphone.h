@@ -35,10 +35,10 @@ class Microphone {
   // and a handler of an object runs, because a new region belongs to the object that runs.
   RCRegion* MakeVector(int64_t frame);
 
-  // Sets the settings as they are at boot, and gives up the references to the regions of all
+  // Resets the settings to their values at boot, and gives up the references to the regions of all
   // vectors, because the robot is switched off in frame `frame`.  After the next boot frames count
-  // from 0 again, but the sound of the source goes on.  REQUIRES: the object that sends the vectors
-  // is the current object.
+  // from 0 again, but the source continues where it was.  REQUIRES: the object that sends the
+  // vectors is the current object.
   void SwitchOff(int64_t frame);
 
   void HashState(Hasher* hasher) const;
@@ -55,7 +55,7 @@ class Microphone {
   const OPrimitiveID id_;
   const int frames_per_vector_;
   Settings settings_;
-  int64_t first_frame_ = 0;  // frame of the source that belongs to frame 0 of the present boot
+  int64_t first_frame_ = 0;  // number of the source's frame for frame 0 after the last boot
   VectorPool pool_;
 };
 

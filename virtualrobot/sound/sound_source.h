@@ -16,8 +16,8 @@ class SoundSource {
   virtual ~SoundSource() = default;
 
   // Writes `count` stereo samples of 16 kHz to `samples`.  `first` is the number of the first
-  // sample, counted from boot.  The same numbers always give the same samples, in any order of
-  // calls.
+  // sample.  Samples count from the first boot, and later boots continue the count.  The sample
+  // with a given number is always the same, in any order of calls.
   virtual void Read(int64_t first, OSoundSampleStereo16* samples, int count) = 0;
 };
 

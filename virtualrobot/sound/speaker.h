@@ -57,8 +57,9 @@ class Speaker {
   };
   const Sound& newest() const { return newest_; }
 
-  // Sets the settings as they are at boot, because the robot is switched off in frame `frame`.
-  // After the next boot frames count from 0 again, but the sound that the sink stores goes on.
+  // Resets the settings to their values at boot, because the robot is switched off in frame
+  // `frame`.  After the next boot frames count from 0 again, but the frames of the sink continue
+  // their count.
   void SwitchOff(int64_t frame) {
     settings_ = {};
     first_frame_ += frame;
@@ -84,7 +85,7 @@ class Speaker {
   std::unique_ptr<SoundSink> sink_;
   Settings settings_;
   Sound newest_;
-  int64_t first_frame_ = 0;  // frame of the sink that belongs to frame 0 of the present boot
+  int64_t first_frame_ = 0;  // number of the sink's frame for frame 0 after the last boot
 };
 
 }  // namespace openr_host

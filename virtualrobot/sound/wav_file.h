@@ -22,7 +22,7 @@ struct WavSound {
 WavSound ReadWavFile(const std::string& file);
 
 // Converts `sound` to stereo with `rate_hz` samples per second, by linear interpolation between
-// samples.  A mono sound goes to both sides.
+// samples.  Both channels of the result are the same if `sound` is mono.
 std::vector<OSoundSampleStereo16> ToStereo(const WavSound& sound, int rate_hz);
 
 // Describes the last error of `sndfile`, which is a SNDFILE*.  If `sndfile` is null, describes why

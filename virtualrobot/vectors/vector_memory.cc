@@ -92,7 +92,7 @@ int64_t WaitOf(const SentVector& vector, std::vector<std::string>* problems) {
 
 RCRegion* VectorPool::Free() const {
   for (RCRegion* region : regions_) {
-    if (region->NumberOfReference() == 1) return region;  // the pool holds the only reference
+    if (region->NumberOfReference() == 1) return region;  // free: only the pool refers to it
   }
   return nullptr;
 }

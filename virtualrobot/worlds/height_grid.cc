@@ -75,8 +75,8 @@ std::vector<Triangle> OutsideOf(const WorldThing& thing) {
         triangles.push_back(triangle);
     }
   }
-  // Adds the two triangles of the side of the heightfield below the edge from `a` to `b` of its
-  // surface.  Seen from outside, `b` is to the left of `a`.
+  // Adds two triangles: the part of the heightfield's side below the edge from point `a` to point
+  // `b` of the surface.  Seen from outside, `b` is to the left of `a`.
   const auto add_side = [&](const Vector3d& a, const Vector3d& b) {
     const Vector3d below_a(a.x(), a.y(), -thing.size_m.z() / 2);
     const Vector3d below_b(b.x(), b.y(), below_a.z());

@@ -31,7 +31,7 @@ struct WorldThing {
   double mass_kg = 0;
   // false: the thing is paint on the floor, which cameras see but nothing touches
   bool is_solid = true;
-  double reflectance = 1;  // share of the infrared light of a distance sensor that comes back
+  double reflectance = 1;  // share of a distance sensor's infrared light that the thing reflects
   // Surface of a heightfield; null for other shapes.
   std::shared_ptr<const HeightGrid> heights = {};
 };
@@ -55,7 +55,7 @@ struct World {
   std::vector<StartPlace> starts = {};  // for each robot, its place at the beginning; may be empty
 };
 
-// Returns where robot `robot` of several in one world begins: at its place in World::starts.  In a
+// Returns the place at which the robot with the number `robot` begins: World::starts[robot].  In a
 // world without such places, the robots begin beside each other, 0.5 m apart.  Throws
 // std::runtime_error when the world has places, but none for this robot.
 StartPlace StartOf(const World& world, int robot);
@@ -64,7 +64,7 @@ StartPlace StartOf(const World& world, int robot);
 // cannot be read or has a mistake.
 World LoadWorld(const std::string& path);
 
-// Reads a world from `text`; errors name the file as `name`.
+// Reads a world from `text`, the text of a world file.  Error messages call this file `name`.
 World ParseWorld(const std::string& text, const std::string& name);
 
 void HashWorld(const World& world, Hasher* hasher);
