@@ -26,13 +26,13 @@ class Console {
   void Print(std::string_view text);
 
   // Returns "FILE: cannot be written: why" if some text for the console was lost, else "".  Always
-  // returns "" if the console is standard error, because text that standard error loses is no
-  // error of the command.
+  // returns "" if the console is standard error, because a command does not fail when its text on
+  // standard error is lost.
   std::string Problem() const;
 
  private:
   const std::string file_;
-  int saved_ = -1;  // copy of descriptor 1 from before this Console took it
+  int saved_ = -1;  // copy of the descriptor 1 that was open before this Console
 };
 
 // Writes out what objects have printed, and ends their last line if it has no end.  Called before

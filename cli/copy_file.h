@@ -1,4 +1,4 @@
-// Copies files and folders, and names a full disk if there is no room for them.
+// Copies files and folders.  If the disk becomes full, the error says so.
 //
 // std::filesystem reports an input/output error if the disk becomes full in the middle of a copy.
 // A user then looks for a defect of the disk, so these functions report ENOSPC instead.

@@ -110,14 +110,14 @@ void GrowingFile::Append(std::string_view bytes, std::string_view end) {
     end_ = end;
     if (!is_shorter) return;
   } else if (!end_.empty()) {
-    // Goes back and writes the old `end_`, the text that completes the file, once more, because
-    // the part of `bytes` that fitted on the disk has overwritten it.
+    // Writes the old `end_`, the text that completes the file, once more at its old place, because
+    // the failed write may have overwritten `end_` with a part of `bytes`.
     go_back();
     WriteAll(descriptor_, end_);
   }
-  // Cuts off bytes behind the new end of the file.  Such bytes are there if a write has failed.
-  // They are also there if the new bytes are fewer than those of the old `end_`, the text that
-  // completed the file until now.  A device or a pipe cannot be cut, so a failure is ignored.
+  // Cuts off bytes after the new end of the file.  Such bytes remain if a write has failed.  They
+  // also remain if `bytes` and `end` together are shorter than the old `end_`, which they have
+  // overwritten.  A device or a pipe cannot be shortened, so a failure is ignored.
   [[maybe_unused]] const int result =
       ftruncate(descriptor_, static_cast<off_t>(size_ + end_.size()));
 }

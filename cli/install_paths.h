@@ -39,8 +39,8 @@ std::vector<std::string> WorldNames();
 // name that came with openr ("ers210.cost"), or `name` if openr has no such file.
 std::string DataFile(const std::string& name);
 
-// Returns the path of the Python file by which gdb shows data of OPEN-R readably; "" if the file
-// does not exist.
+// Returns the path of the Python file with which gdb prints data of OPEN-R in a readable form; ""
+// if the file does not exist.
 std::string GdbPrinters();
 
 // Returns the folder with the built page of the panel (index.html); "" if it is not built.

@@ -11,8 +11,8 @@
 namespace openr_host {
 
 // Returns the text of `json`.  The strings in `json` come from objects, sticks and people, so they
-// may not be UTF-8; bytes that are not valid UTF-8 become U+FFFD.  With `indent` -1 the text is one
-// line.
+// can contain bytes that are not valid UTF-8.  Such bytes become U+FFFD.  With `indent` -1 the text
+// is one line.
 template <typename Json>
 std::string JsonText(const Json& json, int indent = -1);
 
@@ -42,8 +42,8 @@ enum class Fractions {
 template <typename Json>
 void CheckFractions(const Json& json, Fractions fractions);
 
-// Returns the JSON in `text`, or a value of which is_discarded() is true if `text` is no JSON, or
-// JSON that is nested too deeply.
+// Returns the JSON in `text`.  If `text` is no JSON, or if the JSON is nested too deeply, returns a
+// value of which is_discarded() is true.
 template <typename Json>
 Json TryParseJson(std::string_view text);
 

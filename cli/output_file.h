@@ -1,12 +1,12 @@
 // Writes the files and streams of a program.  A name is checked before the work begins, a good file
 // is never left half replaced, and error messages give the reason of the system.
 //
-// A regular file is replaced: the new content is written to a temporary file beside it, which then
-// gets its name.  Permissions and owner stay, and a symbolic link still leads to the file.  Two
-// kinds of files are written in place instead, if the disk has room: a file with a second name (a
-// hard link), and a file in a folder where files cannot be replaced.  Pipes and devices are written
-// directly.  /dev/stdout and /dev/fd/N mean the stream that the program was started with; the new
-// text follows the text that the stream has got before.
+// A regular file is replaced: the new content is written to a temporary file in the same folder,
+// and this file is then renamed to the name of the old file.  Permissions and owner stay, and a
+// symbolic link still leads to the file.  Two kinds of files are written in place instead, if the
+// disk has room: a file with a second name (a hard link), and a file in a folder where files cannot
+// be replaced.  Pipes and devices are written directly.  /dev/stdout and /dev/fd/N mean the stream
+// that the program was started with; the new text follows the text that the stream has got before.
 #pragma once
 
 #include <filesystem>
@@ -56,8 +56,8 @@ class PendingFile {
   const std::string file_;
   std::string bytes_;
   std::string target_;  // path of the file, after symbolic links were followed
-  // Path of the file with the new content; "" if there is no such file.  Then Commit() writes in
-  // place.
+  // Path of the temporary file with the new content.  If it is "", there is no temporary file, and
+  // Commit() writes the content in place.
   std::string temporary_;
 };
 

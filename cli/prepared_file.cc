@@ -23,7 +23,7 @@ PreparedFile::PreparedFile(const std::string& file) {
 }
 
 // Opens the file by direct system calls, because open() and rename() are hooks of the runtime in
-// this process.  They may take the name for a file on the Memory Stick of an object.
+// this process.  These hooks may look for the file on an object's Memory Stick.
 int PreparedFile::Open() {
   if (stream_ >= 0) return stream_;
   if (target_[0] == 0) return -1;

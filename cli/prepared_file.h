@@ -12,8 +12,9 @@ class PreparedFile {
  public:
   explicit PreparedFile(const std::string& file);
 
-  // Opens what the new content is written to: a temporary file beside the file, the file itself, or
-  // the open stream that its name means.  Returns the descriptor, or -1 on failure.
+  // Opens the file or stream to which the new content is written: a temporary file beside the old
+  // file, the old file itself, or the open stream that the file name means.  Returns the
+  // descriptor, or -1 on failure.
   int Open();
   // Closes the descriptor that Open() has returned, and replaces the file by the content that was
   // written to it.

@@ -30,7 +30,7 @@ struct ProcessOptions {
 struct ProcessResult {
   int status = -1;        // exit status; 128 + n after signal n; 127: the program did not start
   std::string output;     // text that the child wrote to captured streams
-  std::string not_found;  // why the program could not be started; "" if it was started
+  std::string not_found;  // reason why the program was not started; "" if it was started
   bool good() const { return status == 0; }
 };
 

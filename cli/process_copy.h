@@ -1,5 +1,6 @@
-// Copies of this process: fork() without another program.  All copies that the product makes are
-// made by CopyProcess(), so that the following holds for each of them.
+// Makes copies of this process with fork(); a copy runs the same program as the original.  All
+// copies that the product makes are made by CopyProcess(), so that the following holds for each of
+// them.
 //
 // - Memory and threads: the copy has all memory of the original, with its fibers and objects, but
 //   only the thread that makes it.  So the original must have one thread, unless the copy calls
@@ -32,8 +33,8 @@ namespace openr_host {
 // The streams whose buffered text is written out before a copy is made.
 enum class Flushed {
   kNone,  // no stream: the buffers are empty, or the copy ends without writing them
-  kOwn,  // stdout and stderr, but no file of an object, because that would change what objects read
-  kAll,  // all streams of the C library, also the files of objects
+  kOwn,   // only stdout and stderr: writing out the files of objects changes what objects read
+  kAll,   // all streams of the C library, also the files of objects
 };
 
 // Says what happens to a copy of a process when the original process ends.

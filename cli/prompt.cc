@@ -151,9 +151,9 @@ class LineEdit {
     try {
       more = Of(edit)->prompt_.Continuation(begin, &choices);
     } catch (const std::exception&) {
-      // Catches an exception of the function that finds the words for Tab, because it must not pass
-      // through the functions of libedit, which are in C.  The user learns its reason, such as that
-      // the run has ended, when the typed line is carried out.
+      // Catches an exception of the function that finds the words for Tab, because an exception
+      // must not pass through the functions of libedit, which are in C.  The user learns the reason
+      // of the exception, such as that the run has ended, when the typed line is carried out.
       return CC_REFRESH_BEEP;
     }
     if (!more.empty())
@@ -236,7 +236,7 @@ std::string Prompt::Continuation(const std::string& begin,
   std::vector<std::string> words;
   std::istringstream stream(begin);
   for (std::string word; stream >> word;) words.push_back(word);
-  std::string start;  // what the user has typed of the word that Tab completes
+  std::string start;  // the typed part of the word that Tab completes
   if (!begin.empty() && begin.back() != ' ' && !words.empty()) {
     start = words.back();
     words.pop_back();

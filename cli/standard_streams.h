@@ -28,8 +28,8 @@ void PrepareStandardStreams();
 int StandardOutput();
 
 // Sets the descriptor to which answers are written from now on; `descriptor` leads to the standard
-// output that the program was started with.  The Console calls this when it takes descriptor 1 for
-// itself, and when it gives it back.
+// output that the program was started with.  The Console calls this function when it takes
+// descriptor 1 for itself, and when it gives descriptor 1 back.
 void SetStandardOutput(int descriptor);
 
 // Prints a part of the command's answer on standard output.  Throws std::runtime_error "standard

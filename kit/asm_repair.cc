@@ -44,15 +44,15 @@ size_t OpeningOf(const std::string& code, size_t word_end) {
   return at;
 }
 
-// Returns whether an asm gives a variable its register, as in: register int x asm("$4");  In such a
-// declaration, a name is before the word asm, and ';', '=' or ',' is after the brackets.
+// Returns whether an asm gives a variable its register, as in `register int x asm("$4");`.  In such
+// a declaration, a name stands before the word asm, and ';', '=' or ',' follows the brackets.
 // `previous` is the position before the word asm, `next` the position after the brackets.
 bool NamesRegister(const std::string& code, size_t previous, size_t next) {
   if (previous == kNone || !IsWordCharacter(code[previous])) return false;
   if (next == kNone || std::string_view(";=,").find(code[next]) == kNone) return false;
   const size_t line = code.rfind('\n', previous);
   if (code[NextOf(code, line == kNone ? 0 : line)] == '#')
-    return false;  // the name before asm is in a directive such as #define
+    return false;  // in a directive such as #define, the name before asm is no variable
   size_t begin = previous;
   while (begin > 0 && IsWordCharacter(code[begin - 1])) --begin;
   const std::string_view before = WordAt(code, begin);

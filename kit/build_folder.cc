@@ -207,8 +207,9 @@ void FolderBuild::Build() {
       },
       [&] { outcome = RunMake(plan, make_); });
   const std::vector<KitLog::Image> removed = RemoveOldImages(outcome.is_good);
-  // Runs make also in the folder of each object that has no image yet.  A Makefile in a parent
-  // folder often runs make in the folders of all objects, and ends at the first object that fails.
+  // Runs make also in the folder of each object that has no image yet, because a Makefile in a
+  // parent folder often runs make for one object after the other, and ends at the first object that
+  // fails.
   if (!outcome.is_good) {
     for (const ObjectFolder& object : NotBuilt()) {
       const bool has_makefile =
@@ -217,8 +218,8 @@ void FolderBuild::Build() {
           });
       const bool is_top =
           std::find(plan.folders.begin(), plan.folders.end(), object.folder) != plan.folders.end();
-      // Lets make link an image again that RemoveOldImages() has removed, also in a folder in which
-      // make ran before.
+      // If RemoveOldImages() has removed an image of the object, make runs again to link the image,
+      // even in a folder in which make ran before.
       const bool was_removed =
           std::any_of(removed.begin(), removed.end(), [&](const KitLog::Image& image) {
             return IsBelow(image.ocf, object.folder) || IsBelow(image.file, object.folder);
@@ -281,8 +282,8 @@ bool IsOlderThanSources(const KitLog::Image& image, const std::vector<fs::path>&
 // look like images of this build.  Returns the removed images.
 std::vector<KitLog::Image> FolderBuild::RemoveOldImages(bool is_made) {
   KitLog log = ReadKitLog(make_.log);
-  // Counts only files that the user's folder has as well, because make may have made other headers
-  // after the images.
+  // Compares the images only with shared files that exist in the user's folder.  Other shared
+  // files are made by make, and may be newer than images that are up to date.
   std::vector<fs::path> shared = SharedFiles(project_);
   std::erase_if(shared,
                 [&](const fs::path& file) { return !fs::exists(OriginalOf(file, copies_)); });

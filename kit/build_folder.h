@@ -10,7 +10,7 @@ namespace openr_host {
 
 struct BuildOptions {
   std::string folder;  // folder to build
-  std::string output;  // folder for the finished stick; "": the stick in `folder`
+  std::string output;  // folder for the finished stick; "": writes into the stick in `folder`
   std::string work;    // folder for private copies; "": a folder in the user's cache
   int jobs = 0;        // number of jobs that make runs at a time; 0: one job per processor
   bool is_verbose = false;

@@ -28,7 +28,7 @@ void ShowBuildProgress(MakeOptions* options, const std::function<std::optional<u
   try {
     work();
   } catch (...) {
-    options->while_waiting = {};  // the function refers to local variables, which end here
+    options->while_waiting = {};  // the function must not be called later: it uses local variables
     throw;
   }
   options->while_waiting = {};

@@ -61,18 +61,18 @@ void BuildReport::AddFailures(BuildOutcome* outcome) const {
   }
   const std::vector<std::string> libraries = LeftOutAndMissed();
   outcome->problems.insert(outcome->problems.end(), libraries.begin(), libraries.end());
-  // Prints the reason why make has failed.  Leaves out a reason that only says which rule has
-  // failed if the log has the failure of the compiler or linker, because that failure says more and
-  // was printed before.
+  // Adds the reason why make has failed.  If the log has failures of the compiler or linker, leaves
+  // out a reason that only names the failed rule, because those failures say more and are already
+  // in the list.
   if (!outcome->is_made &&
       (log.failures.empty() || outcome->make_cause.find("the rule for") != 0) &&
       !outcome->make_cause.empty())
     outcome->problems.push_back("make failed: " + outcome->make_cause);
 }
 
-// Returns an error message for each object file or library that is for another processor, that the
-// Makefiles name, and that the build has not made anew.  The private copy does not contain such
-// files, because the host cannot use them.
+// Returns an error message for each object file or library for another processor, if a Makefile
+// names the file and the build has not made it anew.  The private copy has no files for another
+// processor, because the host cannot use them.
 std::vector<std::string> BuildReport::LeftOutAndMissed() const {
   std::string makefiles;
   for (const fs::path& file : project_.makefiles) makefiles += ReadText(file).value_or("");

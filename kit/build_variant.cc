@@ -34,9 +34,10 @@ BuildVariant VariantOfBuild() {
   return VariantOf(name == nullptr ? "" : name);
 }
 
-// Leaves out two checks of UndefinedBehaviorSanitizer.  The check "return" would end the program in
-// a function that returns no value, but `openr build` makes such a function return 0
-// (image_source.cc).  The check "vptr" needs functions that the runtime does not have
+// Leaves out two checks of UndefinedBehaviorSanitizer.  The check "return" would end the program
+// when a function of a type such as int ends without a return statement, but `openr build` makes
+// this function return 0 (image_source.cc).  The check "vptr" needs functions that the runtime
+// does not have
 // (runtime/core/checked_code.cc).  The flag -fno-wrapv undoes the flag -fwrapv of
 // compile-flags.txt, because with -fwrapv the sanitizer finds no overflow of a signed number.
 std::vector<std::string> VariantCompileFlags(BuildVariant variant) {

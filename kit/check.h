@@ -13,7 +13,7 @@ namespace openr_host {
 struct Remark {
   enum class Kind {
     kError,    // the program will not work
-    kWarning,  // the program may do something else than wanted, on this computer or on the robot
+    kWarning,  // the program may behave in an unwanted way, on this computer or on the robot
     kNote,     // nothing is wrong, but the remark tells something worth knowing
   };
   Kind kind;

@@ -15,7 +15,8 @@
 namespace openr_host {
 namespace {
 
-// Returns the word that ends just before `at`, apart from blanks; "" if no word ends there.
+// Returns the word before the position `at`, with only blanks between them; "" if there is no such
+// word.
 std::string_view WordBefore(std::string_view code, size_t at) {
   const size_t last = PreviousOf(code, at);
   if (last == kNone || !IsWordCharacter(code[last])) return "";
@@ -37,9 +38,9 @@ std::string_view LineAround(std::string_view text, size_t at) {
   return text.substr(begin, std::min(text.find('\n', at), text.size()) - begin);
 }
 
-// Returns whether `code` may define the constant or variable `word`: a type stands before the word,
-// or a comma or '{' as in an enum, or '=' follows the word, or its line is a directive such as
-// #define.
+// Returns whether `code` may define the constant or variable `word`.  Signs of a definition are:
+// before the word a type or, as in an enum, a comma or '{'; after the word '='; in the line of the
+// word a directive such as #define.
 bool MayDefine(const std::string& code, const std::string& word) {
   for (size_t at = code.find(word); at != kNone; at = code.find(word, at + 1)) {
     if (!HasWordAt(code, at, word)) continue;
@@ -62,8 +63,8 @@ std::vector<std::string> IndicesOf(const char* prefix, const std::vector<StubSer
 }
 
 // Returns whether `code` defines a macro `name`, or declares a function or variable `name`.  A name
-// counts as declared if a type stands before it, or the '*' or '&' of a type, or "Class::", or
-// other declared names and a comma.
+// counts as declared if one of these stands before it: a type, the '*' or '&' of a type, "Class::",
+// or a list of other declared names with a comma.
 bool HasOwn(const std::string& code, const std::string& name) {
   const std::regex macro("#[ \t]*define[ \t]+" + name + "\\b");
   if (std::regex_search(code, macro)) return true;
@@ -190,8 +191,9 @@ class CallCheck {
     }
   }
 
-  // Returns whether the value of the clock that is called from `at` to `end` seeds random numbers:
-  // the call stands in the brackets of srand(), or srand() gets a variable that has the value.
+  // Returns whether the value of a clock seeds random numbers.  The call of the clock begins at the
+  // position `at` and ends at `end`.  Its value is a seed if the call stands in the brackets of
+  // srand(), or if srand() gets a variable that has the value.
   bool IsSeed(size_t at, size_t end) const {
     const std::vector<std::string> names = NamesOfValue(at, end);
     static const std::regex kSeed("\\bsrand(?:om)?[ \t]*\\(");
@@ -217,8 +219,8 @@ class CallCheck {
     return std::string_view("+-*/%&|^").find(before) == std::string_view::npos ? at : at - 1;
   }
 
-  // Returns the names of the variables that get the value of this call: "seed" for
-  // "unsigned seed = time(0)" and for "unsigned seed(time(0))", "now" for "time(&now)".
+  // Returns the names of the variables that get the value of the call from `at` to `end`: "seed"
+  // for "unsigned seed = time(0)" and "unsigned seed(time(0))", "now" for "time(&now)".
   std::vector<std::string> NamesOfValue(size_t at, size_t end) const {
     std::vector<std::string> names;
     const std::string_view code = code_;

@@ -44,7 +44,7 @@ std::string WithShortBlanks(const std::string& code) {
     if (!is_blank || !is_in_run) {
       result += is_blank && c != '\n' ? ' ' : c;
     } else if (c == '\n') {
-      result.back() = '\n';  // a pattern for one line must not match beyond the end of the line
+      result.back() = '\n';  // keeps a line end, beyond which a pattern for one line cannot match
     }
     is_in_run = is_blank;
   }
@@ -71,7 +71,7 @@ std::string SendProblem(const std::string& members) {
 // A struct or class of the program.
 struct DataType {
   std::vector<std::string> bases;
-  std::vector<std::string> virtual_functions;  // names, without those that the bases declare
+  std::vector<std::string> virtual_functions;  // names of functions that the type itself declares
 };
 
 // Returns all words in the list of base classes `text`, such as ": public Base".  These are names
@@ -246,7 +246,7 @@ class DataCheck {
   std::map<std::string, File> files_;
   std::map<std::string, DataType> types_;
   std::set<std::string> seen_;                   // names of all types found so far
-  std::map<std::string, std::string> problems_;  // reasons why a type cannot be sent, by its name
+  std::map<std::string, std::string> problems_;  // for each type that cannot be sent: the reason
 };
 
 }  // namespace

@@ -42,8 +42,8 @@ std::string ObjectNameIn(std::string_view bytes) {
 // for the robot.
 struct MissingImage {
   ObjectRecord record;
-  // Reason why the image on the stick, which is for the robot, cannot run here; "": the stick has
-  // no file of this name.
+  // Reason why the host cannot load the robot's image that is on the stick; "": the stick has no
+  // file of this name.
   std::string problem;
 };
 
@@ -107,8 +107,8 @@ class ImageCheck {
   StickImages images_;
   std::vector<PlacedObject> placed_;
   std::vector<MissingImage> missing_;
-  // The lines of OBJECT.CFG by the name of the object in their image.  Two images whose objects
-  // have the same name are an error.
+  // Lines of OBJECT.CFG; the key is the name of the object in the image that a line names.  Two
+  // images whose objects have the same name are an error if one robot loads both.
   std::map<std::string, std::vector<ObjectRecord>> lines_by_name_;
 };
 

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 // The text of the sources and headers of an object without comments.
 struct ObjectCode {
   std::string all;      // sources and headers
-  std::string sources;  // sources only, in which members are used and not declared
+  std::string sources;  // sources only, because a header also names members that nobody uses
 };
 
 ObjectCode CodeOf(const ObjectFolder& object, const ObjectParts& parts) {
@@ -81,8 +81,8 @@ const StructLayout::Member* FindMember(const StructLayout& layout, const std::st
   return found == layout.members.end() ? nullptr : &*found;
 }
 
-// Returns, as a text for the user, the first difference between the layouts of a struct because of
-// which `receiver` reads something else than `sender` has sent; "" if there is none.
+// Compares how two objects lay out a struct.  Returns a text for the user about the first
+// difference that makes `receiver` read other data than `sender` has sent; "" if there is none.
 std::string DifferenceOf(const End& sender, const End& receiver) {
   for (const StructLayout::Member& theirs : receiver.layout.members) {
     // Skips a member that no source of the receiver names, because nothing reads it.
@@ -206,7 +206,7 @@ class LayoutCheck {
                                  : codes_.emplace(&object, CodeOf(object, parts_)).first->second;
   }
 
-  std::multimap<std::string, const BuiltObject*> owners_;  // by the full names of their services
+  std::multimap<std::string, const BuiltObject*> owners_;  // key: full name of a service
   std::map<const ObjectFolder*, ObjectCode> codes_;
   const ObjectParts& parts_;
   Remarks* const remarks_;

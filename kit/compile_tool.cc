@@ -59,7 +59,7 @@ class CompileRun {
   const Arguments given_;
   CompileCommand command_;
   Arguments compiler_;  // the host's compiler and the flags of compile-flags.txt
-  Arguments extra_;     // flags that this source needs beside the flags of the user's command
+  Arguments extra_;     // flags for this source in addition to the flags of the user's command
   Arguments variant_;   // flags of the variant, such as "debug", that is built
 };
 

@@ -147,9 +147,9 @@ class StickCompletion {
     return record.path.size() < 4 ? fs::path() : FindBelow(stick_.root, record.path.substr(4));
   }
 
-  // Returns whether no other stick is nearer to the image's .ocf file.  To compare the sticks,
-  // looks at the parent folders of the sticks that also contain the .ocf file: the deeper the
-  // parent folder, the nearer is the stick.
+  // Returns whether no other stick is nearer to the image's .ocf file.  A stick is near only if its
+  // parent folder contains the .ocf file: the deeper this parent folder lies, the nearer is the
+  // stick.
   bool IsOfThisStick(const BuiltImage& image) const {
     const auto depth = [&image](const StickFolder& stick) {
       const fs::path around = stick.root.parent_path();
@@ -241,8 +241,8 @@ class StickCompletion {
     for (const auto& [name, index] : listed_)
       (index == kNone ? foreign : own) += fmt::format("/MS/OPEN-R/MW/OBJS/{}\n", name);
     const fs::path folder = objects_.parent_path() / "CONF";
-    // Writes the images that this build has not linked into the first lines of OBJECT.CFG.  One of
-    // them may be POWERMON.BIN, which is in the first line of OBJECT.CFG on a robot's stick.
+    // Begins OBJECT.CFG with the images that this build has not linked, because one of them may be
+    // POWERMON.BIN, which is in the first line of OBJECT.CFG on a robot's stick.
     WriteText(folder / "OBJECT.CFG", foreign + own);
     const bool has_connections = !FindEntry(folder, "CONNECT.CFG").empty();
     if (!has_connections) WriteText(folder / "CONNECT.CFG", "");
@@ -265,9 +265,10 @@ class StickCompletion {
   }
 
   // Adds to `listed_` (the images that the new OBJECT.CFG names) the images in the stick's folder
-  // OBJS that this build has not linked: images that rules of Makefiles have copied to the stick,
-  // and images of the user's stick if the SDK tree has an image of the same name, which is then
-  // used.  Adds a note about each image that stays out of OBJECT.CFG.
+  // OBJS that this build has not linked.  These are images that rules of Makefiles have copied to
+  // the stick, the gateway, and images of the user's stick if the SDK tree has an image of the same
+  // name; the image of the SDK tree is then used.  Adds a note about each image that stays out of
+  // OBJECT.CFG.
   void ListForeign() {
     std::map<std::string, fs::path> files;  // key: name of the file in upper case
     for (const fs::path& folder :

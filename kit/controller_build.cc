@@ -73,7 +73,7 @@ class ControllerBuild {
   bool HasGoodFiles() const {
     std::vector<Diagnostic> diagnostics;
     std::vector<fs::directory_entry> entries{fs::directory_iterator(folder_), {}};
-    // Sorts the files, because the order of a folder differs between file systems.
+    // Sorts the files, because each file system lists the files of a folder in another order.
     std::sort(entries.begin(), entries.end());
     for (const auto& entry : entries) {
       const std::string name = entry.path().filename();
@@ -107,7 +107,7 @@ class ControllerBuild {
     StickFolder stick;
     stick.root = stick_;
     const fs::path images = stick.ObjectsFolder();
-    fs::remove(images / "CONTROLL.DBG");  // debug information of the former image
+    fs::remove(images / "CONTROLL.DBG");  // old debug information, which does not fit the new image
     Put(ImagePath(), images / kImage);
     const fs::path open_r = FindEntry(stick_, "OPEN-R");
     for (const auto& entry : fs::directory_iterator(folder_)) {

@@ -18,10 +18,11 @@ struct EditorPlaces {
   std::string headers;   // absolute path of the folder of the headers for controllers
 };
 
-// The facts about a folder of a program that decide what its files for the editor contain.
+// Facts about the folder of a program or controller, on which the content of its files for the
+// editor depends.
 struct EditorFolder {
-  bool is_controller = false;  // true: `openr controller build` builds it; false: `openr build`
-  std::string stick = "MS";    // path of the stick, below the folder; ".": the folder itself
+  bool is_controller = false;  // true: built by `openr controller build`; false: by `openr build`
+  std::string stick = "MS";    // path of the stick relative to the folder; ".": the folder itself
   bool has_tests = true;       // true: CMakeLists.txt in the folder uses the package openr-host
 };
 

@@ -72,7 +72,7 @@ std::string WithoutDirectives(std::string code) {
       if (code[i] != '\n') code[i] = ' ';
     }
   };
-  int depth = 0;  // number of conditions open since "#if 0"
+  int depth = 0;  // number of open conditions, counted from "#if 0"; 0: outside
   size_t dead = 0;
   // Finds the directives in a copy of the text, because the loop overwrites parts of `code` with
   // blanks while it still reads the directives.
@@ -180,7 +180,8 @@ ExpandedText MacroTable::Expand(const std::string& source) const {
 // Expands the use of a macro at the position `at`: appends the expansion to `result`, and returns
 // the position after the use.  Returns `at` if no macro is used at this position.  All appended
 // characters get the origin `origin` (ExpandedText::origins).  Does not expand the macros in
-// `hidden`, because `text` is a part of their own expansion, which would never end.
+// `hidden`, because `text` is a part of their own expansion: a macro that contains its own name
+// would be expanded without end.
 size_t MacroTable::PutMacro(std::string_view text, size_t at, size_t origin, const Names& hidden,
                             ExpandedText* result) const {
   const std::string_view word = WordAt(text, at);
@@ -204,7 +205,8 @@ size_t MacroTable::PutMacro(std::string_view text, size_t at, size_t origin, con
 // origin, an offset in the source (ExpandedText::origins).  If `text` comes from a macro, `fixed`
 // is the origin of all characters: the offset of the macro's use.  If `text` is the source itself,
 // `fixed` is kNone, and the origin of a character is its offset in `text`.  Does not expand the
-// macros in `hidden`, because `text` is a part of their own expansion, which would never end.
+// macros in `hidden`, because `text` is a part of their own expansion: a macro that contains its
+// own name would be expanded without end.
 void MacroTable::Put(std::string_view text, size_t fixed, const Names& hidden,
                      ExpandedText* result) const {
   for (size_t at = 0; at < text.size() && result->text.size() < kExpandedMax;) {

@@ -144,10 +144,11 @@ bool HasInstallRule(const fs::path& folder, const std::vector<std::string>& vari
   return said.find("make: *** No rule to make target 'install'") == std::string::npos;
 }
 
-// Returns the value for variables of Makefiles that name a Memory Stick outside of the project: the
-// path of a stick of the project.  With several sticks the value is an expression for make.  The
-// value of this expression is the stick in the folder in which make runs, or else in the nearest
-// folder around that folder.
+// Returns the path of a stick of the project, or of the stick MS that will be made if the project
+// has none.  This path becomes the value of Makefile variables that name a stick outside of the
+// project.  If the project has several sticks, returns an expression for make.  The value of this
+// expression is the stick in the folder in which make runs, else in the nearest folder around that
+// folder, else the first stick.
 std::string StickValue(const Project& project) {
   if (project.sticks.empty()) return project.root / "MS";
   std::vector<fs::path> roots;
@@ -215,7 +216,7 @@ MakePlan PlanMake(const Project& project, const std::string& sdk_root) {
   MakePlan plan;
   plan.folders = TopFolders(project);
   const std::string stick = StickValue(project);
-  std::string all;  // text of all Makefiles, because a Makefile may use variables of others
+  std::string all;  // text of all Makefiles, because one may use a variable of another
   for (const fs::path& file : project.makefiles) {
     const std::string text = ReadText(file).value_or("");
     all += text + "\n";
@@ -315,9 +316,9 @@ MakeOutcome RunMakeTargets(const fs::path& folder, const MakePlan& plan,
   arguments.insert(arguments.end(), variables.begin(), variables.end());
   const size_t failures = ReadKitLog(options.log).failures.size();
   MakeOptions install = options;
-  // After a failure of the Makefile's first target, prints the output of a failed run for the
-  // target `install` only if the log has new failures.  The run for `install` often repeats the
-  // steps of the first target, and the messages of these steps are already printed.
+  // The run for the target `install` often repeats the steps of the Makefile's first target.  If
+  // the first target has failed, the messages of these steps are already printed, so the output of
+  // a failed run for `install` is printed only if the log has new failures.
   if (!outcome.is_good || failures > 0) {
     install.print_output = MakeOptions::PrintOutput::kIfGood;
     install.jobs = 1;

@@ -19,8 +19,9 @@ void AddOnce(const std::string& name, Names* names) {
   if (std::find(names->begin(), names->end(), name) == names->end()) names->push_back(name);
 }
 
-// Cuts `text` into parts: text whose words have at most kWordMax characters, a longer word, text
-// whose words have at most kWordMax characters, and so on.  The last part is text, too.
+// Cuts `text` at its long words, which have more than kWordMax characters.  In the result, the
+// parts with odd indexes are the long words, and the parts with even indexes are the text before,
+// between and after them.
 Names SplitAtLongWords(const std::string& text) {
   constexpr char kBlanks[] = " \t\r\n";
   Names parts(1);
@@ -39,7 +40,8 @@ Names SplitAtLongWords(const std::string& text) {
   return parts;
 }
 
-// Replaces what `pattern` matches in `text`, but leaves words alone that are longer than kWordMax.
+// Replaces each match of `pattern` in `text` by `format`.  Does not change words that are longer
+// than kWordMax.
 std::string ReplacedInWords(const std::string& text, const std::regex& pattern,
                             const std::string& format) {
   const Names parts = SplitAtLongWords(text);

@@ -16,7 +16,8 @@ namespace openr_host {
 std::string AdaptMakefile(const std::string& text, const std::string& sdk_root);
 
 // Returns `text`, the text of a Makefile, without its words of more than 4096 characters, which can
-// be no paths.  A search in the result for a pattern of paths does not overflow the stack.
+// be no paths.  std::regex calls itself for each character that it matches, so a search for paths
+// in such long words could overflow the stack.
 std::string WithoutLongWords(const std::string& text);
 
 // A variable of a Makefile that stands for a folder of the SDK, or for a Memory Stick.

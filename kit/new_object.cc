@@ -75,7 +75,8 @@ std::string ObjectNameProblem(const std::string& name) {
 }
 
 std::string ClassNameProblem(const std::string& name, const std::string& sdk_root) {
-  // Compiles a class with a harmless name as well: if that fails, too, the reason is not the name.
+  // If the class does not compile, compiles a class called HelloWorld.  If HelloWorld does not
+  // compile either, the name `name` is not the reason.
   if (Compiles(ClassName(name), sdk_root) || !Compiles("HelloWorld", sdk_root)) return "";
   return fmt::format(
       "no class can be called {}, because the OPEN-R headers or those of C use this name; choose "
@@ -117,8 +118,8 @@ std::string WriteNewObject(const std::vector<NewFile>& files, const std::string&
   for (size_t i = 0; i < files.size(); ++i) {
     const std::string problem = WriteText(fs::path(folder) / files[i].path, files[i].text);
     if (problem.empty()) continue;
-    // Removes the files that this call has written.  Otherwise the next call, which comes when the
-    // user has made room on a full disk, would refuse to overwrite them.
+    // Removes the files that this call has written, because a second call would refuse to overwrite
+    // them.  The user may try again, for example, after making room on a full disk.
     for (size_t j = 0; j < i; ++j) fs::remove(fs::path(folder) / files[j].path, error);
     return problem;
   }

@@ -42,7 +42,7 @@ public:
     void NotifySensor(const ONotifyEvent& event);
 
 private:
-    int vectors;  // of sensors, 32 ms each
+    int vectors;  // sensor vectors so far; each has the values of 32 ms
 };
 
 #endif // @Name@_h_DEFINED
@@ -91,7 +91,7 @@ OStatus
     return oSUCCESS;
 }
 
-// Comes every 32 ms, as long as we assert ready.
+// The robot sends a sensor vector every 32 ms, as long as we assert ready.
 void
 @Name@::NotifySensor(const ONotifyEvent& event)
 {
@@ -248,7 +248,7 @@ TEST_F(@Name@Test, HearsTheSensorsOfTheRobot) {
   EXPECT_THAT(bench.console(), ::testing::HasSubstr("@Name@ hears 31 sensors"));
 }
 
-// Without its ready the robot would send no more.
+// The robot sends the next vector only after the object has asserted ready.
 TEST_F(@Name@Test, SaysReadyAfterEveryVector) {
   for (int i = 0; i < 3; i++) {
     bench.Expect(Notify("OVirtualRobotComm.Sensor", "@Name@.Sensor"));

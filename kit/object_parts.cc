@@ -69,11 +69,11 @@ const std::string& ObjectParts::TextOf(const fs::path& file) const {
   return entry->second;
 }
 
-// Returns whether `file` belongs to another object than `object`.  Goes up from the folder of the
-// file.  If the folder of another object comes before the folder of `object`, the file belongs to
-// the other object.  For example, Cat/src/Tail.cc belongs to Cat and not to Dog.  The folder of
-// another object does not count if it contains the folder of `object`, because files in it may be
-// for both: if P and P/Dog are objects, P/Tail.cc may be part of Dog.
+// Returns whether `file` belongs to an object other than `object`.  Goes from the folder of the
+// file to the folder above it, and so on.  The first folder of an object on this way decides.  For
+// example, Cat/src/Tail.cc belongs to Cat and not to Dog.  A folder that contains the folder of
+// `object` does not count, because its files may belong to both objects: if P and P/Dog are
+// objects, P/Tail.cc may be part of Dog.
 bool ObjectParts::BelongsToOther(const fs::path& file, const ObjectFolder& object) const {
   for (fs::path folder = file.parent_path(); folder.has_relative_path();
        folder = folder.parent_path()) {

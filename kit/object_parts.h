@@ -19,10 +19,11 @@ class ObjectParts {
  public:
   ObjectParts(const Project& project, const ReferredPlaces& places);
 
-  // Returns the sources and headers of `object`: files in its folder, files in folders that its
-  // Makefiles name, files that mention its class, headers that all of these include, and sources
-  // with the same names as these headers.  A file in the folder of another object counts only if a
-  // Makefile names that folder.  Files made by stubgen2 are left out.
+  // Returns the sources and headers of `object`: files in its folder, files that its Makefiles
+  // name, files in folders that its Makefiles name, files that mention its class, headers that any
+  // of these files includes, and sources with the same names as these headers.  A file in the
+  // folder of another object counts only if a Makefile of `object` names the file or its folder.
+  // Files made by stubgen2 are left out.
   const std::vector<std::filesystem::path>& CodeOf(const ObjectFolder& object) const;
 
   // Returns the object's .ocf files.  These are the .ocf files in its folder, or else the .ocf

@@ -114,8 +114,8 @@ Project ScanProject(const std::vector<fs::path>& folders) {
   Project project;
   project.root = folders[0];
   std::map<fs::path, std::vector<fs::path>> files_of;
-  // The files found already.  Without this set, files would be taken twice if a folder of `folders`
-  // is inside another folder of `folders`.
+  // The files found already, so that no file is added twice.  FilesBelow() finds a file twice if a
+  // folder of `folders` is inside another folder of `folders`.
   std::set<fs::path> seen;
   for (const fs::path& folder : folders) {
     // Searches folders outside of the project for sticks only if the project has no stick of its
@@ -174,8 +174,9 @@ void CheckFolderHasProgram(const fs::path& folder) {
   if (const std::string problem = PathReadProblem(folder); !problem.empty())
     throw std::runtime_error(fmt::format("{}: {}", folder.string(), problem));
   const ReferredPlaces places = FindReferredPlaces(folder);
-  // Checks the project only if no files in the folders around `folder` belong to it.  Such files
-  // may be all that there is to build, and ScanProject() finds them only in the private copies.
+  // Makes no check here if the program has files in folders of `places.around`.  These files may be
+  // all that can be built, and a scan of `places.folders` does not find them.  FolderBuild::Run()
+  // checks again later, in the private copies, which have these files.
   if (places.files.empty()) CheckProjectHasProgram(ScanProject(places.folders), folder);
 }
 

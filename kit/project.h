@@ -26,7 +26,7 @@ struct StickFolder {
   std::vector<ObjectRecord> objects;    // lines of OBJECT.CFG in their order, for all robots
   std::filesystem::path object_config;  // path of OBJECT.CFG; empty: the stick has none
 
-  // Returns the path of OPEN-R/MW/OBJS with the upper and lower case it has on the disk.
+  // Returns the path of OPEN-R/MW/OBJS, with upper and lower case letters as on the disk.
   std::filesystem::path ObjectsFolder() const;
 };
 

@@ -124,12 +124,12 @@ class PlaceSearch {
     }
   }
 
-  // Adds `target`, a folder to which a path in a file of the program leads, or the folder of
-  // `target`, a file.  `is_above` says that the path ends in "..".  Adds only the files directly in
-  // the folder
-  //   - if the folder contains the program's own folder, because it may hold other programs, too;
-  //   - if the folder contains a folder that was added before, and `target` is a file or `is_above`
-  //     is true.
+  // Adds the folder `target`, or the folder that contains the file `target`.  A path in a file of
+  // the program leads to `target`; `is_above` says that this path ends in "..".  In two cases, adds
+  // only the files directly in the folder:
+  //   - The folder contains the program's own folder, so it may hold other programs, too.
+  //   - The folder contains a folder that was added before, and `target` is a file or `is_above` is
+  //     true.
   void AddTarget(const fs::path& target, bool is_above) {
     std::error_code error;
     if (!fs::exists(target, error) || IsCovered(target)) return;
@@ -139,7 +139,7 @@ class PlaceSearch {
     const bool wants_files = is_above || !is_folder;
     if (is_around_root || (wants_files && ContainsReferred(folder))) {
       if (!is_folder) AddFile(target);
-      AddFilesIn(folder);  // a source may include headers beside it, which it names without "../"
+      AddFilesIn(folder);  // also adds headers that sources beside them name without "../"
     } else if (FilesBelow(folder).size() <= kOutsideFilesMax) {
       places_.folders.push_back(folder);
     }

@@ -20,7 +20,7 @@ struct ErrorPlace {
   const CompilerError& error;
   const std::string& text;
   const std::string code;  // text without comments and strings
-  const size_t at;         // position in the text that the message names
+  const size_t at;         // position that the message names, as an offset in `text`
 
   bool MessageHas(const char* words) const { return error.message.find(words) != kNone; }
 
@@ -179,7 +179,7 @@ Edits KnownGlobalName(const ErrorPlace& place) {
 // `::` only before a name that it knows.
 Edits GlobalName(const ErrorPlace& place) {
   if (!place.MessageHas("should have been declared inside '::'")) return {};
-  size_t at = place.at;  // the message names the closing bracket or the name
+  size_t at = place.at;  // position of the name, or of the ')' that ends its parameters
   if (place.code[at] == ')') {
     int depth = 0;
     for (; at > 0; --at) {

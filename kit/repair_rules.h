@@ -24,7 +24,7 @@ struct Edit {
   size_t begin = 0;  // begin of the replaced text: offset in the file of the error
   size_t end = 0;    // end of the replaced text; equal to `begin` for an insertion
   std::string text;
-  std::string what;  // description of the repair for the user; "" in further edits of a repair
+  std::string what;  // tells the user what the repair changes; "" if an earlier edit tells it
 };
 
 // Returns the edits of `text`, the whole file, that repair `error`; none if no

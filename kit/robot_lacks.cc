@@ -6,9 +6,9 @@
 namespace openr_host {
 namespace {
 
-// A group of functions that the robot lacks for the same reason.  The sources are the Programmer's
-// Guide, appendix A (parts of the C library that do not work), and docs/openr/core.md, sections 6.1
-// and 6.4 (threads and sleeping).
+// A group of functions that the robot lacks for the same reason.  The groups are taken from the
+// Programmer's Guide, appendix A (parts of the C library that do not work), and from
+// docs/openr/core.md, sections 6.1 and 6.4 (threads and sleeping).
 struct Group {
   std::initializer_list<std::string_view> names;
   LackedCall call;

@@ -103,10 +103,10 @@ class RobotStick {
     Write(to, MergeConfig(ReadText(to).value_or(""), ours));
   }
 
-  // Writes the network settings, the file WLANCONF.TXT, to the stick.  Takes the file in the folder
-  // of the controller.  If there is no such file, takes the file that the base (the system files
-  // with which the stick begins) has put on the stick.  If the base has no such file either, takes
-  // the file in stub.cfg of this project.
+  // Writes the network settings, the file WLANCONF.TXT, to the stick.  Uses the WLANCONF.TXT in the
+  // folder of the controller.  If this folder has none, uses the WLANCONF.TXT that the base (the
+  // system files with which the stick begins) has put on the stick.  If the base has none either,
+  // uses the WLANCONF.TXT in the folder stub.cfg/ of this project.
   void PutNetworkSettings() {
     const fs::path to = On("SYSTEM/CONF", "WLANCONF.TXT");
     fs::path from =

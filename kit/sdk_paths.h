@@ -5,7 +5,7 @@
 //   OPEN_R/bin           stubgen2, mkbin and the other tools; also links to openr-sdk
 //   OPEN_R/include       headers of the SDK; R4000 and MCOOP in it are links to this folder
 //   OPEN_R/lib           empty libraries under the names that programs link
-//   compat               headers of C++ before the standard
+//   compat               headers of C++ before its first standard, such as iostream.h
 //   compile-flags.txt    flags for compiling old sources
 //   images               images for programs that do not bring their own, such as POWERMON.BIN
 //   controller           the Controller object to link controllers with, and its headers

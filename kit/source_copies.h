@@ -8,7 +8,7 @@
 namespace openr_host {
 
 struct SourceCopy {
-  std::string copy;  // absolute path of a folder without a slash at the end, as is `original`
+  std::string copy;  // absolute path of a folder; no slash at its end, and none in `original`
   std::string original;
 };
 
@@ -20,8 +20,8 @@ std::string ToEnvironment(const std::vector<SourceCopy>& copies);
 // Returns `text` with the paths of copies replaced by the paths of the originals.
 std::string InTermsOfOriginals(std::string text, const std::vector<SourceCopy>& copies);
 
-// Returns the user's file of which `file`, an absolute path, is the private copy; "" when `file` is
-// in no private copy.
+// Returns the path that `file`, an absolute path in a private copy, has in the user's own folder.
+// Returns "" if `file` is in no private copy.
 std::string OriginalOf(const std::string& file, const std::vector<SourceCopy>& copies);
 
 }  // namespace openr_host

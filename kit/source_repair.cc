@@ -48,8 +48,9 @@ std::vector<CompilerError> ReadCompilerErrors(const std::string& diagnostics) {
 }
 
 // Returns the errors of the assembler: "a.cc:3: Error: no such instruction: ...".  For assembly
-// outside of functions, the assembler names its own input (.s) and not a source.  Such an error
-// counts for each of `sources`, the files that were given to the compiler.
+// outside of functions, the assembler names its own input (.s) and not a source.  Such an
+// error may come from any of `sources`, the files that were given to the compiler.  So returns the
+// error once for each of these files.
 std::vector<CompilerError> ReadAssemblerErrors(const std::string& diagnostics,
                                                const std::vector<std::string>& sources) {
   static const std::regex kError("^([^:\n]+):(\\d+): (?:Error|Fatal error): (.*)$");

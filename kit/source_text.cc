@@ -56,8 +56,9 @@ std::string WithoutComments(std::string_view text) {
   return result;
 }
 
-// Uses no std::regex_search(), which calls itself for each blank: a long string or comment, which
-// became blanks (WithoutComments()), would overflow the stack.
+// Uses no std::regex_search(), because it calls itself for each blank that it matches.  `code` has
+// blanks in place of comments and strings (WithoutComments()), so a long comment or string would
+// overflow the stack.
 std::string WithoutConditionalCode(std::string code) {
   int depth = 0;
   for (size_t at = 0; at < code.size();) {

@@ -78,7 +78,7 @@ std::string WideTypeOf(Dwarf_Die* member) {
         if (name.find("64") != std::string::npos) return "";
         if (shown.empty()) shown = name;
         break;
-      default:  // const, volatile or an array: goes on with the type of the element
+      default:  // goes on with the type after const or volatile, or of the array's elements
         break;
     }
   }

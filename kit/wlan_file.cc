@@ -66,7 +66,7 @@ class SettingsCheck {
 
 void CheckAddresses(const WlanConfig& config, SettingsCheck* check) {
   const uint32_t ip = AddressOf(config.ether_ip), mask = AddressOf(config.ether_netmask);
-  // Warns if a one comes after a zero in the netmask, because no network has such a mask.
+  // Warns if the netmask has a 1 bit after a 0 bit, because no network has such a mask.
   if (std::popcount(mask) != std::countl_one(mask)) {
     check->Warn(fmt::format("ETHER_NETMASK {} is no mask of a network, which is like 255.255.255.0",
                             config.ether_netmask));
@@ -120,9 +120,9 @@ std::string SetWlanKey(const std::string& key, const std::string& value, WlanCon
   // knows which values are allowed.
   const WlanResult result = ParseWlanConfig("", key + "=" + value);
   if (!result.diagnostics.empty()) return result.diagnostics[0].message;
-  // Makes a new text of WLANCONF.TXT with the values of all keys, and lets the parser read it.  A
-  // text with only `key` would not do, because the parser gives each key that is not in the text
-  // the robot's default, and the values that `config` has would be lost.
+  // Makes a new text of WLANCONF.TXT with the values of all keys, and lets the parser read this
+  // text.  The parser gives each key that is not in the text the robot's default.  So a text with
+  // only `key` would lose the other values of `config`.
   std::string text;
   for (const WlanQuestion& other : WlanQuestions()) {
     const std::string old = other.key == key ? value : WlanValue(*config, other.key);

@@ -33,11 +33,11 @@ std::string SetWlanKey(const std::string& key, const std::string& value, WlanCon
 // Returns the value of `key`, written as in WLANCONF.TXT; "" if the key has no value.
 std::string WlanValue(const WlanConfig& config, const std::string& key);
 
-// Asks each question by `ask`.  `ask` gets the text of the question and the present value, which
-// stays if the answer is empty.  `ask` returns the answer, or nullopt at the end of the input.  The
-// answer to a question with `is_yes_no` may be yes, y, no or n as well as 1 or 0.  For an answer
-// that the robot would not accept, `refuse` gets the reason, and the question is asked again.
-// Returns false if the input ended before the last question.
+// Calls `ask` for each question and stores the answers in `config`.  `ask` gets the text of the
+// question and the present value, which stays if the answer is empty.  `ask` returns the answer, or
+// nullopt at the end of the input.  The answer to a question with `is_yes_no` may be yes, y, no or
+// n as well as 1 or 0.  If the robot would not accept an answer, calls `refuse` with the reason,
+// and asks the question again.  Returns false if the input ended before the last question.
 bool AskForWlan(const std::function<std::optional<std::string>(const std::string& question,
                                                                const std::string& value)>& ask,
                 const std::function<void(const std::string& reason)>& refuse, WlanConfig* config);

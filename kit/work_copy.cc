@@ -134,9 +134,9 @@ fs::path WorkCopy::Add(const fs::path& original) {
 
 // Removes object files and libraries that earlier builds have made in the copy, so that all sources
 // are compiled again.  Called when a header has changed, or a stub.cfg, from which headers are
-// made, because the rules of a Makefile often do not name the headers (field-notes.md 1.7).  Leaves
-// files alone that the user's folder has as well, and does not follow links, which may lead
-// elsewhere.
+// made, because the rules of a Makefile often do not name the headers (field-notes.md 1.7).  Keeps
+// files that are also in the user's folder.  Does not follow links, because a link may lead out of
+// the copy.
 void WorkCopy::RemoveObjectFiles() const {
   std::error_code error;
   std::vector<fs::path> made;
@@ -189,8 +189,8 @@ void WorkCopy::CopyFile(const fs::path& original) {
     return;
   }
   if (MakesHeaders(original)) has_new_headers_ = true;
-  // Does not copy files for another processor, such as the robot's, because make would take them as
-  // up to date.
+  // Does not copy files for another processor, such as the robot's, because make would treat them
+  // as up to date and not build them for the host.
   const std::string processor = ForeignProcessorOf(original);
   if (!processor.empty()) {
     left_out_[original] = processor;
@@ -216,8 +216,8 @@ void WorkCopy::CopyFile(const fs::path& original) {
 }
 
 // Makes the copied stubs again with our stubgen2, because other versions of stubgen2 may have made
-// the originals.  This does not wait for make, because a Makefile may have no rule for the stub, or
-// may use the stub before that rule has run.
+// the originals.  Does not leave this work to make, because a Makefile may have no rule for the
+// stub, or may use the stub before that rule has run.
 void WorkCopy::MakeStubsAnew() const {
   std::set<fs::path> folders;
   for (const fs::path& file : left_stubs_) folders.insert(file.parent_path());

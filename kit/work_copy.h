@@ -37,8 +37,8 @@ class WorkCopy {
   // copied.
   std::filesystem::path PlaceOf(const std::filesystem::path& original) const;
 
-  // Returns all copied folders.  The first is the folder that the user named.  At the end are the
-  // folders of which only the files directly inside were copied (ReferredPlaces::around).
+  // Returns all copied folders.  The first is the folder that the user named.  The last are the
+  // folders of ReferredPlaces::around: only the files directly in these folders were copied.
   const std::vector<SourceCopy>& copies() const { return copies_; }
 
   // Returns the originals of object files, libraries and images that were not copied because they

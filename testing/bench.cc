@@ -196,8 +196,8 @@ Object& Bench::AddImage(const std::string& file) {
   stick_->ImportImage(file, name);
   Object* const object = openr_host::LoadImage(system_.get(), 0, name, "AddImage");
   if (object == nullptr) {
-    // Makes the bench accept this finding, because the exception reports the same problem, and the
-    // test should not fail twice for it.
+    // Allows the last finding, which says why the image was not loaded.  The exception reports the
+    // same problem, and the test should not fail twice for one problem.
     AllowFinding(findings().size() - 1);
     throw std::runtime_error(findings().back().text);
   }
@@ -253,7 +253,7 @@ std::string Bench::FullName(const std::string& name, char direction) {
   }
   if (!others.empty()) return others[0];
   const auto dots = std::count(name.begin(), name.end(), '.');
-  if (dots == 0 || dots > 2) Probe::CheckServices({name});  // throws: no service has such a name
+  if (dots == 0 || dots > 2) Probe::CheckServices({name});  // throws if the name is malformed
   throw std::invalid_argument(fmt::format(
       "there is no {} '{}' on this bench yet{}; add its object first, or write the "
       "whole name",

@@ -227,7 +227,7 @@ class Bench {
   // Hold(), Drop() and Refuse() make the test fail if too few fitting messages come.  Optional()
   // lets the test pass nevertheless: bench.Drop(Notify("Blinker.Light")).Optional().
 
-  // Keeps back, from now on, messages that fit `spec`, until the test releases them.
+  // From now on, holds back messages that fit `spec`, until the test releases them.
   HeldMessages& Hold(const MessageSpec& spec, Place place = Place::Here());
   HeldMessages& Hold(const std::string& subject, const std::string& observer,
                      Place place = Place::Here()) {
@@ -237,8 +237,8 @@ class Bench {
   DroppedMessages& Drop(const MessageSpec& spec, int count = 1, Place place = Place::Here());
   // Delivers the n-th message that fits `spec`, counted from now, twice: when the message is
   // delivered, the bench posts a message with the same data once more.  A message with several
-  // data is repeated as one message for each datum.  If the message is a reply, as to Call()
-  // (MCOOP.h), the test fails, because a request gets only one reply.
+  // data is repeated as one message for each datum.  If the message is a reply, such as the answer
+  // to Call() (MCOOP.h), the test fails, because a request gets only one reply.
   RepeatedMessage& Repeat(const MessageSpec& spec, uint64_t nth = 1, Place place = Place::Here());
   // Refuses the n-th message that fits `spec`, counted from now: the message is not posted, and its
   // sender gets sFULLMSGQENTRY, as on a robot when the queue of the receiver holds 32 messages.
@@ -275,9 +275,9 @@ class Bench {
     expectations_.set_strict(strict, place);
   }
 
-  // Expects that the runtime finds an error of an object (an error finding), with a text that
-  // `text` matches.  The test fails if no such finding comes.  The test also fails at every error
-  // finding that no call of ExpectFinding() matches, unless it calls AllowFindings().
+  // Expects a finding, such as an error of an object, with a text that the matcher `text` accepts.
+  // The test fails if no such finding comes.  The test also fails at every error finding that no
+  // call of ExpectFinding() expects, unless the test calls AllowFindings().
   void ExpectFinding(::testing::Matcher<const std::string&> text, Place place = Place::Here());
   void AllowFindings() { findings_allowed_ = true; }
 
@@ -332,8 +332,8 @@ class Bench {
   };
   // Pushes the middle of the dog's trunk.  Needs a body with physics.
   bool Push(const Force& force, Duration duration = 100ms, Place place = Place::Here());
-  // The next functions take the dog with a hand: they lift it by `metres`, hold it at its place,
-  // set it down, or let it fall.
+  // The next functions move the dog as a person's hand does: they lift the dog by `metres`, hold it
+  // at its place, set it down, or let it fall.
   bool Lift(double metres = 0.2, Place place = Place::Here());
   bool HoldDog(Place place = Place::Here()) { return Do("hold", place); }
   bool SetDown(Place place = Place::Here()) { return Do("setdown", place); }
@@ -420,7 +420,7 @@ class Bench {
   // function and points to the line of the call.
   struct Caller {
     const char* function;
-    Place place;  // line of its call
+    Place place;  // line that calls `function`
   };
   void PostAgain(const SeenMessage& message, const Place& place);
   bool PostBytes(const MessageSpec& spec, std::string_view bytes, const Caller& caller);
@@ -462,7 +462,7 @@ class Bench {
   // exist.
   struct UncheckedNames {
     MessageSpec spec;
-    Place place;                     // line of the test that gave the description
+    Place place;                     // line of the test that gave `spec`
     std::function<void()> on_wrong;  // called if a name is wrong; may be null
   };
   std::vector<UncheckedNames> unchecked_;

@@ -159,8 +159,8 @@ void Bench::Reorder(std::vector<std::string> objects, Place place) {
 
 HeldMessages& Bench::Hold(const MessageSpec& spec, Place place) {
   HeldMessages& held = gate_.Hold(spec, place);
-  // If a name in `spec` is wrong, no message can fit.  Optional() then keeps the test from failing
-  // a second time because no message was held.
+  // If a name in `spec` is wrong, CheckNames() reports a failure.  Optional() then prevents a
+  // second failure, which would say that no message was held.
   CheckNames(spec, place, [&held] { held.Optional(); });
   return held;
 }

@@ -23,8 +23,8 @@ namespace {
 constexpr int kStandingFrames = 75;
 
 // Returns the index in `devices` of the device that has `name` as its name or its locator (the
-// OPEN-R path "PRM:/...").  If there is no such device, throws std::invalid_argument with a text
-// that calls such devices `kind`.
+// OPEN-R path "PRM:/...").  If there is no such device, throws std::invalid_argument.  The text of
+// the exception contains `kind`, a word for the devices such as "joint".
 template <typename Device>
 size_t IndexOf(const std::vector<Device>& devices, std::string_view name, const char* kind) {
   std::vector<std::string> known;

@@ -17,7 +17,7 @@ namespace {
 constexpr int64_t kBootUsMax = 60'000'000;
 constexpr int64_t kStepToMessageUsMax = 3'600'000'000;
 constexpr int64_t kFrameUsMax =
-    10 * openr_host::kFrameUs;  // every body makes its next frame within this time
+    10 * openr_host::kFrameUs;  // enough for the next frame of any kind of body
 
 std::string Seconds(Duration duration) {
   return fmt::format("{} s", static_cast<double>(duration.count()) * 1e-6);

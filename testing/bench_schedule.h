@@ -27,7 +27,7 @@ class RefusedMessage {
   RefusedMessage& Optional() { return is_optional_ = true, *this; }
 
   bool happened() const { return matches_ == nth_; }
-  uint64_t matches() const { return matches_; }  // messages that fitted so far; at most n
+  uint64_t matches() const { return matches_; }  // number of fitting messages so far; at most n
   // Returns a description of the refused message; "" as long as no message was refused.
   const std::string& text() const { return text_; }
 
@@ -59,7 +59,7 @@ class BenchSchedule : public openr_host::Schedule {
   }
 
   // Reports a failure for each message that the test wanted to refuse (Refuse()) and that was never
-  // sent, because the test has then not tested what it says.  Reports each of them only once.
+  // sent, because the test has then not tested the refusal.  Reports each message only once.
   void Verify(const ReportAt& report);
 
   size_t Choose(Question question, const std::vector<openr_host::ObjectId>& candidates) override;

@@ -79,7 +79,8 @@ void BenchStick::ImportImage(const std::string& host_file, const std::string& na
   Write(name, *bytes);
   const fs::path debug = fs::path(host_file).replace_extension(".DBG");
   const fs::path link = fs::path(Locate(name).path).replace_extension(".DBG");
-  // An image of the same name may have been imported before, with debug information of its own.
+  // Removes the link of an image that was imported before under the same name, because this link
+  // leads to the debug information of that image.
   fs::remove(link);
   if (fs::exists(debug)) fs::create_symlink(fs::canonical(debug), link);
 }

@@ -40,8 +40,8 @@ class MessageSpec {
 
   // Returns whether `message` meets all conditions.
   bool Matches(const SeenMessage& message) const;
-  // Returns whether `message` meets all conditions except that on the payload, which is not
-  // checked.
+  // Returns whether `message` meets all conditions except the condition on the payload, which is
+  // not checked.
   bool MatchesEnds(const SeenMessage& message) const;
 
   const std::optional<MessageKind>& kind() const { return kind_; }

@@ -88,7 +88,7 @@ SeenMessage SeenMessage::Past() const {
   return past;
 }
 
-// Returns the first bytes of the message's data, as many as Text() can need.
+// Returns the first bytes of the message's data, as many as Text() may need.
 std::string SeenMessage::Content() const {
   if (message_ == nullptr) return content_;
   std::string copy;

@@ -25,8 +25,8 @@ class StoryTeller {
   StoryTeller(const StoryTeller&) = delete;
   StoryTeller& operator=(const StoryTeller&) = delete;
 
-  // Starts again the timer that ends a handler at its limit of processor time, and notes the
-  // running test.  Called in a copy of the process (made by fork(), see snapshot.h), because a copy
+  // Restarts the timer that ends a handler at its limit of processor time, and notes the running
+  // test.  Called in a copy of the process (made by fork(), see snapshot.h), because a copy
   // inherits no timer and may run another test.
   void OnCopied();
 
@@ -42,7 +42,7 @@ class StoryTeller {
   const std::function<std::string()> story_;
   const int64_t handler_limit_us_;
   StoryTeller* outer_;                         // StoryTeller of the next older bench; null: none
-  const ::testing::TestInfo* test_ = nullptr;  // test of the bench
+  const ::testing::TestInfo* test_ = nullptr;  // test to which the bench belongs
 };
 
 }  // namespace openr::testing

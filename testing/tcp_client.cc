@@ -78,9 +78,9 @@ std::string TcpClient::WaitsFor() const {
   }
 }
 
-// Posts a message to the client itself for the next frame boundary, because the client acts only
-// there.  The handler of the message calls Poll(), which handles events of the network and goes on
-// with the script.
+// Posts a message to the client itself for the next frame boundary, because the client acts only at
+// frame boundaries.  The handler of the message calls Poll(), which handles events of the network
+// and goes on with the script.
 void TcpClient::PostPoll() {
   if (std::exchange(poll_posted_, true)) return;
   const openr_host::CurrentScope scope(&system(), &host());
@@ -159,7 +159,7 @@ bool TcpClient::Do(const Step& step) {
 
 bool TcpClient::DoConnect(const Step& step) {
   if (connected_) return true;
-  if (connecting_) return false;  // the answer comes with a later Poll()
+  if (connecting_) return false;  // a later Poll() gets the robot's answer
   connecting_ = true;
   ended_ = broken_ = false;
   ++handle_;

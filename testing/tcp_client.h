@@ -64,7 +64,7 @@ class TcpClient : public openr_host::CodeObject {
     Kind kind;
     Place place;
     std::string bytes = {};
-    size_t count = 0;  // number of bytes of a kHearBytes, or port of a kConnect
+    size_t count = 0;  // for kHearBytes: number of bytes; for kConnect: port
   };
 
   TcpClient& Add(Step step);

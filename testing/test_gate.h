@@ -101,7 +101,7 @@ class RepeatedMessage {
   const uint64_t nth_;
   const Place place_;
   bool is_optional_ = false;
-  uint64_t matches_ = 0;  // messages that fitted so far; at most n
+  uint64_t matches_ = 0;  // number of fitting messages so far; at most n
   std::string text_;
 };
 

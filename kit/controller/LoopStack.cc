@@ -8,8 +8,8 @@
 
 namespace {
 
-// The second stack, on which the main() of a controller runs.  It is destroyed with the image,
-// either when the robot ends or when a new image replaces the image.
+// The second stack, on which the main() of a controller runs.  It is destroyed with the image: when
+// the run ends, when the robot boots again, or when the image is loaded again.
 struct Stack {
   Stack() : stack(0) {}
   ~Stack() { openr_second_stack_delete(stack); }

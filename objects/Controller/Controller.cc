@@ -54,8 +54,8 @@ OStatus
 Controller::DoStart(const OSystemEvent&)
 {
     ENABLE_ALL_SUBJECT;
-    // Begins nothing if DoInit does not know the robot, because the system calls DoStart even then.
-    // Without a ready event no message comes.
+    // Does not assert ready if DoInit does not know the robot, so that no message comes.  This test
+    // is needed because the system calls DoStart even if DoInit has failed.
     if (isStopped_) return oFAIL;
     ASSERT_READY_TO_ALL_OBSERVER;
     observer[obsImage]->DeassertReady();  // refuses images until camera_enable() asserts ready
@@ -343,8 +343,9 @@ Controller::RunLoop(void (*body)(void*), void* argument)
     LoopStackRun(body, argument);
 }
 
-// Leaves main() by LoopStackLeave(), and returns its result.  Also reports that robot_step() does
-// not work on the robot, but only once, because a program calls robot_step() many times a second.
+// Suspends main() by LoopStackLeave(), and returns the result of LoopStackLeave().  The first call
+// also reports that robot_step() does not work on the robot.  Later calls do not report this again,
+// because a program calls robot_step() many times a second.
 bool
 Controller::LeaveLoop()
 {

@@ -43,8 +43,8 @@ ControllerCore::Begin(const RobotConstants* robot)
     robot_ = robot;
     devices_.Begin(robot);
     for (int j = 0; j < robot->numJoints; j++) {
-        // Begins with the values with which JointMover compares the first buffer, so that this
-        // buffer changes only what the program sets.
+        // JointMover begins with the same values and carries out only differences from them, so the
+        // first buffer changes only what the program has set.
         batch_.joint[j].speed = robot->joints[j].maxSpeedCdeg;
         batch_.joint[j].acceleration = robot->defaultAccelerationCdeg;
     }
@@ -70,7 +70,8 @@ ControllerCore::Execute(int (*controllerMain)())
 
 static const size_t MAX_UNKNOWN = 32;
 
-// Reports each unknown device only once, because a run function may ask for it again and again.
+// Returns the tag of a device, or 0 if the robot does not have it.  Reports each unknown device
+// only once, because a run function may ask for the device again and again.
 int
 ControllerCore::FindDevice(const char* locator)
 {

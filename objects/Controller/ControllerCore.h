@@ -35,7 +35,8 @@ public:
     // robot_step() and continued with later sensor values.  Called when the robot stands.
     void Execute(int (*controllerMain)());
 
-    // Ends the controller program, because the robot is shut down.
+    // Ends the controller program and calls the function that OnDie() has set.  Called when the
+    // object is stopped, as at the shutdown of the robot.
     void Die();
 
     // Stores the newest sensor values, which the controller program can then read.

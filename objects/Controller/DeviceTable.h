@@ -39,7 +39,7 @@ private:
     int FirstSensor() const { return FirstEar() + robot_->numPlungers; }
     int CameraTag() const { return FirstSensor() + robot_->numSensors; }
 
-    const RobotConstants* robot_;  // the robot; 0 if there is none, so that there are no devices
+    const RobotConstants* robot_;  // the robot; 0 if there is none, and then there are no devices
 };
 
 #endif  // DeviceTable_h_DEFINED

@@ -78,9 +78,10 @@ mtn_play(MTN* motion)
         core->Port()->Remark("mtn_play: the motion before is not over; ignored");
         return;
     }
-    // Marks the earlier motion as over.  This motion is at its last key frame, but JointMover has
-    // not reported its end yet.  That report will not mark the earlier motion, because a report
-    // changes only the motion in `thePlaying`, which is the new motion from now on.
+    // Marks the earlier motion as over.  The earlier motion is at its last key frame, but
+    // JointMover has not reported its end yet.  The report of this end will not mark the earlier
+    // motion, because a report changes only the motion in `thePlaying`, which is the new motion
+    // from now on.
     if (thePlaying != 0) thePlaying->keyFrame = -1;
     thePlaying = motion;
     motion->keyFrame = 0;

@@ -116,7 +116,7 @@ JointMover::ReadyMove(const OReadyEvent& event)
 
 // Sends two command vectors at first, and then one vector for each vector that has ended.  Sends no
 // vector while the effector is not ready, because a new vector would then replace the vector that
-// waits (measured: of several vectors, the latest stays).
+// waits (measured).
 void
 JointMover::SendVectors()
 {

@@ -67,12 +67,12 @@ private:
     const RobotConstants* robot_;
     OPrimitiveID joint_[MAX_JOINTS];
     RCRegion* region_[NUM_REGIONS];
-    int numUnderWay_;  // number of sent vectors of which MoverCore does not know the end yet
+    int numUnderWay_;  // number of sent vectors whose end was not reported to MoverCore yet
     int numReports_;   // number of messages that were set on SetValue and not sent yet
     bool isStopped_;  // true until DoInit has succeeded, and again from DoStop on
     bool isUp_;  // whether the robot has reached its initial posture
     MoverCore core_;
-    VectorPlan plan_;  // not a local variable, because 1300 bytes are much of an OPEN-R stack
+    VectorPlan plan_;  // 1300 bytes; a member, because the stack of an object is small
 };
 
 #endif  // JointMover_h_DEFINED

@@ -35,8 +35,8 @@ JointSet::SetGoal(int joint, Sint32 urad)
     const JointConstants& limits = robot_->joints[joint];
     const Sint32 goal = Clamp(urad, limits.minUrad, limits.maxUrad);
     if (gain_[joint] == gainWAITING) {
-        // Keeps the goal until the gain is on, because the first command vector with the gain must
-        // command the measured position, so that the joint does not jump (see Wake()).
+        // Keeps the goal until the gain is on.  Before that, the vectors must command the measured
+        // position, so that the joint does not jump when its gain is switched on (see Wake()).
         wakeGoal_[joint] = goal;
     } else {
         trajectory_[joint].SetGoal(goal);
@@ -114,13 +114,13 @@ JointSet::SetGain(int joint, const Sint32 gain[3])
 void
 JointSet::Wake(int joint, Sint32 urad)
 {
-    // A position of a controller does not bring motor power back; only MOTOR_ON for all joints
-    // does.
+    // Does nothing while motor power is off, because only MOTOR_ON for all joints switches it on
+    // again.  A position of a controller does not.
     if (!hasPower_) return;
     if (gain_[joint] == gainOFF) {
         gain_[joint] = gainWAITING;
-        // The gain is enabled at the end of a vector that is not made yet (-1).  The vectors under
-        // way were made before the joint was measured, so they do not command its measured
+        // The gain is enabled at the end of a vector that is still to be made (-1), because the
+        // vectors under way were made before the joint was measured and do not command its measured
         // position.
         wakeVector_[joint] = -1;
         trajectory_[joint].Reset(port_->Measure(joint));

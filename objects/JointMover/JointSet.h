@@ -40,7 +40,8 @@ public:
 
     // Puts the joint at rest at `urad`, because a motion has moved the joint to this position.
     void Place(int joint, Sint32 urad) { trajectory_[joint].Reset(urad); }
-    // Stops the joint where it can stop.  A joint that waits for its gain stays where it is.
+    // Stops the joint at the nearest position at which it can stop.  A joint that waits for its
+    // gain stays where it is.
     void Halt(int joint);
 
     // Switches the gain of the joint off.  The joint becomes limp, and SetGoal() does not move it.
@@ -68,7 +69,8 @@ public:
     // Returns whether there is a command vector to send.  This is so if a joint moves, or if the
     // gain of a joint is to be switched on together with the next vector.
     bool IsBusy() const;
-    // Returns whether the joint is not held at its goal yet, because it moves or waits for its gain.
+    // Returns whether the joint is not held at its goal yet, because it moves or waits for its
+    // gain.
     bool IsMoving(int joint) const;
     // Returns whether the gain of the joint is to be switched on at the end of a command vector.
     bool IsWaiting(int joint) const { return gain_[joint] == gainWAITING; }

@@ -130,8 +130,9 @@ MoverCore::Batch(const BatchMoverCommand& command)
         const bool wasOff = (old.flags & batchMOTOR_OFF) != 0;
         const bool isGiven = (now.flags & batchPOSITION_GIVEN) != 0;
         const bool wasGiven = (old.flags & batchPOSITION_GIVEN) != 0;
-        // Carries out differences only, because every buffer has the values of all joints:
-        // otherwise each buffer would undo what the remote control has set meanwhile.
+        // Carries out only values that differ from the buffer before, because every buffer has the
+        // values of all joints.  Otherwise each buffer would undo what the remote control has set
+        // meanwhile.
         if (now.speed != old.speed) joints_.SetSpeed(j, now.speed);
         if (now.acceleration != old.acceleration) joints_.SetAcceleration(j, now.acceleration);
         if (isOff && !wasOff) {
@@ -179,16 +180,16 @@ MoverCore::Play(const MoverCommand& command, const Uint8* bytes, size_t size, st
         joints_.SetGoal(motion_.RobotJoint(j), motion_.Angle(0, j));
     }
     Enter(moverPREPARE_MTN);
-    // Begins the motion at once if no joint has to move.  Otherwise the motion begins at the end of
-    // a vector; but no vector is made while no joint moves.
+    // Usually the end of a vector begins the motion.  But if no joint has to move, there may be no
+    // further vector, so the motion begins here.
     if (HasArrived()) BeginMotion();
     return true;
 }
 
-// Returns whether the robot must first move to key frame 0 of the motion, because a joint is far
-// from its position there, or because a joint waits for its gain: the joint would jerk if the
-// vectors of the motion moved its set point before the gain is on (see JointSet::Wake()).  Always
-// returns true for a motion of one key frame, because this movement is the whole motion.
+// Returns whether the robot must first move to key frame 0 of the motion.  This is so if a joint is
+// far from its position in key frame 0, or if a joint waits for its gain.  Such a joint would jerk
+// if the motion moved its set point before the gain is on (see JointSet::Wake()).  Always returns
+// true for a motion of one key frame, because the movement to key frame 0 is the whole motion.
 bool
 MoverCore::NeedsPreparation() const
 {

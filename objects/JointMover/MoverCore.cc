@@ -46,8 +46,8 @@ MoverCore::Begin(const RobotConstants* robot)
     robot_ = robot;
     joints_.Begin(robot);
     for (int j = 0; j < robot->numJoints; j++) {
-        // Begins with the values with which Controller begins its buffer, because Batch() compares
-        // the first buffer with these values and carries out only what differs.
+        // Controller's buffer begins with the same values.  Batch() carries out only differences,
+        // so the first buffer changes only what the program has set.
         batch_[j].speed = robot->joints[j].maxSpeedCdeg;
         batch_[j].acceleration = robot->defaultAccelerationCdeg;
     }
@@ -60,7 +60,8 @@ MoverCore::Enter(MoverState state)
     state_ = state;
     stateCount_++;
     port_->StateChanged(state);
-    // BeginMotion() reports the beginning of a motion itself, together with key frame 0.
+    // Reports nothing for moverMTN, because BeginMotion() reports the beginning of a motion
+    // together with key frame 0.
     if (state != moverMTN) Report(-1, 0);
 }
 
@@ -70,8 +71,9 @@ bool
 MoverCore::NextVector(VectorPlan* plan)
 {
     if (robot_ == 0 || numUnderWay_ == MAX_VECTORS_UNDER_WAY) return false;
-    // Begins the motion here if the joints that were not at its first key frame were switched off:
-    // then no further vector is made, whose end would begin the motion.
+    // Usually the end of a vector begins the motion.  But there may be no further vector if the
+    // joints that still had to move to the first key frame were switched off, so the motion begins
+    // here.
     if (state_ == moverPREPARE_MTN && numUnderWay_ == 0 && HasArrived()) BeginMotion();
     if (state_ == moverFILLING) {
         // Sends a single vector with the measured positions and waits for its end: the gains are
@@ -106,8 +108,8 @@ MoverCore::MakeFrame(Sint32 urad[MAX_JOINTS])
         const JointConstants& limits = robot_->joints[joint];
         urad[joint] = Clamp(player_.Position(j), limits.minUrad - MTN_LIMIT_TOLERANCE_URAD,
                             limits.maxUrad + MTN_LIMIT_TOLERANCE_URAD);
-        // Puts the joint at this position in joints_, too, so that the next command for this single
-        // joint begins here.
+        // Stores the position in joints_, too, so that the next command for this single joint
+        // begins at the position where the motion has left it.
         joints_.Place(joint, urad[joint]);
     }
 }
@@ -142,12 +144,12 @@ MoverCore::VectorEnded()
 {
     if (numUnderWay_ == 0) return;
     const UnderWay ended = underWay_[0];
-    // Moving one record is enough, because underWay_ has MAX_VECTORS_UNDER_WAY, 2, places.
+    // Moving one record is enough, because underWay_ has only two (MAX_VECTORS_UNDER_WAY).
     underWay_[0] = underWay_[1];
     numUnderWay_--;
     joints_.VectorEnded(ended.number);
-    // Ignores a vector of an earlier state, such as a motion that was stopped, because it must not
-    // advance the present state.
+    // Ignores a vector that was made in an earlier state, such as a vector of a motion that was
+    // stopped, because this vector must not advance the present state.
     if (ended.stateCount != stateCount_) return;
     if (state_ == moverMTN) Report(ended.keyFrame, ended.commanded);
     if (ended.arrived) Advance();
@@ -238,8 +240,8 @@ MoverCore::ReportRefusal(const MoverCommand& command)
 {
     SetValueMessage message;
     FillReport(&message, 0);
-    // Gives the key frame of the motion that goes on, because only the motion in `file` was
-    // refused.
+    // Gives the key frame of the motion that plays, if there is one.  This motion goes on, because
+    // only the motion of `command` was refused.
     message.keyFrame = state_ == moverMTN ? player_.KeyFrame() : -1;
     message.isOver = 1;
     memcpy(message.file, command.file, sizeof(message.file) - 1);

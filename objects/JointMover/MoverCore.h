@@ -68,13 +68,14 @@ public:
     // this vector, enters the next state.
     void VectorEnded();
 
-    // Carries out `command`, which may be of any kind except PLAY and STOP; for these kinds, Play()
-    // and Stop() are called.
+    // Carries out `command`, which may be of any kind except PLAY and STOP.  For these two kinds
+    // the caller calls Play() or Stop() instead.
     void Do(const MoverCommand& command);
 
     // Sets the position, speed or acceleration of one joint.  Has no effect before the robot
-    // stands, and no effect on joints that are switched off.  If a motion moves the joint, the
-    // joint goes to the new position after the motion.
+    // stands.  A position has no effect on a joint that is switched off.  If a motion moves the
+    // joint, the joint goes to the new position after the motion, but a position of kind TRACK has
+    // no effect.
     void MoveJoint(const MoverCommand& command);
 
     // Switches the motor of a joint off or on.  With MOVER_ALL_JOINTS, switches the power of all
@@ -108,7 +109,7 @@ private:
         Sint32 number;
         Sint32 stateCount;  // value of stateCount_ when the vector was made
         Sint32 keyFrame;
-        bool arrived;                  // whether the state is completed when the vector ends
+        bool arrived;                  // whether MoverCore completes its state when the vector ends
         Sint32 commanded[MAX_JOINTS];  // positions at the end of the vector
     };
 

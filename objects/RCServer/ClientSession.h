@@ -1,6 +1,6 @@
 //
-// ClientSession: the connection of one client, without the network.  It takes the bytes that arrive
-// and returns the bytes to send next.
+// ClientSession: the connection of one client, without the network.  It accepts the bytes that
+// arrive and returns the bytes to send next.
 //
 //   session.Receive(bytes, size);            // bytes have arrived
 //   size = session.NextAnswers(buffer);      // while nothing is being sent
@@ -8,11 +8,11 @@
 //
 // Answers come before packets of streams.  All answers are sent in the order of their requests.
 //
-// Packets of streams have the values to which a client has subscribed.  After such packets were
-// sent, the next packets of streams are sent only when the client has sent a packet, too.  Usually
-// the client's packet is an EVENT packet, which has no answer.  The client's packet shows that no
-// bytes are on their way to the client, so neither a slow client nor Nagle's algorithm delays the
-// answers that follow.  A client that sends nothing gets packets of streams every EVENT_FRAMES.
+// Packets of streams have the values to which a client has subscribed.  When packets of streams
+// were sent, no more of them are sent until the client has sent a packet.  Usually the client's
+// packet is an EVENT packet, which has no answer.  The client's packet shows that no bytes are on
+// their way to the client, so neither a slow client nor Nagle's algorithm delays the answers that
+// follow.  A client that sends nothing gets packets of streams only every EVENT_FRAMES.
 //
 
 #ifndef ClientSession_h_DEFINED
@@ -42,8 +42,8 @@ public:
     // Ends the upload, the subscriptions and the picture of the client.
     void End() { handler_->EndClient(number_); }
 
-    // Receives bytes that the client has sent, so that NextAnswers() can answer the requests in them.
-    // REQUIRES: size <= RC_MAX_PACKET, and NextAnswers() has returned 0 since the last call.
+    // Receives bytes that the client has sent, so that NextAnswers() can answer the requests in
+    // them.  REQUIRES: size <= RC_MAX_PACKET, and NextAnswers() has returned 0 since the last call.
     void Receive(const Uint8* bytes, int size);
 
     // Answers requests that have arrived completely, as many as one send has room for.  Writes the

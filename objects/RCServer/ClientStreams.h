@@ -2,8 +2,8 @@
 // ClientStreams: the subscriptions of one client.  It knows which streams the client wants, and
 // whether a packet of a stream is due.
 //
-// A packet of a stream has the newest values at the time when it is sent.  A client that does not
-// take its packets in time gets fewer packets, so a stream needs no memory for old values.
+// A packet of a stream has the newest values at the time when it is sent.  A client that receives
+// slowly gets fewer packets, so a stream needs no memory for old values.
 //
 
 #ifndef ClientStreams_h_DEFINED
@@ -41,8 +41,8 @@ private:
         bool isOn;
         Uint16 tag;
         Uint16 period;
-        bool wasSent;      // whether lastFrame is set: a packet was sent, or was due, since Begin()
-        Uint32 lastFrame;  // frame in which the newest packet was sent, or was due
+        bool wasSent;      // whether lastFrame was set since Begin()
+        Uint32 lastFrame;  // frame in which a packet was last sent or, for sensor values, last due
         Uint16 numNew;     // number of values that NewValues() has counted since the newest packet
     };
 

@@ -65,8 +65,8 @@ OStatus
 RCServer::DoStart(const OSystemEvent&)
 {
     ENABLE_ALL_SUBJECT;
-    // Serves nobody if DoInit does not know the robot, because the system calls DoStart even then.
-    // Without a ready event no message comes.
+    // Does not assert ready if DoInit does not know the robot, so that no message comes.  This test
+    // is needed because the system calls DoStart even if DoInit has failed.
     if (isStopped_) return oFAIL;
     ASSERT_READY_TO_ALL_OBSERVER;
     observer[obsImage]->DeassertReady();  // refuses images until WantImage() asserts ready
@@ -120,7 +120,7 @@ RCServer::NotifySetValue(const ONotifyEvent& event)
 {
     for (int i = 0; i < event.NumOfData(); i++) {
         handler_.SetMover(*(const SetValueMessage*)event.Data(i));
-        SendEvents();  // sends after each message, because a client wants every key frame
+        SendEvents();  // sends packets after each message, because a client wants every key frame
     }
     observer[event.ObsIndex()]->AssertReady(event.SenderID());
 }

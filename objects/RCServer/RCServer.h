@@ -5,12 +5,12 @@
 //   RCServer.LedEar   -> Controller, which commands LEDs and ears
 //   RCServer.Sensor   <- sensor values, and the frame number that every answer has
 //   RCServer.SetValue <- state and key frame of JointMover
-//   RCServer.Image    <- images of the camera, while a client has asked for a picture
+//   RCServer.Image    <- images of the camera, while a client waits for a picture
 //
 // Each client has an endpoint (a TCP connection of the robot's network) and a buffer in shared
-// memory.  While a client is connected, at most one receive and one send run.  An error ends the
-// connection of this client only.  ClientSession and RequestHandler know the meaning of the bytes;
-// this class transports bytes and messages.
+// memory.  Each connection has at most one Receive and one Send message under way.  An error ends
+// only the connection on which it occurs.  ClientSession and RequestHandler know the meaning of the
+// bytes; this class transports bytes and messages.
 //
 
 #ifndef RCServer_h_DEFINED
@@ -116,8 +116,8 @@ private:
     MoverQueue mover_;    // commands that wait until JointMover is ready
     LedEarState ledEar_;  // changes of LEDs and ears that wait until Controller is ready
     RunEnd runEnd_;       // set by a request for shutdown or reboot
-    bool isEnding_;       // whether the answer to the request for the end was sent
-    Uint32 endFrame_;     // frame in which the answer to the request for the end was sent
+    bool isEnding_;       // whether the robot shuts down END_FRAMES after endFrame_
+    Uint32 endFrame_;     // frame in which the answer to a request for shutdown or reboot was sent
     bool isStopped_;      // true before DoInit has found the robot, and from DoStop on
 };
 

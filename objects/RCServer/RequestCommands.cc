@@ -144,7 +144,8 @@ RequestHandler::PlayMotion(RcReader* in, RcWriter* out)
     status = LoadMotion(request.file, &command, &answer);
     if (status == rcOK) status = Post(command);
     if (status != rcOK) return status;
-    // A client that asks for the state right after the answer must not take the motion for ended.
+    // Changes state_ already here, because otherwise a client that asks for the state right after
+    // this answer would conclude that the motion has ended.
     state_ = moverPREPARE_MTN;  // assumed until JointMover reports its state
     answer.Write(out);
     return rcOK;

@@ -109,8 +109,8 @@ RequestHandler::AnswerOne(const RcHeader& request, const Uint8* payload, RcWrite
                       TextFormat("protocol version %d is not served, only %d and %d",
                                  request.version, RC_VERSION, RC_VERSION_FILES));
     }
-    // Reports the request as failed although it was carried out, because its answer has no room.
-    // This hides no change: no command that changes something has so long an answer.
+    // Reports the request as failed, because its answer has no room.  The request has changed
+    // nothing: the answer to a request that changes something always has room.
     if (out->HasOverflowed()) status = Fail(rcerrorTOO_LONG, "the answer has no room");
     if (status != rcOK) {
         out->Truncate(0);

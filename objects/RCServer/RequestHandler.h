@@ -139,7 +139,7 @@ private:
     bool isInBatch_;     // whether the present request is a part of a batch
     int client_;         // client of the present request
     Uint16 tag_;         // tag of the present request
-    bool endsRun_;       // whether the present request has asked for the end of the run
+    bool endsRun_;       // whether the present request has asked for shutdown or reboot
     std::string error_;  // error text of the present request
     // The motion file that is checked.  A member, so that its memory is used again for the next
     // file.

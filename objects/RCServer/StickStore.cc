@@ -182,15 +182,16 @@ CanOpen(const std::string& path)
     return false;
 }
 
-// Gives the spare file of `path`, that is, the old file that Replace() has renamed, its name `path`
-// back.  If there is a file `path`, removes the spare file instead, because the file `path` is the
-// new file, or the old file with its name back.  Returns whether no spare file is left.
+// Completes or undoes a Replace() of `path` that was interrupted.  If there is no file `path`,
+// renames the spare file (the old file) to `path` again.  If there is a file `path`, removes the
+// spare file, because the file `path` is the new file, or the old file with its name back.  Returns
+// whether no spare file is left.
 static bool
 PutBackOne(const std::string& path)
 {
     const std::string spare = SpareName(path);
-    // Returns true after ENOENT, because there is no spare file: usually no Replace() was
-    // interrupted.  After any other error there may be a spare file, so nothing is renamed then.
+    // Returns true after ENOENT, because then there is no spare file (the usual case).  After any
+    // other error there may be a spare file, so returns false and renames nothing.
     if (!CanOpen(spare)) return errno == ENOENT;
     if (CanOpen(path)) return remove(spare.c_str()) == 0;
     return errno == ENOENT && rename(spare.c_str(), path.c_str()) == 0;

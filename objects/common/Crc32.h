@@ -7,8 +7,8 @@
 
 #include "FixedTypes.h"
 
-// Returns the CRC-32 of a sequence of bytes that arrives in parts: `before` is the CRC-32 of all
-// earlier parts, `bytes` is the next part.  The CRC-32 of no bytes is 0.
+// Returns the CRC-32 of a sequence of bytes that arrives in parts.  `bytes` is the next part.
+// `before` is the CRC-32 of all earlier parts, and 0 for the first part.
 Uint32 Crc32(Uint32 before, const Uint8* bytes, int size);
 
 #endif  // Crc32_h_DEFINED

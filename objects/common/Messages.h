@@ -1,9 +1,9 @@
 //
 // The messages between the objects.
 //
-// Messages are plain data of fixed width without padding bytes, because a recorded run is compared
-// byte by byte.  So a sender first sets all bytes of a message to zero: SomeMessage message = {};
-// or memset().
+// Messages are plain data of fixed width.  Recorded runs are compared byte by byte, so no byte of a
+// message may be uninitialized.  For this reason messages have no padding bytes, and a sender first
+// sets all bytes of a message to zero: SomeMessage message = {}; or memset().
 //
 // Angles are in urad (10^-6 rad), speeds in 0.01 degree/s, accelerations in 0.01 degree/s^2.
 // Joints, LEDs and plungers (ears) are identified by their index in RobotConstants.
@@ -68,12 +68,13 @@ struct BatchMoverCommand {
 COMPILE_TIME_CHECK(BatchMoverCommandHasNoPadding, sizeof(BatchMoverCommand) == MAX_JOINTS * 16);
 
 // The message of JointMover.SetValue to RCServer.SetValue and Controller.SetValue.  It is sent at
-// every vector of a motion, and at every change of state.  One event may carry several messages;
-// the last is the newest.  Because Controller commands the ears, JointMover does not move them
-// itself: Controller moves the ears as these messages say.
+// the end of every vector of a motion, at every change of state or of motor power, and when a
+// motion is refused.  One event may carry several messages; the last is the newest.  JointMover
+// does not move the ears, because Controller commands them: Controller sets them as the message
+// says.
 struct SetValueMessage {
     Sint32 state;              // a value of MoverState
-    Sint32 keyFrame;           // key frame at the time of the positions; -1 if no motion plays
+    Sint32 keyFrame;           // key frame that the motion has reached last; -1 if no motion plays
     Uint8 isOver;              // 1 if the motion of `file` has ended or was refused
     Uint8 earMask;             // plungers (ears) that the motion moves: bit i stands for plunger i
     Uint8 earOn;               // bits of earMask whose plungers are on in `keyFrame`
@@ -95,8 +96,8 @@ struct LedEarState {
 COMPILE_TIME_CHECK(LedEarStateHasNoPadding, sizeof(LedEarState) == 16);
 COMPILE_TIME_CHECK(LedsFitTheirMask, MAX_LEDS <= 32 && MAX_PLUNGERS <= 8);
 
-// The message of JointMover.MainExecution to Controller.MainExecution.  It is sent once, when the
-// robot stands.
+// The message of JointMover.MainExecution to Controller.MainExecution.  It is sent once to each
+// Controller, when the robot stands.
 struct MainExecutionMessage {
     Sint32 state;  // a value of MoverState
 };

@@ -136,8 +136,8 @@ MtnFile::BeginSection(Cursor* cursor, Uint32 number, Uint32 smallest)
 }
 
 // Moves to section `next`, which begins after the padding of the present section.  If the size that
-// the present section says does not match its content, there are two places where the next section
-// may begin.  The section begins at the place that holds the section number `next`.
+// the present section declares is wrong, section `next` begins either after the padding or after
+// the declared size.  Moves to the first of these two places that holds the section number `next`.
 bool
 MtnFile::EndSection(Cursor* cursor, Uint32 next)
 {
@@ -243,8 +243,8 @@ MtnFile::ReadKeyFrames(Cursor* cursor)
         return Refuse(*cursor, TextFormat("data type is %u, only 0 (angles) is known", type));
     }
     const Uint32 frames = (Uint32)numKeyFrames_;
-    // The number fits 32 bits: at most 32767 key frames (MTN_MAX_KEYFRAMES) of 64 joints
-    // (MTN_MAX_JOINTS) have less than 9 MB.
+    // Computes the size of all key frames in 32 bits.  This is enough, because at most 32767 key
+    // frames (MTN_MAX_KEYFRAMES) of 64 joints (MTN_MAX_JOINTS) have less than 9 MB.
     const Uint32 data = frames * (12 + 4 * (Uint32)NumJoints()) + 4 * (frames - 1);
     if (!cursor->Has(data)) {
         return Refuse(*cursor,

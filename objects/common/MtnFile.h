@@ -33,8 +33,8 @@ const Sint32 MTN_MAX_ANGLE_URAD = 6283186;
 // body several times.  The attitude is read but not played.
 const Sint32 MTN_MAX_ATTITUDE_URAD = 62831853;
 
-// Largest number of key frames.  The index of a key frame must fit SetValue and the remote control,
-// which have room for -1 to 32767 (Hohl 2004, table 3.6).
+// Largest number of key frames.  The index of a key frame must stay in the range -1 to 32767 that
+// Hohl 2004, table 3.6, gives for it.  Records of the log of motions have only 16 bits for it.
 const Sint32 MTN_MAX_KEYFRAMES = 32767;
 
 // Tolerance at a software limit: an angle that is beyond the limit by this or less counts as being

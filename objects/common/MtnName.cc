@@ -14,7 +14,7 @@ MtnFileName(const char* given, char name[MTN_NAME_SIZE], std::string* error)
 {
     memset(name, 0, MTN_NAME_SIZE);
     int base = 0;
-    int extension = -1;  // length of the extension; -1 before the dot
+    int extension = -1;  // length of the extension; -1 until the dot is found
     int length = 0;
     for (const char* c = given; *c != '\0'; c++) {
         const bool isDot = *c == '.';

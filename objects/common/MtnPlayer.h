@@ -5,9 +5,9 @@
 // A motion is a sequence of key frames (postures); a gap is the time between two of them.  The
 // robot is at key frame 0 when play-back begins.  A gap with interpolation count n lasts (n + 1) x
 // 16 ms.  It is played as a straight line in 2 (n + 1) frames of 8 ms.  The last frame of a gap is
-// the next key frame itself, so key frames are reached exactly.  Each further loop begins with the
-// first gap again; the joints do not move back to key frame 0 before this loop.  Speed limits are
-// ignored.
+// the next key frame itself, so key frames are reached exactly.  Each further loop begins at once
+// with the first gap: there is no movement from the last key frame back to key frame 0.  Speed
+// limits are ignored.
 //
 // A vector has as many whole gaps as fit, but no more than `keyFramesPerVector` (Start()).  So a
 // vector ends at a key frame, where positions are measured.  The last vector of a loop may be

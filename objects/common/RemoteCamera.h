@@ -23,14 +23,14 @@ struct RcPicturePart {
     Uint16 parts;   // number of parts of the picture
     Uint32 frame;   // frame number of the picture
     Uint8 layer;
-    Uint8 bands;    // number of bands in each row: Y, Cr, Cb and three more; 1 for layer C
+    Uint8 bands;    // bands of each row: Y, Cr, Cb, LH, HL, HH, or only Y, Cr, Cb; 1 for layer C
     Uint16 width;   // in pixels
     Uint16 height;
 
     static const int SIZE = 14;
 
     void Write(RcWriter* out) const;
-    void Read(RcReader* in);  // reads the numbers, but not the bytes of the layer behind them
+    void Read(RcReader* in);  // reads the fields above, but not the bytes of the layer
 };
 
 // Largest number of bytes of a layer that an answer to CAMERA_PART can carry.  All parts but the

@@ -46,8 +46,8 @@ struct RcList {
     bool Read(RcReader* in);
 };
 
-// Largest number of files in one answer to a request for a list of files, which is sent in parts.
-// The limit is below 59, the number of names of 12 characters for which a packet has room.
+// Largest number of motions in one answer to MTN_LIST, which lists the motions in parts.  A packet
+// has room for 59 motions with names of 12 characters, so 50 motions always fit.
 const int RC_MAX_LIST_ENTRIES = 50;
 
 struct RcUploadBegin {

@@ -6,11 +6,11 @@
 //   key frame
 //   commanded positions, one for each joint of the log
 //   8 bits: number of measured values, which is the number of joints plus 4
-//   measured positions, then the four paws, 0 or 1
+//   measured positions of the same joints, then the switches of the four paws, 0 or 1
 //   8 bits: number of simulated values, always 0; a client may add simulated values
 //
 // The joints of the log are the joints of the vendor's motion files, 15 on the ERS-210, in the
-// order of the robot.  Positions are in 0.01 degree.
+// order of RobotConstants::joints.  Positions are in 0.01 degree.
 //
 
 #ifndef RemoteLog_h_DEFINED
@@ -51,7 +51,7 @@ struct RcLogHead {
     static const int SIZE = 12;
 
     void Write(RcWriter* out) const;
-    void Read(RcReader* in);  // reads the numbers, but not the records behind them
+    void Read(RcReader* in);  // reads the fields above, but not the records
 };
 
 #endif  // RemoteLog_h_DEFINED

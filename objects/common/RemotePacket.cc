@@ -173,8 +173,8 @@ RcFramer::Next()
     size_ -= consumed_;
     memmove(buffer_, buffer_ + consumed_, size_);
     consumed_ = 0;
-    // Checks the magic number as soon as its two bytes have arrived, so that a client of another
-    // protocol gets an answer instead of waiting for the rest of a header.
+    // Checks the magic number as soon as its two bytes have arrived.  So a client of another
+    // protocol gets an answer even if it sends fewer bytes than a header has.
     if (size_ >= 2 && GetU16(buffer_) != RC_MAGIC) {
         error_ = TextFormat("a packet begins with 'RC', not with the bytes %02x %02x", buffer_[0],
                             buffer_[1]);

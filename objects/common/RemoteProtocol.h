@@ -38,8 +38,8 @@ enum RcCommand {
     rcUNSUBSCRIBE = 0x33,
     rcCAMERA = 0x34,  // RemoteCamera.h has the formats of pictures
     rcCAMERA_PART = 0x35,
-    // The number of both kinds of packets of a stream: the robot sends the stream's packets with it,
-    // and a client acknowledges them with it.  Neither has an answer.
+    // The command of two kinds of packets: the robot sends the values of a stream in EVENT packets,
+    // and a client acknowledges these packets by EVENT packets.  No EVENT packet has an answer.
     rcEVENT = 0x3f,
     rcMTN_LIST = 0x42,  // the commands for files are in RemoteFiles.h
     rcUPLOAD_BEGIN = 0x50,
@@ -158,8 +158,8 @@ struct RcJointState {
 // joints and for motor power.
 const Uint8 RC_ALL_JOINTS = 255;
 
-// Largest P, I or D gain.  People used P gains up to 63; a report says that the robot takes gains
-// of 7 bits, which are at most 127 (docs/openr/field-notes.md 7.14 and 7.15).
+// Largest P, I or D gain.  The limit is the largest number of 7 bits, because a report says that
+// gains have at most 7 bits.  People used P gains up to 63 (docs/openr/field-notes.md 7.14, 7.15).
 const int RC_MAX_GAIN = 127;
 
 // Gains of the servo of a joint.  A gain g with shift s acts like g x 2^(s-16).

@@ -36,7 +36,7 @@ struct RcEventHead {
     Uint16 leftOut;  // number of values that the client has missed since the packet before
 
     void Write(RcWriter* out) const;
-    void Read(RcReader* in);  // reads the numbers, but not the values of the stream behind them
+    void Read(RcReader* in);  // reads the fields above, but not the values of the stream
 };
 
 // A report of JointMover: its state and, while a motion plays, the key frame.  Positions are in
@@ -50,7 +50,7 @@ struct RcSetValues {
     Sint32 keyFrame;  // key frame to which the positions belong; -1 if no motion plays
     std::string file;  // file of the motion; "" if no motion plays
     std::vector<Sint32> commanded;
-    std::vector<Sint32> measured;  // as many positions as in `commanded`
+    std::vector<Sint32> measured;  // measured positions, as many as in `commanded`
 
     void Write(RcWriter* out) const;
     bool Read(RcReader* in);

@@ -29,7 +29,7 @@ struct JointConstants {
     Sint32 maxCdeg;  // upper software limit in 0.01 degree
     Sint32 minSpeedCdeg;  // lowest speed limit in 0.01 degree/s
     Sint32 maxSpeedCdeg;  // highest speed limit; also the speed limit after start-up
-    Uint16 gain[6];       // P, I, D gain, then P, I, D shift, as OPENR::SetJointGain() takes them
+    Uint16 gain[6];       // P, I, D gain, then P, I, D shift: the order of OPENR::SetJointGain()
     Sint16 sensorIndex;   // index of the joint's element in sensor vectors
     // Index of the joint in the vendor's MTN files; -1 if these files lack the joint.
     Sint16 mtnIndex;
@@ -116,8 +116,8 @@ const RobotConstants* FindRobot(const char* design);
 // `robot` is not 0.
 const PostureConstants* FindPosture(const RobotConstants* robot, const char* name);
 
-// Each of the next functions returns the index of the device of its kind with this locator (OPEN-R
-// name); -1 when `robot` has no such device.  REQUIRES: `robot` is not 0.
+// The next functions return the index of the joint, LED, plunger or sensor with this locator
+// (OPEN-R name); -1 when `robot` has no such device.  REQUIRES: `robot` is not 0.
 int FindJoint(const RobotConstants* robot, const char* locator);
 int FindLed(const RobotConstants* robot, const char* locator);
 int FindPlunger(const RobotConstants* robot, const char* locator);

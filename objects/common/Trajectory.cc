@@ -7,7 +7,7 @@ static const Sint64 ONE_URAD = 65536;
 // SPEED_SCALE_E6 / 10^6 converts a speed from 0.01 degree/s to 2^-16 urad per frame.
 // ACCELERATION_SCALE_E6 / 10^6 converts an acceleration from 0.01 degree/s^2 to 2^-16 urad per
 // frame^2.  A frame lasts 0.008 s, so 0.01 degree/s is 0.008 x 174.5 urad per frame, and 0.01
-// degree/s^2 is 0.008 times as much per frame^2.  Both scales are rounded to the nearest.
+// degree/s^2 is 0.008 times as much per frame^2.  Both scales are rounded to the nearest integer.
 static const Sint64 SPEED_SCALE_E6 = (URAD_PER_CDEG_E9 * ONE_URAD * 8 + 500000) / 1000000;
 static const Sint64 ACCELERATION_SCALE_E6 = (SPEED_SCALE_E6 * 8 + 500) / 1000;
 COMPILE_TIME_CHECK(SpeedScaleIsExact, SPEED_SCALE_E6 == 91505518287LL);
@@ -83,8 +83,8 @@ Trajectory::Position() const
     return (Sint32)DivideRounded(position_, ONE_URAD);
 }
 
-// Returns the distance that the joint still moves in the frames after the present frame when it
-// brakes from `speed`.  REQUIRES: speed >= 0.
+// Returns the distance that the joint needs to stop if its speed in the present frame is `speed`
+// and it brakes from the next frame on.  REQUIRES: speed >= 0.
 Sint64
 Trajectory::StoppingDistance(Sint64 speed) const
 {
@@ -107,13 +107,14 @@ SquareRoot(Sint64 value)
     return root;
 }
 
-// Returns the largest step s with s + StoppingDistance(s) <= distance.  A step is the way of the
-// joint in one frame.  Let a be the acceleration, by which each step is shorter than the step
-// before while the joint brakes.  After the step s, the joint brakes in n steps: s - a, s - 2 a,
-// ..., s - n a.  The sum of s and these steps is (n + 1) s - a n (n + 1) / 2.  It must be
-// `distance`, so s is (distance + a n (n + 1) / 2) / (n + 1).  No step is negative, so n is the
-// largest number with n a <= s.  If s is n a, the sum is a n (n + 1) / 2; so n is also the largest
-// number with a n (n + 1) / 2 <= distance, from which it is computed.  REQUIRES: distance >= 0.
+// Returns the largest step s with s + StoppingDistance(s) <= distance.  A step is the distance that
+// the joint moves in one frame.  Let a be the acceleration, by which each step is shorter than the
+// step before while the joint brakes.  After the step s, the joint brakes in n steps: s - a,
+// s - 2 a, ..., s - n a.  The sum of s and these steps is (n + 1) s - a n (n + 1) / 2.  This sum
+// must be `distance`, so s is (distance + a n (n + 1) / 2) / (n + 1).  No step is negative, so n is
+// the largest number with n a <= s.  If s is n a, the sum is a n (n + 1) / 2.  So n is also the
+// largest number with a n (n + 1) / 2 <= distance; the function computes n from this condition.
+// REQUIRES: distance >= 0.
 Sint64
 Trajectory::LargestStep(Sint64 distance) const
 {
@@ -132,8 +133,8 @@ Trajectory::Step()
         return goal_;
     }
     if (trackFrames_ > 0) {
-        // Divides the way that is left by the frames that are left, so that errors of rounding do
-        // not add up and the last frame ends at the goal.
+        // Divides the remaining distance by the number of remaining frames, so that rounding errors
+        // do not add up and the last frame ends at the goal.
         speed_ = DivideRounded(goal_ * ONE_URAD - position_, trackFrames_);
         position_ += speed_;
         if (--trackFrames_ == 0) Rest();
