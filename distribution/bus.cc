@@ -28,9 +28,10 @@ constexpr int kTrimThresholdBytes = 64 << 20;
 constexpr int kMmapThresholdBytes = 4 << 20;
 
 // Settings that make Cyclone DDS keep many sent samples (its history).  A run has at most one
-// message for each object in transit.  The history has room for more samples than that, so no write
-// blocks.  With these settings Cyclone DDS asks for acknowledgements only in its periodic
-// heartbeat, so we set a short heartbeat interval to free the history soon.
+// message for each object in transit, and the history has room for more samples, so no write
+// blocks.  A sample stays in the history until all readers have acknowledged it.  With these
+// settings Cyclone DDS asks for acknowledgements only in its periodic heartbeat, so we make the
+// heartbeat frequent.
 constexpr char kLargeHistory[] =
     "<Watermarks><WhcHigh>500MB</WhcHigh><WhcHighInit>500MB</WhcHighInit>"
     "<WhcAdaptive>false</WhcAdaptive></Watermarks>"
@@ -127,14 +128,14 @@ Bus::Bus(const BusOptions& options) : run_(options.run), number_(options.domain)
   AnnounceLiveliness(LeaseOf(options));
 }
 
-// Makes this participant announce itself at least five times within its lease, so that other
-// processes do not take it for dead after a short network failure.
+// Makes this participant announce itself at least five times within its lease.  Then a short
+// network failure does not make other processes take this process for dead.
 //
 // Cyclone DDS by itself announces a participant only when four fifths of its lease are over.  With
-// a lease of 10 s, a network failure in the last 2 s would be enough to lose the announcement.  But
-// a writer with a shorter liveliness lease makes its participant announce itself more often.  So we
-// create a writer whose liveliness lease is a fifth of `lease_s`, on a topic that nobody reads.  We
-// choose no shorter lease, because every participant has to receive each announcement.
+// a lease of 10 s, a network failure in the last 2 s could lose the only announcement.  A writer
+// with a shorter liveliness lease makes its participant announce itself more often.  So we create
+// such a writer, whose lease is a fifth of `lease_s`, on a topic that nobody reads.  A still
+// shorter lease would cause more announcements, and every participant has to receive each of them.
 void Bus::AnnounceLiveliness(int lease_s) {
   dds_qos_t* const qos = Dds().dds_create_qos();
   Dds().dds_qset_liveliness(qos, DDS_LIVELINESS_AUTOMATIC, DDS_MSECS(lease_s * 200));

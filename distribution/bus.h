@@ -113,9 +113,10 @@ class ChannelBase {
   // Returns whether DDS has found the reader and the writer of the channel's other end.
   bool IsConnected() const;
 
-  // Waits until the other end has received all samples, at most `timeout_ms`.  Returns false if it
-  // has not received them in this time.  To be called before the channel is destroyed if no sample
-  // may be lost, because the samples that the other end has not received by then are lost.
+  // Waits until the other end has received all samples, at most `timeout_ms`.  Returns false if the
+  // other end still lacks samples after this time.  The destructor of the channel loses all samples
+  // that the other end has not received, so call this function before the destructor if no sample
+  // may be lost.
   bool WaitForAcks(int timeout_ms);
 
   // Sends the samples that SendBatched() has kept.

@@ -38,15 +38,14 @@ struct EndLimits {
 constexpr int64_t kEndSliceMs = 100;
 
 // Tells all `workers` that the run is over.  Then waits until they have received this message, and
-// then until their processes have ended.  A worker that has not received the message does not know
-// that it has to end, so its process is killed at once.  If the process of a worker has ended
-// already, because it was killed for example, EndWorkers() does not wait for this worker.
+// then until their processes have ended.  Kills a process that has not ended in time.  If a worker
+// has not received the message, it does not know that it has to end, so its process is killed at
+// once.  Does not wait for a worker whose process has ended already.
 //
-// Several worker processes may be suspended (SIGSTOP), so that they receive nothing until they go
-// on, or may run handlers that never end.  So all workers are told before the first wait, and each
-// wait has only the time that the waits before it have left.  `is_interrupted` returns whether the
-// user does not want to wait; its result may become true during a wait, so a long wait is made in
-// slices of kEndSliceMs.  `now_ms` is the clock.
+// The time limits are for all workers together, because several workers may be suspended (SIGSTOP)
+// or may run handlers that never end.  `is_interrupted` returns whether the user does not want to
+// wait.  Its result may become true during a wait, so a long wait is made in slices of kEndSliceMs.
+// `now_ms` is the clock.
 void EndWorkers(const std::vector<EndingWorker>& workers, const EndLimits& limits,
                 const std::function<bool()>& is_interrupted,
                 const std::function<int64_t()>& now_ms);

@@ -114,9 +114,9 @@ void Marshaller::EncodeNotify(const Message& message, const PeerHasMemory& peer_
 }
 
 // Returns whether the region's bytes differ from the bytes that were received.  Most observers give
-// a region back in the handler that received it.  While this handler runs, the sample still exists,
-// and a comparison with its bytes is faster than a hash.  After this handler, the sample is
-// released, and we compare hashes.
+// a region back in the handler that received the region.  The sample with the received bytes still
+// exists during this handler, and a comparison with the sample is faster than a hash.  After the
+// handler, the sample is released, and we compare hashes.
 bool Marshaller::IsChanged(const RCRegion& region, const ImportedRegion& imported) {
   if (imported.bytes != nullptr)
     return std::memcmp(region.Base(), imported.bytes, region.Size()) != 0;

@@ -56,9 +56,10 @@ class Marshaller {
   // regions are found by comparing them with the bytes of `in`.
   std::string Decode(const openr_wire_Message& in, Message* out);
   void ReleaseSample();
-  // Undoes the last Decode(), because the System has refused the message, so that no object gets
-  // it.  The regions that a ready message would have given back stay exported, because the observer
-  // keeps its regions after a refusal.  The regions of a notification are not imported.
+  // Undoes the last Decode().  Called when the System has refused the message, so that no object
+  // gets it.  After a refused ready message, its sender, the observer, keeps the regions that the
+  // message was to give back, so these regions stay exported.  The regions of a refused
+  // notification do not count as imported.
   void UndoDecode();
 
   // Returns whether data of `region` were received from the peer and have not been given back to

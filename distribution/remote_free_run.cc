@@ -37,11 +37,11 @@ std::optional<HandlerStop> RemoteFreeRun::WaitForStop(RemoteObject* object) {
   if (running_.empty()) last_heard_ms_ = WallClockMs();
   const bool is_new = running_.emplace(object->id, box).second;
   ASSERT(is_new, "{} runs a handler already", object->name);
-  // Marks the wait as untimed if the handler is neither DoStop nor DoDestroy.  Then
-  // Requests::Call() ignores the time-out of another object that waits for a reply of `object`.
-  // The time-out is in virtual time, which says nothing about the wall time that the worker needs.
-  // The waits for replies to DoStop and DoDestroy keep their time-outs, because the end of a run
-  // has a time limit that no worker may extend.
+  // Marks the wait of `object` as untimed if the handler is neither DoStop nor DoDestroy.  Another
+  // object may wait for a reply of `object` with a time-out.  This time-out is in virtual time,
+  // which says nothing about the wall time that the worker needs.  So Requests::Call() waits again
+  // after the time-out while `object` has the mark.  DoStop and DoDestroy get no mark, because the
+  // end of a run has a time limit that no worker may extend.
   const uint32_t selector = object->handler.running->selector;
   object->wait.is_untimed = selector != oentrySTOP && selector != oentryDESTROY;
   bool timed_out = false;

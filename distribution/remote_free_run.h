@@ -1,12 +1,13 @@
 // RemoteFreeRun: the handlers that run in one worker in a free run, in which the master does not
 // wait for handlers.
 //
-// While a handler runs in the worker, the object's stand-in waits in the master for a reply, so
-// that only this object gets no further message.  HandleReceived() applies the effects of the
-// handler when they arrive, and posts this reply when the handler has stopped.
+// While the handler of an object runs in the worker, the object's stand-in waits in the master for
+// a reply.  So only this object gets no further message.  HandleReceived() applies the effects of
+// the handler when they arrive, and posts the reply when the handler has stopped.
 //
-// No function waits for the worker's next sample.  So HandleReceived() and CheckHealth() must be
-// called often, between the messages of the run: they find the samples and the loss of the worker.
+// No function waits for the worker's next sample.  HandleReceived() handles the samples that have
+// arrived, and CheckHealth() finds the loss of the worker.  So both must be called often, between
+// the messages of the run.
 #pragma once
 
 #include <cstddef>
@@ -33,9 +34,9 @@ class RemoteFreeRun {
   std::optional<HandlerStop> WaitForStop(RemoteObject* object);
 
   // Returns how many messages in the worker are lost with it: messages that the master has sent and
-  // that the worker has not handled completely.  Does not count notifications and ready messages,
-  // because their data go back to the senders.  Also does not count DoInit to DoDestroy, and the
-  // message whose handler has crashed the worker.
+  // that the worker has not handled completely.  Does not count notifications, because their data
+  // go back to the subjects, and ready messages, because the master has recorded them.  Also does
+  // not count DoInit to DoDestroy, and the message whose handler has crashed the worker.
   size_t CountUndelivered() const;
 
   // Handles the samples that the worker has sent; returns true if the worker had sent samples.

@@ -1,8 +1,9 @@
 // RemoteHandlers: runs handlers in one worker, and measures how long they take.
 //
-// The worker runs one handler at a time, until the handler returns or waits.  A handler that waits
-// for a reply or a line of the console is resumed when the master has this reply or line.  In
-// lockstep the master waits meanwhile; in a free run RemoteFreeRun handles what the worker sends.
+// The worker runs one handler at a time, until the handler returns or waits.  In lockstep the
+// master waits until then.  In a free run the master goes on, and RemoteFreeRun handles what the
+// worker sends.  A handler that waits for a reply or a line of the console is resumed when the
+// master has this reply or line.
 #pragma once
 
 #include <cstdint>

@@ -60,9 +60,9 @@ class RemoteObject : public Object {
 
   std::vector<StandingReady> StandingReadies() const override;
   void ReturnRegion(RCRegion* region) override;
-  // Counts `message`, which came after the worker was lost.  Releases the regions that a ready
-  // message gives back, and gives the regions of a notification back to the subject.  Sends an
-  // empty reply if the sender waits for a reply.
+  // Counts `message`, which came after the worker was lost.  If it is a ready message, releases the
+  // regions that it gives back.  If it is a notification, gives its regions back to the subject.
+  // If its sender waits for a reply, sends an empty reply.
   void HandleUndelivered(const Message& message) override;
   bool HasEntry(uint32_t selector) const override { return selectors_.contains(selector); }
   bool Dispatch(uint32_t selector, void* payload) override;

@@ -46,9 +46,9 @@ uint64_t RemoteResources::HeapOfOtherProcesses(System* system, int robot) const 
 }
 
 void RemoteResources::RecordHeap(int robot, uint64_t bytes) {
-  // Largest number of heap bytes that the master accepts.  Without --strict, objects may use more
-  // than the 32 MB of a robot.  So the limit is much larger, and only an error of the worker
-  // exceeds it.
+  // Largest number of heap bytes that a worker may report for the objects on one robot.  Without
+  // --strict, objects may use more than the 32 MB of a robot.  So the limit is much larger, and
+  // only a faulty worker exceeds it.
   constexpr uint64_t kHeapMaxBytes = uint64_t{1} << 40;
   if (bytes > kHeapMaxBytes) connection_->Refuse("a heap that is too large");
   system_->robot(robot).memory.used_bytes += bytes - std::exchange(heap_by_robot_[robot], bytes);

@@ -18,10 +18,10 @@ class RemoteServices : public RobotServices {
 
   OPENR_ROBOT_CALLS(OPENR_OVERRIDE_CALL, OPENR_OVERRIDE_CALL)
 
-  // Does not override the functions of RobotServices that only the runtime calls, such as
-  // TimeOffUs().  The runtime of a worker does not need them: the master has the devices, their
-  // state is in the master's state hash, and no robot boots again in a worker (Robot::load_again is
-  // null).
+  // Does not override the functions of RobotServices that only the runtime calls, because a worker
+  // does not need them.  HashState() is not needed, because the master has the devices and hashes
+  // their state.  TimeOffUs() and the functions for a robot that is off are not needed, because no
+  // robot boots again in a worker (Robot::load_again is null).
 
  private:
   // Asks the master to call `kFunction` of the robot's services, and returns the result.

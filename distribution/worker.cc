@@ -73,8 +73,8 @@ void Worker::MoveEffectsTo(openr_wire_ToMaster* to_master) {
 }
 
 Worker::ReceivedSample Worker::Next(bool answer) {
-  // If the user asks this worker to end, ends only while no handler waits for an answer of the
-  // master, so that the effects of a handler are sent as a whole.
+  // Returns no sample if the user has asked this worker to end; the worker then ends.  Goes on
+  // while a handler waits for an answer, so that the master gets all effects of this handler.
   if (!answer && IsEndRequested()) return {channel_.get(), nullptr};
   if (!answer && !deferred_.empty()) {
     ReceivedSample sample = std::move(deferred_.front());
@@ -322,10 +322,10 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
 }
 
 // Runs a handler in a free run, and measures whether the handler is fast.  The channel may still
-// keep the effects of earlier handlers, to send them in one packet with the effects of later
-// handlers.  If the last handler of this object was fast, the kept effects are sent together with
-// the effects of this handler.  If it was slow, the kept effects are sent before this handler runs,
-// so that they do not wait for it.
+// keep the effects of earlier handlers, to send them in one packet with later effects.  If the
+// previous handler of this object was fast, the kept effects wait for the effects of this handler.
+// If not, the kept effects are sent before this handler runs, because this handler may be slow,
+// too.
 void Worker::RunTimed(ObjectId id) {
   if (!fast_objects_.contains(id)) channel_->FlushBatch();
   const int64_t begin_ns = WallClockNs();

@@ -184,8 +184,8 @@ OStatus VirtualRobot::DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey
 }
 
 // Gives the camera the colour tables of a vector that an object has filled.  `id` identifies the
-// region of this vector.  If one of the tables is wrong, refuses the whole vector, and the camera
-// keeps its tables.
+// region of this vector.  If one of the tables is wrong, refuses the whole vector and leaves the
+// camera's earlier tables unchanged.
 OStatus VirtualRobot::SetCdtVectorData(MemoryRegionID id) {
   RegionTable& regions = parts_.system.regions();
   if (regions.SizeOf(id) < sizeof(OCdtVectorData)) return oFAIL;
@@ -219,9 +219,9 @@ OStatus VirtualRobot::GetBootCondition(OBootCondition* condition) {
 // because System::Shutdown() does not know these two reasons.
 OStatus VirtualRobot::Shutdown(const OBootCondition& condition) {
   parts_.power.next_boot = condition;
-  // Adds a note when an object asks the boot timer, for the second time in a run, for a restart
-  // after a waiting time, because one developer's robot did only the first of these restarts.  On
-  // that robot, only restarts without a waiting time were reliable (field-notes.md 5.13).
+  // In a timed restart, the boot timer starts the robot again some time after the shutdown.  Adds a
+  // note at the second timed restart of a run, because one developer's robot did only the first
+  // one.  On that robot, only restarts without a waiting time were reliable (field-notes.md 5.13).
   const bool is_timed = (condition.bitmap & obcbBOOT_TIMER) != 0 && condition.bootTime > 0;
   if (is_timed && ++timed_restarts_ == 2) {
     parts_.system.AddFinding(

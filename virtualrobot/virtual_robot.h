@@ -95,8 +95,8 @@ class VirtualRobot : public RobotServices {
   void CheckServos();
 
   // Returns the primitive that `function` of OPENR:: reads; null when primitive `id` has no sensor.
-  // Warns when no object has opened the primitive, because its value then means nothing on the
-  // robot.
+  // Warns when no object has opened the primitive, because on the robot the value of such a
+  // primitive means nothing.
   const Primitive* Readable(OPrimitiveID id, const char* function);
 
   RobotParts parts_;

@@ -239,9 +239,9 @@ accelerometer_get_values(DeviceTag tag)
     const SensorConstants* sensor = SensorOf(tag, &ignored);
     if (sensor == 0 || sensor->kind != sensorkindACCELERATION) return values;
     const RobotConstants* robot = theCore->Robot();
-    // Returns the values of all three axes for the tag of any axis, as later versions of Webots do.
-    // Copies them in the order of RobotConstants, which is the order of the result: front, right,
-    // up.
+    // Returns the values of all three axes of the accelerometer, whichever axis `tag` belongs to,
+    // as later versions of Webots do.  RobotConstants lists the axes in the order of the result:
+    // front, right, up.
     int axis = 0;
     for (int i = 0; i < robot->numSensors && axis < 3; i++) {
         if (robot->sensors[i].kind != sensorkindACCELERATION) continue;

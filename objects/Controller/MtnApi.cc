@@ -66,9 +66,9 @@ mtn_delete(MTN* motion)
 }
 
 // Plays the motion.  The motion counts as playing from now on, although JointMover may first move
-// the robot to the first key frame of the motion.  While another motion plays, sends nothing,
-// because JointMover would refuse the command.  If both motions were of the same file, the report
-// of this refusal would look as if the motion that plays had ended.
+// the robot to the first key frame of the motion.  While another motion plays, sends no command,
+// because JointMover would refuse the command and report its motion as over.  If both motions were
+// of the same file, the motion that plays would then count as over, too.
 void
 mtn_play(MTN* motion)
 {
@@ -78,10 +78,9 @@ mtn_play(MTN* motion)
         core->Port()->Remark("mtn_play: the motion before is not over; ignored");
         return;
     }
-    // Marks the earlier motion as over.  The earlier motion is at its last key frame, but
-    // JointMover has not reported its end yet.  The report of this end will not mark the earlier
-    // motion, because a report changes only the motion in `thePlaying`, which is the new motion
-    // from now on.
+    // Marks the earlier motion as over.  It has reached its last key frame, but JointMover has not
+    // reported its end yet.  That report will not mark it, because reports change only the motion
+    // in `thePlaying`, which is the new motion from the next line on.
     if (thePlaying != 0) thePlaying->keyFrame = -1;
     thePlaying = motion;
     motion->keyFrame = 0;
@@ -107,10 +106,9 @@ mtn_get_time(MTN* motion)
 }
 
 // Returns 1 when the motion does not play, or has reached its last key frame.  Compares key frames
-// and not times, because JointMover reports the progress of a motion only at key frames.
-// mtn_play() stores key frame 0 at the start of a motion, so a motion with a single key frame is at
-// its last key frame from the beginning.  Such a motion is over only when JointMover reports its
-// end.
+// and not times, because JointMover reports the progress of a motion only at key frames.  A motion
+// with a single key frame is at its last key frame from its start on, because mtn_play() stores key
+// frame 0.  So such a motion is over only when JointMover has reported its end.
 int
 mtn_is_over(MTN* motion)
 {

@@ -28,9 +28,9 @@ const int RC_IDLE_SECONDS = 10;
 
 class ClientSession {
 public:
-    // Size of the buffer for NextAnswers() and NextEvents(), in bytes.  At most the first
-    // RC_MAX_PACKET bytes are sent; an answer that does not fit into these bytes is kept behind
-    // them until the next send.
+    // Size of the buffer for NextAnswers() and NextEvents(), in bytes.  One send has at most
+    // RC_MAX_PACKET bytes, at the beginning of the buffer.  An answer that does not fit into this
+    // send is kept in the buffer, behind these bytes, until the next send.
     static const int SEND_SIZE = 2 * RC_MAX_PACKET;
 
     ClientSession() : handler_(0), number_(0) { Reset(); }

@@ -6,10 +6,10 @@
 
 #include "TextFormat.h"
 
-// Writes as many records of the log of motions to the answer as there is room for, from the record
-// number in the request on.  The log keeps only the newest records.  If it has lost the record that
-// was asked for, begins with the oldest record that is kept; the client sees this by the number of
-// the first record.
+// Answers with records of the log of motions, from the record number in the request on, as many as
+// there is room for.  The log keeps only the newest records.  If the log does not have the record
+// that was asked for any more, begins with the oldest record that it has.  The client notices this,
+// because the answer has the number of its first record.
 int
 RequestHandler::TellLog(RcReader* in, RcWriter* out)
 {

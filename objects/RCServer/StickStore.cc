@@ -144,10 +144,10 @@ StickStore::Replace(const std::string& from, const std::string& to)
     // file.  After another error, such as that of a full or damaged stick, a second rename() might
     // put an incomplete file in the place of a complete one.
     if (errno != EEXIST && errno != EACCES) return false;
-    // Gives the file `to` another name and tries again, because the file system may refuse to
-    // rename a file to a name that exists.  No source says whether the robot's file system refuses
-    // this.  Does not remove `to` before `from` is in its place, because on a full or damaged stick
-    // the second rename() may fail as well.
+    // The file system may refuse to rename `from` to a name that exists.  No source says whether
+    // the robot's file system refuses this.  So gives the file `to` a spare name first, and then
+    // renames `from`.  Does not remove `to` before that, because on a full or damaged stick the
+    // renaming may fail as well.
     const int error = errno;
     const std::string spare = SpareName(to);
     bool isReplaced = false;

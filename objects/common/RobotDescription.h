@@ -27,8 +27,8 @@ struct JointConstants {
     Sint32 maxUrad;  // upper software limit in urad
     Sint32 minCdeg;  // lower software limit in 0.01 degree
     Sint32 maxCdeg;  // upper software limit in 0.01 degree
-    Sint32 minSpeedCdeg;  // lowest speed limit in 0.01 degree/s
-    Sint32 maxSpeedCdeg;  // highest speed limit; also the speed limit after start-up
+    Sint32 minSpeedCdeg;  // smallest value to which the speed limit can be set, in 0.01 degree/s
+    Sint32 maxSpeedCdeg;  // largest value of the speed limit; also its value after start-up
     Uint16 gain[6];       // P, I, D gain, then P, I, D shift: the order of OPENR::SetJointGain()
     Sint16 sensorIndex;   // index of the joint's element in sensor vectors
     // Index of the joint in the vendor's MTN files; -1 if these files lack the joint.

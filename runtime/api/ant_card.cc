@@ -22,9 +22,9 @@ namespace {
 constexpr int32 kRtsThreshold = 2347;
 constexpr int32 kFragmentationThreshold = 2346;
 
-// Clears `msg`, into which a function of this file reads the state of the wireless card.  If the
-// robot has a card with a driver, calls `fill` to set the fields of `msg`.  Stores the status in
-// `msg` and returns it.
+// Clears `msg`.  If the robot has a wireless card and the driver of the card, calls `fill`, which
+// stores the state of the card in `msg`.  Sets msg->status to ETHER_OK, or to an error if the card
+// or the driver is missing, and returns this status.
 template <typename Msg, typename Fill>
 EtherStatus Ask(Msg* msg, Fill fill) {
   const ApiScope scope;

@@ -33,9 +33,10 @@ OwnedMessage NewRequest(IpStack* stack, const antEnvMsg& message) {
   std::memcpy(request->payload, static_cast<const void*>(&message), size);
   request->size = static_cast<uint32_t>(size);
   request->kind = PayloadKind::kHashed;
-  // Gives the trace a hash of this message instead of its bytes, because the message holds memory
-  // addresses, which differ from run to run.  Also hashes the data to which the message points, but
-  // only if they lie in a mapped shared buffer, because other addresses may be invalid.
+  // The trace gets a hash of this message and not its bytes, because the bytes contain memory
+  // addresses, which differ from run to run.  The hash also covers the data that the message sends,
+  // if these data lie in a mapped shared buffer.  Other data are not read, because their address
+  // may be invalid.
   const AntData data = DataToSend(message);
   const bool known = stack->buffers().Contains(data.begin, data.size);
   request->payload_hash = AntMessageHash(message, known ? data.begin : nullptr,
@@ -63,8 +64,8 @@ antError antEnvMsg::Send(antStackRef target, OID& oid, int32 entry, int size) {
   sender = OidOf(t_current.object->id);
   msgSize = size;
   invocationType = ANTENVMSG_SEND;
-  // Stores in the message the object and the entry to which the network stack is to send the
-  // answer, because the stack answers later, with a message of its own.
+  // Stores in the message where the answer shall go: to entry `entry` of object `oid`.  The network
+  // stack sends its answer later, as a new message to this entry.
   contInfo.oid = oid;
   contInfo.selector = static_cast<Selector>(entry);
   return AntErrorOf(t_current.system->Post(NewRequest(stack, *this)));
@@ -95,9 +96,9 @@ antError antEnvMsg::Call(antStackRef target, int size) {
 
 antEnvMsg* antEnvMsg::Receive(ANTENVMSG msg) { return static_cast<antEnvMsg*>(msg); }
 
-// Answers the request that the running handler has received.  Called only by a program that is
-// itself a network stack.  The runtime's network stack calls IpStack::Answer() instead, because it
-// often answers after that handler has ended, when the network has delivered data.
+// Answers the request that the running handler has received.  Only a program that is itself a
+// network stack calls this function.  The runtime's network stack calls IpStack::Answer(), because
+// it often answers when network data arrive, and the handler of the request has ended by then.
 antError antEnvMsg::Reply() {
   const ApiScope scope;
   if (t_current.object == nullptr) return ANT_FAIL;

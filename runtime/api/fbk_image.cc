@@ -24,9 +24,9 @@ BandPlace PlaceOf(ODataType type, OFbkImageBand band) {
       return band <= ofbkimageBAND_Cb ? BandPlace{static_cast<int>(band), 3} : kNone;
     case odataFBK_YCrCb_HPF:
       if (band <= ofbkimageBAND_Cb) return {static_cast<int>(band), 6};
-      // The bands LH, HL and HH of a camera image follow its band Cb.  In OFbkImageBand the
-      // constant of CDT is between Cb and LH, so the index in the image is one less than the
-      // constant.
+      // In the image, the bands LH, HL and HH come directly after the band Cb.  In OFbkImageBand,
+      // the constant of CDT comes between them.  So the index of a band in the image is its
+      // constant minus 1.
       if (band >= ofbkimageBAND_Y_LH && band <= ofbkimageBAND_Y_HH) {
         return {static_cast<int>(band) - 1, 6};
       }
@@ -36,11 +36,11 @@ BandPlace PlaceOf(ODataType type, OFbkImageBand band) {
   }
 }
 
-// The size of the tag: information about the image, with which the camera overwrites the first 16
-// pixels of the last row (robot.md, 11.2).  The tag begins with the field counter, the camera's
-// count of its pictures.  Bytes 4 to 7 are the frequencies of channels 4 to 7 of colour detection.
-// Bytes 8 to 11 are the frequencies of channels 0 to 3.  A frequency is the number of detected
-// pixels divided by 16.
+// The size of the tag in bytes.  The tag is information about the image, which the camera writes
+// over the first 16 pixels of the last row (robot.md, 11.2).  Bytes 0 and 1 are the field counter,
+// the camera's count of its pictures.  Bytes 4 to 7 are for channels 4 to 7 of colour detection,
+// bytes 8 to 11 for channels 0 to 3: the number of pixels that a channel has detected, divided by
+// 16.
 constexpr int kTagSize = 16;
 constexpr int kFrequencies4To7 = 4;
 constexpr int kFrequencies0To3 = 8;
@@ -56,8 +56,8 @@ OFbkImage::OFbkImage(OFbkImageInfo* info, byte* data, OFbkImageBand band)
   height_ = static_cast<int>(info->height);
   skip_ = width_ * (place.bands - 1);
   pointer_ = data + place.index * width_;
-  // The tag is in the first band of the camera image (Y, or the only band), which begins at `data`.
-  // So every OFbkImage of one image finds the same tag, whichever `band` it shows.
+  // The tag is in the last row of the first band of the image (Y, or the only band).  The first
+  // band begins at `data`, so the place of the tag does not depend on `band`.
   if (width_ >= kTagSize && height_ > 0) tag_ = data + (width_ + skip_) * (height_ - 1);
 }
 

@@ -23,10 +23,10 @@ constexpr longword kCpuClockHz = 192'000'000;  // clock of the ERS-210's CPU (R4
 Robot& CurrentRobot() { return t_current.system->robot(t_current.object->robot); }
 RobotServices& Services() { return *CurrentRobot().services; }
 
-// Returns the text for the report of a run that ends with this call of OPENR::Shutdown().  If
-// `condition` has a boot timer (robot.md 15.3), the program wants the robot to boot again later.
-// The run ends in this case only if no robot of the run can boot again, so the text tells the user
-// to start the run again.
+// Returns why the robot was shut down, as text for the report of a run that ends with this call of
+// OPENR::Shutdown().  If `condition` has a boot timer (robot.md 15.3), the program wants the robot
+// to boot again later.  The run ends nevertheless if none of its robots can boot again.  For this
+// case the text tells the user to start the run again.
 std::string HowItEnds(const OBootCondition& condition) {
   return (condition.bitmap & obcbBOOT_TIMER) == 0 ? " shut the robot down (OPENR::Shutdown)"
                                                   : " shut the robot down (OPENR::Shutdown) to "

@@ -17,11 +17,11 @@ using openr_host::ApiScope;
 using openr_host::ArithmeticWatch;
 using openr_host::t_current;
 
-// A second stack, on which an object runs the function `body`.  This function may leave the stack
-// before it has ended and be continued later.  An example is the endless loop of a controller
-// (kit/controller).  Unlike other functions that programs call, the functions that switch stacks
-// make no ApiScope.  With an ApiScope the function `body` would count as code of the runtime and
-// would use the heap and files of the host.
+// A second stack, on which an object runs the function `body`.  The function may leave the stack
+// before its end and continue later, as the endless loop of a controller does (kit/controller).
+// The functions that switch stacks make no ApiScope (current.h), although programs call them.  With
+// an ApiScope the function `body` would count as code of the runtime, and would use the heap and
+// files of the host.
 struct OpenrSecondStack {
   // Like the stack of handlers, this stack lies at addresses that are planned for the object
   // (core/address_plan.h).  It is cleared after use, so that its content is the same in every run.
@@ -33,9 +33,9 @@ struct OpenrSecondStack {
   // Finds floating-point operations in the function `body` that would stop the robot, such as 0/0.
   std::optional<ArithmeticWatch> watch;
   // The floating-point flags (NaN, overflow ...) that the function `body` has raised on this stack.
-  // The switch back to the handler's stack would lose these flags, so SwitchToHandler() stores them
-  // before the switch.  After the switch SwitchToSecondStack() adds them to the flags of the
-  // handler.
+  // The switch back to the handler's stack loses these flags.  So SwitchToHandler() stores them
+  // here before the switch, and SwitchToSecondStack() adds them to the handler's flags after the
+  // switch.
   unsigned fp_flags = 0;
   bool has_left = false;  // true while the function `body` waits to be continued
 
@@ -66,9 +66,9 @@ struct OpenrSecondStack {
   }
 
   // Switches from the stack of the handler to `stack`, on which the function `body` runs.  Returns
-  // when `body` has ended, or has left `stack` to be continued later.  Afterwards counts the bytes
-  // of `stack` that `body` has used as stack use of the object, because on the robot the object has
-  // only one stack, and `body` would run on that stack.
+  // when `body` has ended, or has left `stack` to continue later.  Then counts the used bytes of
+  // `stack` as stack of the object, because on the robot `body` would run on the object's only
+  // stack.
   void SwitchToSecondStack() {
     ArithmeticWatch* const outer = t_current.watch;
     if (watch) t_current.watch = &*watch;

@@ -13,11 +13,10 @@ namespace openr_host {
 [[noreturn]] void AssertFailed(const char* file, int line, const char* condition,
                                const std::string& details);
 
-// A function of the runtime that AssertFailed() calls before it aborts the process; null until the
-// first System is made.  The function returns the state of the run (virtual time, object, message,
-// seed) as lines of text, each with its newline.  The function also clears t_current (current.h).
-// If t_current named an object, the hook of abort() would end only the object's handler and not the
-// process.
+// The function that AssertFailed() calls before abort(); null until the first System is made.
+// Returns the state of the run (virtual time, object, message, seed) as lines of text, each with
+// its newline.  Also clears t_current (current.h), because abort() ends only the handler and not
+// the process while t_current names an object (runtime/hooks).
 extern std::string (*assert_context)();
 
 }  // namespace openr_host

@@ -2,10 +2,10 @@
 // messages in their order) and the state hash (the state at one instant), by which two runs are
 // compared.
 //
-// Only values are hashed, never addresses or padding, because those differ from run to run: Add()
-// takes arithmetic types and enumerations, AddBytes() takes bytes that are all initialised.  Add()
-// copies the bytes of its argument and does not read it as a bool or an enumeration, because the
-// fields of a message may contain bytes that are no valid bool.
+// Only values are hashed.  Addresses and padding are not hashed, because they differ from run to
+// run.  So Add() accepts only arithmetic types and enumerations, and AddBytes() must get bytes that
+// are all initialised.  Add() hashes the bytes of its argument without reading its value, because
+// the bytes of a bool in a message may be no valid bool.
 #pragma once
 
 #include <cstddef>

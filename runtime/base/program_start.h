@@ -2,16 +2,16 @@
 // product starts are started by this class, so that the following holds for each of them.
 //
 // - Descriptors: the program has the standard streams of this process unless Give() or OpenNull()
-//   gives it others.  Other descriptors that are not closed by the start of a program
-//   (close-on-exec) reach the program, too, unless CloseFrom() closes them.
+//   gives it others.  The program also gets all other descriptors of this process, except those
+//   that have the flag close-on-exec and those that CloseFrom() closes.
 // - Memory: nothing of this process is copied, so the new process does not write text that this
 //   process has buffered for output.
-// - Signals: SIGPIPE and SIGXFSZ have their default actions.  This process ignores both, and a new
-//   process would inherit that, but other programs, such as debuggers, expect that these signals
-//   end them.  Other ignored signals stay ignored.  Signals that this process blocks are blocked in
-//   the program, too, unless UnblockSignals() is called.
-// - End of this process: the program goes on.  A program that must end, too, finds out by itself:
-//   workers by openr join --child-of, the panel's server by a pipe.
+// - Signals: SIGPIPE and SIGXFSZ have their default actions, although this process ignores them,
+//   because other programs, such as debuggers, expect that these signals end them.  Other signals
+//   that this process ignores are ignored in the program, too.  Signals that this process blocks
+//   are blocked in the program, too, unless UnblockSignals() is called.
+// - End of this process: the program goes on.  Workers and the panel's server end themselves when
+//   they notice this end: workers by openr join --child-of, the panel's server by a pipe.
 // - End of the program: this process waits for the program's end with waitpid() or the like,
 //   because the program stays as a zombie until then.
 //

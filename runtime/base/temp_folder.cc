@@ -30,9 +30,9 @@ constexpr char kMemoryFolder[] = "/dev/shm";
 constexpr std::string_view kBegin = "openr-host-run-";
 
 // Returns the prefix of the names of our temporary folders.  The prefix contains the number of the
-// PID namespace.  Containers may share the folder of temporary files but count their processes
-// separately.  So a process id alone does not show whether the folder belongs to a living process
-// of another container, which must keep its folder.
+// PID namespace, because containers may share the folder of temporary files, but number their
+// processes separately.  Without this number, a folder that another container uses could be
+// removed, because no process here has the process id in its name.
 std::string Prefix() {
   std::error_code error;
   std::string space = fs::read_symlink("/proc/self/ns/pid", error).string();
@@ -41,8 +41,8 @@ std::string Prefix() {
 }
 
 // Opens the folder `path` and locks it.  Returns the descriptor, or -1 with errno set: EWOULDBLOCK
-// if another process has locked the folder.  Such a lock ends with the last process that has the
-// descriptor: the process that has made the folder, or a fork of it.
+// if another process has locked the folder.  The process that makes a folder locks it.  The lock
+// ends when that process and all its forks have ended or have closed the descriptor.
 int Lock(const std::string& path) {
   const int folder = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
   if (folder < 0 || flock(folder, LOCK_EX | LOCK_NB) == 0) return folder;
@@ -71,15 +71,17 @@ void RemoveStaleFolders(const fs::path& parent, const std::string& prefix) {
   for (const auto& entry : fs::directory_iterator(parent, error)) {
     const std::string name = entry.path().filename();
     if (!name.starts_with(kBegin)) continue;
-    // Keeps the folder of a process of this namespace that exists.  The process id of a folder of
-    // another namespace shows nothing here, so only the lock shows whether such a folder is in use.
+    // Keeps the folder of a process that exists, if the process belongs to this PID namespace.
+    // Process ids of other namespaces mean nothing here, so for their folders only the lock shows
+    // whether a folder is in use.
     const bool is_ours = name.starts_with(prefix);
     const int pid = is_ours ? std::atoi(name.c_str() + prefix.size()) : 0;
     if (is_ours && (pid <= 0 || kill(pid, 0) == 0 || errno != ESRCH)) continue;
     if (!is_ours && is_on_network) continue;
     const int folder = Lock(entry.path());
-    // Keeps a folder that is locked.  If the file system has no locks, removes a folder of this
-    // namespace, because its process has ended, and keeps all other folders.
+    // Keeps a folder that another process has locked.  If Lock() fails for another reason, such as
+    // a file system without locks, removes only a folder of this namespace, whose process has
+    // ended.
     if (folder < 0 && (!is_ours || errno == EWOULDBLOCK)) continue;
     fs::remove_all(entry.path(), error);
     if (folder >= 0) close(folder);
@@ -102,8 +104,9 @@ std::string MakeLockedFolder(const std::string& begin, int* lock) {
     // A file system may have no locks (ENOLCK and others).  The folder is then used without a lock.
     const bool is_taken =
         *lock >= 0 && flock(*lock, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-    // Tries again with another name if another process has removed the folder, or is about to do
-    // so, because that process has seen the folder before it was locked.
+    // Returns the folder if it still exists and no other process has locked it.  Otherwise tries
+    // again with another name: before this process locked the folder, another process may have
+    // taken it for a stale one, and may have removed it or locked it to remove it.
     if (*lock >= 0 && !is_taken && access(path.c_str(), F_OK) == 0) return path;
     if (*lock >= 0) close(std::exchange(*lock, -1));
   }

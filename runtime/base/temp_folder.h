@@ -8,18 +8,18 @@ namespace openr_host {
 
 enum class TempUse {
   kAnyFiles,
-  // Files that are few and small.  They are kept in memory (/dev/shm) if three conditions hold: the
-  // user has not named a place with TMPDIR, there is room, and code in such files may be run.  A
-  // run makes and removes dozens of small files.  On a disk this takes longer than everything else
-  // at the start of the run.
+  // Files that are few and small.  They are kept in memory (/dev/shm) if three conditions hold:
+  // TMPDIR is not set, /dev/shm has room, and files there may be executed.  A run makes and removes
+  // dozens of small files.  On a disk this takes longer than everything else at the start of the
+  // run.
   kSmallFiles,
 };
 
-// Makes a folder and removes it in the destructor.  Only the process that made the folder removes
-// it; a fork of that process does not.  A killed process leaves its folder behind, so the
-// constructor also removes the folders of processes that no longer exist.  Every folder is locked
-// as long as its process or a fork of it exists.  Process ids of other containers mean nothing
-// here, so only the lock shows whether the folder of a process in another container is in use.
+// Makes a folder and removes it in the destructor.  A fork of the process that made the folder does
+// not remove it.  A killed process leaves its folder behind, so the constructor also removes the
+// folders of processes that no longer exist.  A folder is locked as long as its process or a fork
+// of its process exists.  For a process in another container only this lock shows that its folder
+// is in use, because process ids of other containers mean nothing here.
 class TempFolder {
  public:
   // Makes the folder.  If that fails, throws std::runtime_error with the place and the system's

@@ -3,10 +3,10 @@
 //
 // Code compiled for AVX, such as the C library's string functions and xxHash, may leave bits in the
 // upper halves of the 16 vector registers.  Code compiled for SSE, such as libode, the images and
-// most of this program, keeps those bits with every instruction that writes a register.  On several
-// processors each such instruction then waits for the previous instruction that wrote the same
-// register.  So the code computes the same values but takes longer (docs/performance.md, "Upper
-// halves").
+// most of this program, writes only the lower half of a register and must keep these bits.  So on
+// several processors an SSE instruction waits until the previous instruction that wrote the same
+// register has ended.  The results are the same, but the code takes longer (docs/performance.md,
+// "Upper halves").
 #pragma once
 
 namespace openr_host {

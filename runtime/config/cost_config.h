@@ -9,9 +9,9 @@
 //
 // OBJECT and ENTRY are the names that traces show (Object::EntryName); '*' stands for any text.
 // The last line that matches a handler decides, so general lines come first.  A handler without a
-// matching line costs nothing.  With a jitter, the cost varies at random by up to this percentage,
-// up or down.  `frame` gives the true length of a frame of the robot's devices (nominally 8000 us)
-// in microseconds of the clock that programs read.  A line that begins with '#' is a comment.
+// matching line takes no time.  With a jitter, the time varies at random by up to this percentage,
+// up or down.  The line "frame 8021" says that a frame of the robot's devices, nominally 8000 us,
+// lasts 8021 us of the clock that programs read.  A line that begins with '#' is a comment.
 #pragma once
 
 #include <cstdint>

@@ -3,8 +3,8 @@
 //
 // Each service has a port and carries exactly one connection; the robot's side listens, the host's
 // side connects.  An observer (.O) on one side and a subject (.S) on the other side belong together
-// if they have the same port: TCPGateway sends the data that the observer receives over the
-// network, and on the other side the subject sends the data on to its observer.  (core.md, 5.4)
+// if they have the same port.  Data that arrive at the observer go over the network to the other
+// side, where the subject sends them to its own observer.  (core.md, 5.4)
 #pragma once
 
 #include <cstdint>
@@ -42,7 +42,7 @@ struct GatewayRecord {
 };
 
 struct GatewayConfig {
-  std::vector<GatewayRecord> services;  // in the order of the file
+  std::vector<GatewayRecord> services;  // in the order of the lines of ROBOTGW.CFG or HOSTGW.CFG
   // The line for OPEN-R calls, with which programs on a PC call functions of the robot.  The first
   // word of the line is TCPGateway.Proxy.AperiosMessage.P in the robot's file (ROBOTGW.CFG),
   // !ROBOT_PROXY in the PC's file (HOSTGW.CFG).

@@ -17,13 +17,14 @@ namespace openr_host {
 inline constexpr int kObjectNameBytesMax = 63;
 
 // The description of an object in an .ocf file.  A file in the short form does not give all fields.
-// The missing fields, except `module`, keep the defaults below, because the SDK uses the same
-// values for them.  The defaults of all other fields are the values of Sony's samples.
+// For such a file, `module` is equal to `name`, and the other missing fields keep the defaults
+// below, which are the SDK's values.  The defaults of fields that each file gives are the values of
+// Sony's samples.
 struct Ocf {
   std::string name;    // run-time object name, unique among all objects
   std::string module;  // equal to `name` if the file has the short form
   // The next five fields and install_selector exist only in the long form of an .ocf file.  The
-  // values are kept as the file writes them, because the host does not use them.
+  // host does not use these fields, so they are stored as text and not checked.
   std::string metaspace = "mCOOP";
   std::string pic = "pic";
   std::string pid = "pid";

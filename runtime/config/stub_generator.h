@@ -14,11 +14,12 @@ struct GeneratedFile {
 };
 
 // Returns def.h, entry.h, <ObjectName>Stub.h and <ObjectName>Stub.cc, in this order, with the
-// names, guards, symbols and numbering of Sony's generator: selectors 0..3 for DoInit, DoStart,
-// DoStop and DoDestroy, then Control of all subjects, Ready of all subjects, Connect of all
-// observers, Notify of all observers, then the extra entries in file order.  The files are C++98,
-// for the SDK's headers and for ours.  Their first comment names `source` ("stub.cfg"; without a
-// folder, so that the output does not depend on the place of the file).
+// names, guards, symbols and numbering of Sony's generator.  The selectors 0..3 are DoInit,
+// DoStart, DoStop and DoDestroy.  Then follow Control of all subjects, Ready of all subjects,
+// Connect of all observers, Notify of all observers, and the extra entries in file order.  The
+// files are C++98 and compile with the SDK's headers and with ours.  Their first comment names
+// `source`, which is "stub.cfg" without a folder, so that the output does not depend on the place
+// of the file.
 //
 // The symbol openr_extra_names is our addition: the names of the extra entries in selector order,
 // ended by 0.  A host shows these names in traces; on the robot the symbol has no effect.

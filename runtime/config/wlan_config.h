@@ -10,7 +10,8 @@
 namespace openr_host {
 
 // The network settings of a robot.  Initial values are those of WLANDFLT.TXT, the default file of
-// the robot's system (Installation Guide 3.2.2), so an empty file means the same as that file.
+// the robot's system (Installation Guide 3.2.2), so an empty WLANCONF.TXT has the same effect as
+// WLANDFLT.TXT.
 struct WlanConfig {
   std::string hostname = "AIBO";        // up to 8 letters and digits
   std::string ether_ip = "10.0.1.100";  // an IPv4 address, as are ether_netmask and ip_gateway

@@ -3,10 +3,10 @@
 // Programs send addresses: many put the address of a region into a message, and padding that was
 // never set may hold a pointer.  The kernel maps memory at random addresses, so the messages of
 // such a program would differ from process to process.  Therefore this plan gives the memory of
-// objects fixed addresses.  Each object has a place: a number that selects one part of each range
-// below.  So the address of memory follows from the number of the object or region and is the same
-// in every process and on every machine.  All ranges lie in a part of the address space that Linux
-// on x86-64 leaves empty:
+// objects fixed addresses, which are the same in every process and on every machine.  Each object
+// has a place: a number that selects one part of each range below, except of the regions.  The
+// address of a region follows from the number of the region.  All ranges lie in a part of the
+// address space that Linux on x86-64 leaves empty:
 //
 //     2 TiB   heaps, 128 MiB for each place
 //     6 TiB   images, 16 MiB for each place
@@ -19,9 +19,9 @@
 // (ulimit -v) counts only used memory.
 //
 // Addresses are not planned in three cases: on processors other than x86-64; with AddressSanitizer
-// or ThreadSanitizer, because tables of these tools lie in the same part of the address space; and
-// if that part was not empty at the start (address_plan.cc).  Objects then share the host's heap,
-// and the kernel chooses the address of every mapping.
+// or ThreadSanitizer, because tables of these tools lie at these addresses; and if other memory is
+// mapped there at the start (address_plan.cc).  Objects then share the host's heap, and the kernel
+// chooses the address of every mapping.
 #pragma once
 
 #include <cstddef>
@@ -41,10 +41,10 @@ class ObjectAddresses {
   static constexpr size_t kStackBytes = size_t{1} << 20;  // area for a stack (stack_memory.h)
   static constexpr size_t kCopyBytes = size_t{128} << 20;
 
-  // Takes a place of the plan for object `id`.  Two places belong to each object.  The object takes
-  // the first place, unless another object still uses it: the object that it replaces, or an object
-  // of another System in this process.  Then the object takes the second place.  If both places are
-  // in use, the object takes the free place with the highest number.
+  // Takes a place of the plan for object `id`, which has two places of its own.  Takes the first
+  // place, unless another object still uses that place: the previous object `id`, which this object
+  // replaces, or an object of another System in this process.  Then takes the second place.  If
+  // both places are in use, takes the free place with the highest number.
   explicit ObjectAddresses(ObjectId id);
   ~ObjectAddresses();  // REQUIRES: nothing is mapped at this place any more
   ObjectAddresses(const ObjectAddresses&) = delete;

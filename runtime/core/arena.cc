@@ -63,7 +63,7 @@ bool Arena::MapUpTo(size_t span_end) {
   const size_t end = (span_end + kStep - 1) / kStep * kStep;
   if (!MapAt(base_ + mapped_spans_ * kSpanBytes, (end - mapped_spans_) * kSpanBytes)) return false;
   mapped_spans_ = end;
-  const ApiScope scope;  // so that begins_ grows on the host's heap and not in this arena
+  const ApiScope scope;  // makes begins_ grow on the host's heap and not in this arena
   begins_.resize(end * kSpanBytes / 16);
   return true;
 }

@@ -1,13 +1,14 @@
 // Arena: the heap of one object.  All its memory is freed when the object is destroyed.
 //
-// Memory comes in spans of 64 KiB from the heap area of the object's place (address_plan.h).  The
-// arena of a block follows from the block's address in O(1), so free() works whichever object is
-// running.  Small blocks belong to size classes with free lists; each large block has spans of its
-// own.  A block is filled with zeros when it is allocated.  Otherwise the block could still hold an
-// address of the C library from an earlier use, and no run may depend on such an address.  Two
-// limits hold: the memory of the robot, which all its objects share, and the size of the place's
-// heap area.  The heap size in the object's .ocf file is no limit, because on the robot the heap
-// grows in steps of that size.
+// Memory comes in spans of 64 KiB from the heap area of the object's place (address_plan.h).  Small
+// blocks belong to size classes with free lists; each large block has spans of its own.  The
+// address of a block shows in O(1) to which arena the block belongs, so free() works whichever
+// object is running.  A block is filled with zeros when it is allocated, because no run may depend
+// on old content of the block, such as an address of the C library.
+//
+// An arena has two limits: the memory of the robot, which all its objects share, and the size of
+// the place's heap area.  The heap size in the object's .ocf file is no limit, because on the robot
+// the heap grows in steps of that size.
 #pragma once
 
 #include <cstddef>

@@ -1,12 +1,13 @@
 // ArithmeticWatch: finds the instruction of a handler that makes a NaN or an infinity, or uses a
-// denormal number: such operations raise SIGFPE while the handler's own code runs.
+// denormal number.  While the handler's own code runs, such an instruction raises SIGFPE.
 //
-// Results that would be denormal numbers become 0 meanwhile, as on the robot (field-notes.md, 4.4).
-// So a denormal number that raises SIGFPE was not made by the handler's own arithmetic.
+// Also while this code runs, results that would be denormal numbers become 0, as on the robot
+// (field-notes.md, 4.4).  So a denormal number that raises SIGFPE was not made by the handler's own
+// arithmetic.
 //
-// Functions of the SDK and of the C library are not the handler's own code, so their operations do
-// not raise SIGFPE.  Objects of the classes ApiScope and LibraryScope (current.h) tell the
-// ArithmeticWatch when such a call begins and ends.
+// Functions of the SDK and of the C library are not the handler's own code.  Objects of the classes
+// ApiScope and LibraryScope (current.h) pause the ArithmeticWatch while such a function runs, so
+// that its operations raise no SIGFPE.
 #pragma once
 
 namespace openr_host {
@@ -28,11 +29,10 @@ class ArithmeticWatch {
   void Begin(unsigned kinds);
   bool has_begun() const { return has_begun_; }
 
-  // Stops watching for floating-point operations that set the flag `kind` (FpFlag), for the rest of
-  // the object's handler, because each kind of operation is reported only once.  Called by the
-  // signal handler of SIGFPE after it has recorded the instruction.  The signal handler also
-  // changes the interrupted code's MXCSR, the register that enables SIGFPE, so that the instruction
-  // does not raise SIGFPE again.
+  // Records that operations that set the flag `kind` (FpFlag) raise no SIGFPE for the rest of the
+  // handler, because each kind of operation is reported only once.  Called by the signal handler of
+  // SIGFPE after it has recorded the instruction.  The signal handler itself disables the exception
+  // in the interrupted code's register MXCSR, so that the instruction does not raise SIGFPE again.
   void DisableTrap(unsigned kind) { kinds_ &= ~kind; }
 
   // Pauses the watch for floating-point faults.  Called at the beginning of a function of the SDK

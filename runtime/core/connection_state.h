@@ -82,9 +82,9 @@ inline bool IsRunningMessage(const Object& object, PayloadKind kind) {
 // type of the SDK has this value.
 constexpr OMessageType kDeassertOfLost = 0x10000;
 
-// The message type of the connect message to an observer if the process of the subject is lost.
-// The observer then records that the subject is missing (ObserverState::missing) and does not ask
-// the subject for the connection.  No message type of the SDK has this value.
+// The message type of the connect message that an observer gets if the process of the subject is
+// lost.  The observer then sends nothing to the subject, and only records that the subject is
+// missing (ObserverState::missing).  No message type of the SDK has this value.
 constexpr OMessageType kConnectToLost = 0x10001;
 
 // Sends `subject` a deassert, which says that the observer at entry `selector` of `object` is not
@@ -95,10 +95,11 @@ void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
 // Handles a notification to `object` that will not be delivered.  Gives the regions of `message`
 // back to the subject with SendDeassert(), so that the subject can use them again.
 void RefuseNotification(Object* object, const Message& message);
-// Handles a notification or a ready of `sender` that was refused after the function that had sent
-// it returned: `message` was in the outbox of `sender` (cpu.h).  The data of a notification become
-// pending again, as if Send() had failed.  The regions that a ready gives back are given back here;
-// the command of the ready is lost.
+// Handles `message`, a notification or a ready of `sender` that was refused when it left the outbox
+// of `sender` (cpu.h).  The function that has sent `message` has already returned success.  The
+// data of a notification become pending again, as if Send() had failed.  If the subject is in a
+// worker process or no longer has the observer, its regions are given back instead.  The command of
+// a ready is lost, but the regions in the ready are given back.
 void HandleLateRefusal(Object* sender, const Message& message);
 
 // The regions of one notification, at most MAX_NUM_DATA, oldest first.  Unlike a std::vector the
@@ -186,9 +187,9 @@ struct SubjectState {
   // Makes one notification (a pending unit) of the data that were set since the last notification,
   // and sends it if the observer is ready.
   OStatus Notify(ObserverLink* link);
-  // Posts a message with the `data_count` regions at `data`, which are the data of `unit_count`
-  // notifications.  A subject may send several waiting notifications in one message.  Returns false
-  // if the message is refused, for example because the queue of the observer's object is full.
+  // Posts one message for `unit_count` notifications of this subject.  The `data_count` regions at
+  // `data` are the data of all these notifications.  Returns false if the message is refused, for
+  // example because the queue of the observer's object is full.
   bool Send(ObserverLink* link, RCRegion* const* data, size_t data_count, size_t unit_count);
   // Sends pending notifications if the observer is ready and at least ObserverLink::min
   // notifications are pending.  The observer sets this number with SetBufCtrlParam().
@@ -197,9 +198,9 @@ struct SubjectState {
       SendPending(link);
   }
   void SendPending(ObserverLink* link);
-  // Drops all data that were not sent to the observer yet, those of pending notifications and those
-  // set for the next notification, and gives up the references to their regions.  Called when the
-  // program clears the buffer and when the connection ends.
+  // Drops all data that were not sent to the observer yet: the data of pending notifications, and
+  // the data set for the next notification.  Gives up the references to the regions of these data.
+  // Called when the program clears the buffer and when the connection ends.
   void Clear(ObserverLink* link);
   // Makes the notifications in `notify`, which Send() has sent to the observer of `link`, pending
   // again, because the message was refused (HandleLateRefusal()).
@@ -241,10 +242,11 @@ struct ObserverState {
     // The regions that this observer has received from the subject and has not given back yet,
     // oldest first.
     std::vector<RCRegion*> regions;
-    // The number of times that the observer has asserted ready to the subject since the last
-    // notification from any subject.  Too many times become a finding (ReportRepeatedReady()).  A
-    // notification from any subject resets the count, because many programs call AssertReady()
-    // without argument after each notification, which asserts ready to all subjects.
+    // The number of times that the observer has asserted ready to the subject without a deassert,
+    // and without a notification from any subject, in between.  A large number becomes a finding
+    // (ReportRepeatedReady()).  Notifications of other subjects count too, because many programs
+    // call AssertReady() without argument after each notification, which asserts ready to all
+    // subjects.
     int asserted = 0;
   };
   std::vector<Held> held;
@@ -259,10 +261,10 @@ struct ObserverState {
   // replaced.
   struct Missing {
     std::string service;
-    // The last command (ready or not ready) that the observer has given to all its subjects while
-    // this subject is missing; objcommCMD_UNDEF if the observer has given none.  The subject gets
-    // the command as soon as it is connected, because the program does not know that the subject
-    // was missing and so does not repeat the command.
+    // The last command (ready or not ready) that the program has given for all subjects while this
+    // subject was missing; objcommCMD_UNDEF if the program has given none.  As soon as the subject
+    // is connected, the observer sends this command, because the program does not know that the
+    // subject was missing and so does not repeat the command.
     ObjcommCommand command = objcommCMD_UNDEF;
   };
   std::vector<Missing> missing;  // mostly empty

@@ -30,11 +30,11 @@ class ConsoleInput {
   // end with a newline.  REQUIRES: not called in a handler.
   void Enter(int robot, std::string_view text);
 
-  // Waits until a line was typed on the terminal of the calling object's robot, copies at most
-  // `size` bytes of it to `buffer`, echoes these bytes and returns their number.  The next call
-  // returns the rest of the line.  If `is_gone` returns true after the wait, because the process of
-  // the caller has ended meanwhile, returns 0 and leaves the line to the next object that waits.
-  // REQUIRES: called in a handler.
+  // Waits until the terminal of the calling object's robot has a line.  Copies at most `size` bytes
+  // of the line to `buffer`, echoes these bytes and returns their number.  The next call returns
+  // the rest of the line.  After the wait calls `is_gone`, which returns true if the process of the
+  // caller has ended meanwhile.  In this case returns 0 and leaves the line to the next object that
+  // waits.  REQUIRES: called in a handler.
   size_t Read(char* buffer, size_t size, const std::function<bool()>& is_gone = {});
 
   // Sets whether Read() echoes the text.  The echo is switched off if the user's terminal has

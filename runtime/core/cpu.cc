@@ -73,8 +73,8 @@ void Cpu::End(int64_t now_us) {
   jobs_.pop_back();
   if (!jobs_.empty()) jobs_.back().since_us = now_us;
   object->delivery.set_busy(false);
-  // Posts the messages to their receivers.  Post() does not put them into an outbox again, because
-  // no object is current when processor time ends.
+  // Posts the messages to their receivers.  Post() puts a message into an outbox only while an
+  // object is current.  No object is current here, so Post() really sends the messages.
   for (ProcessorState::Outgoing& outgoing : std::exchange(object->processor.outbox, {})) {
     const Message* const message = outgoing.message.get();
     // A message that Post() refuses stays in `outgoing`, so `message` is valid in HandleRefused().
@@ -91,8 +91,9 @@ void Cpu::End(int64_t now_us) {
   }
 }
 
-// Handles a message of `sender` that Post() refuses when it leaves the outbox.  The function by
-// which the program has posted the message returned success, so the program cannot handle this.
+// Handles a message of `sender` that Post() refuses when it leaves the outbox.  The program cannot
+// handle this refusal, because the function with which the program posted the message has already
+// returned success.
 void Cpu::HandleRefused(Object* sender, const Message& message) {
   if (message.kind == PayloadKind::kNotify || message.kind == PayloadKind::kReady)
     HandleLateRefusal(sender, message);

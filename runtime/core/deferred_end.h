@@ -1,8 +1,9 @@
 // DeferredEnd: marks a section of code.  A signal handler must not end the process while this
 // thread is in such a section.
 //
-// The code in the section holds a lock that ending the process needs too.  If a signal handler
-// ended the process in the middle of the section, the handler would wait for this lock for ever.
+// The code in the section may hold a lock that is also needed to end the process.  If a signal
+// handler ended the process in the middle of the section, the handler would wait for this lock for
+// ever.
 #pragma once
 
 namespace openr_host {

@@ -26,11 +26,11 @@ class DeliveryState {
     bool is_plain_;
   };
 
-  // `flag` is the PlainFlag that this DeliveryState sets: true if a message to the object needs
-  // nothing but a call of its handler.  The Object makes the flag after this DeliveryState, because
-  // the constructor of PlainFlag reads the DeliveryState.  `is_image` tells whether the object was
-  // loaded from a file.  The flag of such an object is never true, because the dispatcher must look
-  // for floating-point faults of each of its handlers and may measure their use of the stack.
+  // `flag` is the PlainFlag that this DeliveryState sets.  This constructor does not set the flag,
+  // because the Object makes the flag after this DeliveryState.  `is_image` tells whether the
+  // object was loaded from a file.  The flag of such an object is never true, because its messages
+  // need more than a call of the handler: the dispatcher looks for floating-point faults of each
+  // handler and may measure the use of the stack.
   DeliveryState(PlainFlag* flag, bool is_image) : flag_(flag), is_image_(is_image) {}
   DeliveryState(const DeliveryState&) = delete;
   DeliveryState& operator=(const DeliveryState&) = delete;

@@ -73,9 +73,10 @@ void Fiber::SwitchFrom(Fiber* from) {
 
 void Fiber::FinishSwitch() {
   if (!IsAddressSanitized()) return;
-  // Keeps the bounds of the stack that was left, which AddressSanitizer needs for the switch back.
-  // These bounds may be the bounds of another stack than the fiber's own: the fiber may have called
-  // a handler, which runs on a stack of its own (handler_stack.h).
+  // Stores in t_left, the fiber that was left, the bounds of the stack that it used last, because
+  // AddressSanitizer needs these bounds for the switch back.  This stack is not always the fiber's
+  // own: the fiber may have called a handler of an image, which runs on a stack of its own
+  // (handler_stack.h).
   __sanitizer_finish_switch_fiber(fake_stack_, &t_left->stack_bottom_, &t_left->stack_bytes_);
 }
 

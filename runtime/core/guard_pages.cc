@@ -36,9 +36,9 @@ char* GuardPages::MapPages(char* area, size_t bytes) {
     return pages == MAP_FAILED ? nullptr : static_cast<char*>(pages);
   }
   size_t& next = next_in_[area];
-  // Tries to map the pages at the addresses of `area`, the memory for read-only copies, one after
-  // the other, and goes on at the beginning of the area when its end is reached.  Skips pages of
-  // copies that are still in use.
+  // Tries places in `area`, the memory for read-only copies, one after the other, until MapAt()
+  // finds one where nothing is mapped, so that no copy in use is overwritten.  Begins behind the
+  // newest copy, and goes on at the beginning of the area when its end is reached.
   for (size_t tried = 0; tried < ObjectAddresses::kCopyBytes; tried += bytes) {
     if (next + bytes > ObjectAddresses::kCopyBytes) next = 0;
     char* const pages = area + next;
@@ -101,10 +101,10 @@ const char* GuardPages::FaultText(const void* address) const {
     return at >= area.first && at < area.first + ObjectAddresses::kCopyBytes;
   });
   if (!is_ours) return "";
-  // Looks for `address`, to which an access was a fault, in the pages of each read-only copy that
-  // is in use.  An access to these pages is a write to received data.  The other pages of the area
-  // may belong to copies that were given back.  An access to such a copy is another mistake, for
-  // which another text is returned.
+  // Looks for `address`, to which an access was a fault, in the pages of the read-only copies that
+  // are in use.  These pages can be read, so an access that is a fault was a write.  All other
+  // pages of the area may belong to copies that were given back; the text about such an access is
+  // returned after this loop.
   for (const auto& [copy, pages] : copies_) {
     const char* const page = PageOf(copy);
     if (at >= page && at < page + pages.bytes)

@@ -6,12 +6,14 @@
 
 // Calls function(argument) with the stack pointer at `top`, a multiple of 16.
 //
-// `function` may save registers of its caller on the new stack.  These registers hold addresses of
-// the host, which differ from run to run, so they are set to 0 before the call: an object that
-// reads bytes of its stack that it has not written finds the same bytes in every run.  Only the
-// address of this function's frame on the old stack must be kept.  This address is stored at the
-// top of the new stack, above all frames of the object.  `.cfi_escape` tells exceptions and
-// debuggers to read the address there: the canonical frame address is *(rsp + 8) + 16.
+// `function` may save registers of its caller on the new stack, where an object may read them by
+// mistake, as bytes that it has not written.  These registers may hold addresses of the host, which
+// differ from run to run.  So this function sets the registers to 0 before the call, and the object
+// finds the same bytes in every run.
+//
+// To return, this function needs the address of its own frame on the old stack.  It stores this
+// address at the top of the new stack, above all frames of the object.  `.cfi_escape` tells
+// exceptions and debuggers where to read it: *(rsp + 8) + 16 is the canonical frame address.
 extern "C" void openr_call_on_stack(void (*function)(void*), void* argument, void* top);
 asm(R"(
     .text

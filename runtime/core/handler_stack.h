@@ -24,11 +24,12 @@ class HandlerStack {
   // Calls function(argument) on the empty stack.  If the caller runs on this stack already, because
   // an object calls an entry of its own, calls the function directly.
   //
-  // Afterwards clears the bytes that the function has written.  The search for these bytes begins
-  // at the top of the stack and ends at a gap of zeros.  A narrow gap may be an array that the
-  // function did not set, with written bytes below it.  So searching for a wide gap is safer, but
-  // takes longer.  The first 64 calls and every 16th call (our choice) search for a gap of 32 KiB,
-  // the other calls for a gap of 4 KiB.
+  // Afterwards clears the bytes that the function has written.  The search for these bytes goes
+  // down from the top of the stack and ends at a gap of zeros, where nothing seems to be written.
+  // But a gap may also be an array that the function did not set, with written bytes below it.  A
+  // search that ends only at a wide gap misses fewer such bytes, but takes longer.  So the first 64
+  // calls and every 16th call (our choice) search for a gap of 32 KiB, the other calls for a gap of
+  // 4 KiB.
   void Call(void (*function)(void*), void* argument);
 
   // Returns how many bytes of this stack the handler of the newest Call() has used, or has used so

@@ -30,10 +30,10 @@ class HostAddresses {
   // if there is no such address, and always with AddressSanitizer or ThreadSanitizer.  REQUIRES:
   // `data` is aligned to 8.
   //
-  // Some numbers look like addresses but are none: they are in the range of host addresses, but no
-  // memory is mapped there.  After 64 such numbers (our choice) the function returns -1 for the
-  // rest of the run.  A program that sends so many such numbers sends data and no addresses.  If
-  // memory is mapped at a later number, this is probably chance.
+  // A number counts as a host address if it is in the range of host addresses and memory is mapped
+  // there.  Numbers that are no addresses can be in this range by chance.  So after 64 numbers (our
+  // choice) that are in the range but without mapped memory, the function assumes that the program
+  // sends such numbers, and returns -1 for the rest of the run.
   int64_t FindIn(const void* data, size_t size);
 
  private:

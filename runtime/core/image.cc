@@ -280,11 +280,12 @@ void ImageObject::ReportFpFlags(uint32_t selector) {
          "a floating-point operation made an infinity (division by 0, log(0), a result too large)",
          "the robot is said to stop when it is used");
   }
-  // Denormal numbers are nearer to 0 than the processor's normal ones.  The robot turns denormal
-  // results into 0, so it stops only if a denormal number is not a result, for example an int taken
-  // for a float.  An ArithmeticWatch turns results into 0, too, so a denormal number that it has
-  // found (`is_found`) is not a result.  Without an ArithmeticWatch, denormal numbers are reported
-  // only if no operation of this object has made one.
+  // A denormal number is nearer to 0 than the processor's normal numbers.  The robot stops when an
+  // operation uses one, for example an int taken for a float.  The robot's own operations never
+  // make one, because they return 0 instead.  With an ArithmeticWatch the host's operations return
+  // 0, too, so a denormal number that the watch has found (`is_found`) is reported.  Without a
+  // watch the host's operations may make denormal numbers that the robot would not make.  Then one
+  // is reported only if no operation of this object has made one.
   const bool is_found = number_faults[std::countr_zero<unsigned>(kFpDenormal)] != nullptr;
   if ((fresh & kFpDenormal) && (is_found || !makes_denormals)) {
     warn(kFpDenormal,

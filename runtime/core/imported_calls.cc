@@ -16,19 +16,19 @@
 #include "runtime/core/address_plan.h"
 #include "runtime/core/stack_memory.h"
 
-// Every thunk (the code that an image calls in place of an imported function) jumps to
-// openr_call_import or openr_call_variadic_import, with the address of the imported function in
-// r11.  The stack pointer tells where the call comes from, because only stacks of images are below
-// 17 TiB (address_plan.h).  A call from the stack of an image continues at the top of the stack for
-// imported functions; other calls stay on their stack.  The word below the top of the stack for
-// imported functions holds the address of the image's frame, where ReturnAddressInImage() finds the
-// return address.
-//
-// The imported function looks for some of its arguments on the stack, so these arguments are copied
-// from the stack of the image.  Their size is not known, so always 256 bytes are copied, or 2 KiB
-// for a function with a variable number of arguments (our choice).  The copy uses only registers
-// that hold no argument.  After the call, registers without a result are set to 0, because they may
-// hold host addresses and functions of the image may save them on their stack.
+// An image calls each imported function through a thunk.  The thunk jumps to openr_call_import or
+// openr_call_variadic_import, with the address of the imported function in r11.  This code then:
+// 1. Tests the stack pointer.  An image's own stack is below 17 TiB, in the upper part of the
+// memory for its stacks (stack_memory.h).  A call from any other stack stays on that stack.
+// 2. Changes to the stack for imported functions, at its top.  The word below the top gets the
+// address of this call's stack frame on the image's stack.  By this word, ReturnAddressInImage()
+// finds the stack frame, which has the return address.
+// 3. Copies bytes from the stack of the image, because the imported function looks for some of its
+// arguments on the stack.  Their size is not known, so always 256 bytes are copied, or 2 KiB for a
+// function with a variable number of arguments (our choice).  The copy uses only registers that
+// hold no argument.
+// 4. After the call, sets registers without a result to 0, because they may hold host addresses and
+// functions of the image may save them on their stack.
 extern "C" void openr_call_import();
 extern "C" void openr_call_variadic_import();
 asm(R"(
@@ -349,10 +349,11 @@ bool IsStackChange(uintptr_t address) {
 const void* ReturnAddressInImage(const void* own) {
   const auto here = reinterpret_cast<uintptr_t>(__builtin_frame_address(0));
   const uintptr_t offset = here % ObjectAddresses::kStackBytes;
-  // A function F of the SDK has called this function, and `own` is the return address of F.  If
-  // `here`, the address of this function's frame, is not on a stack for imported functions, the
-  // image has called F directly and not through a thunk, so `own` is the result.  Stacks for
-  // imported functions are below 17 TiB, in the lower part of the memory for stacks.
+  // A function F of the SDK has called this function, and `own` is the return address of F.  F runs
+  // on a stack for imported functions if the image has called F through a thunk.  Such a stack is
+  // below 17 TiB, in the lower part of the memory for the image's stacks.  If `here`, the address
+  // of this function's frame, is not on such a stack, the image has called F directly, so `own` is
+  // the result.
   if (here >> 40 >= 17 || offset >= StackMemory::kImportsTopOffset) return own;
   const uintptr_t top = here - offset + StackMemory::kImportsTopOffset;
   const auto* const frame =

@@ -58,8 +58,8 @@ class StickLoader {
   const StandIns& stand_ins_;
 };
 
-// Returns a text for users that says why the configuration file `name` was not read: "FILE: " and
-// either kMissing, if there is no such file, or the error of the read.
+// Returns the reason why the configuration file `name` was not read, as a text for users: the path
+// of the file, and then kMissing if there is no such file, otherwise the error of the read.
 std::string StickLoader::ConfigProblem(const char* name) {
   const int error = stick_ == nullptr ? ENOENT : stick_->ReadError(kConfFolder + std::string(name));
   const std::string why =

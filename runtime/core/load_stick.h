@@ -28,12 +28,14 @@ struct SystemImage {
 };
 
 // Loads the images that OBJECT.CFG names, and adds the connections of CONNECT.CFG and the keywords
-// of DESIGNDB.CFG to the system.  Each problem becomes a finding with file:line.  If `stand_ins`
-// has a function for the file of a system image, calls this function and not SystemImage::add.  If
-// an image cannot be loaded, loads the file of the same name with the ending .OLD: RCServer gives
-// this ending to the old image when an upload replaces it.  Returns false if the robot would not
-// boot, because an image is missing or cannot be loaded.  REQUIRES: before System::Boot(), or in
-// Robot::load_again.
+// of DESIGNDB.CFG to the system.  Each problem becomes a finding with file:line.
+//
+// If `stand_ins` has a function for an image, calls this function in place of loading the image.
+// For a system image without a function for its file, calls SystemImage::add.  If an image cannot
+// be loaded, loads the file of the same name with the ending .OLD, but not with
+// SystemOptions::strict.  RCServer gives this ending to the old image when an upload replaces it.
+// Returns false if OBJECT.CFG cannot be read, or if neither an image nor its .OLD file can be
+// loaded.  REQUIRES: before System::Boot(), or in Robot::load_again.
 bool LoadStick(System* system, int robot, StandIns stand_ins = {},
                const std::vector<SystemImage>& system_images = {});
 

@@ -64,7 +64,7 @@ void MessageQueue::PushFront(OwnedMessage message, int priority) {
 // none.  A level is a number for the class and priority of messages; its bit shows that its list
 // may have messages.
 uint32_t MessageQueue::NextMarked(uint32_t level) const {
-  uint64_t before = (uint64_t{1} << (level % 64)) - 1;  // the bits of the levels before `level`
+  uint64_t before = (uint64_t{1} << (level % 64)) - 1;  // bits of the message levels before `level`
   for (uint32_t word = level / 64; word < kLevels / 64; ++word) {
     const uint64_t bits = marks_[word] & ~std::exchange(before, 0);
     if (bits != 0) return word * 64 + static_cast<uint32_t>(__builtin_ctzll(bits));

@@ -75,8 +75,8 @@ int32_t MessagePoster::Post(OwnedMessage&& message, Object* target, int64_t dela
     if (message->selector >= target->entry_count && !target->HasEntry(message->selector))
       return RefuseSelector(*message, *target);
     // Returns whether the message makes a system object (a part of the robot) go on with its own
-    // work.  The object has posted such a message to itself, or the System has posted it.  A
-    // schedule must not refuse such a message, because the system object would then stop.
+    // work: the system object has posted the message to itself, or the System has posted it.  A
+    // schedule must not refuse such a message, because the system object would then stop working.
     const auto is_own_work = [&] {
       return target->is_system && (message->sender == target->id || message->sender == kNoObject);
     };

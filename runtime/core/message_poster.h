@@ -14,8 +14,9 @@ namespace openr_host {
 
 class MessagePoster {
  public:
-  // `are_calls_local` tells whether the calls of handlers (System::calls()) are LocalCalls, so that
-  // handlers post messages in this process.  Chooses the schedule for `seed` (SystemOptions::seed).
+  // `are_calls_local` tells whether System::calls() is a LocalCalls, which queues the messages of
+  // handlers in this process.  Unless `seed` is the default of SystemOptions::seed, messages follow
+  // a schedule (schedule.h) made from `seed`.
   MessagePoster(bool are_calls_local, uint64_t seed);
   MessagePoster(const MessagePoster&) = delete;
   MessagePoster& operator=(const MessagePoster&) = delete;
@@ -23,8 +24,9 @@ class MessagePoster {
   MessageQueue& queue() { return queue_; }
   const MessageQueue& queue() const { return queue_; }
 
-  // Queues `message`, which is no reply, so that `target`, its receiver, gets it now, and returns
-  // true.  Returns false and does nothing if the message may have to be refused or delayed.
+  // Queues `message` for its receiver `target` without delay, and returns true; the queue then owns
+  // `message`.  Returns false and does nothing if the message may have to be refused or delayed.
+  // REQUIRES: `message` is no reply.
   bool PostAtOnce(Message* message, Object* target);
   // Queues `message` in the queue of this process.  `target` is its receiver; null if no object has
   // the id of the receiver.  Called by LocalCalls::Post().  Returns an sError as System::Post()
@@ -73,9 +75,9 @@ class MessagePoster {
     target->waiting_max = std::max(target->waiting_max, ++target->waiting);
   }
 
-  // True if only the receiver of a message may refuse or delay the message: handlers post messages
-  // directly in this process and not through a master process, and there is no schedule and no
-  // model of the processor.
+  // True if a post can fail only because of the receiver, which has no such entry or has a full
+  // queue.  This is so if handlers post messages directly in this process and not through a master
+  // process, and if there is no schedule and no model of the processor.
   bool are_posts_free_ = false;
   const bool are_calls_local_;
   bool has_processors_ = false;

@@ -48,8 +48,9 @@ struct StandingReady {
 // The state of an object's handler while the handler runs.
 struct HandlerState {
   OwnedMessage running;  // the message being handled; null if no handler runs
-  // The time that has passed in this handler: 1 us for each call of GetSystemTime(), so that a loop
-  // that waits for a certain time ends, and the times of Wait() (MCOOP.h).
+  // The time that has passed in this handler.  Each call of GetSystemTime() adds 1 us, so that a
+  // loop that waits for a certain time ends.  Each call of Wait() (MCOOP.h) adds the time of the
+  // wait.
   uint64_t passed_us = 0;
 };
 
@@ -86,8 +87,8 @@ struct ReplyBoxes {
 
 // An object's use of the robot's processor, if handlers take time; see cpu.h.
 struct ProcessorState {
-  // The virtual time at which the object, for which a message is due, began to wait for the
-  // processor; -1 if the object does not wait for it.
+  // The virtual time at which this object, which has a message to handle, began to wait for the
+  // processor; -1 if the object does not wait for the processor.
   int64_t starving_since_us = -1;
   struct Outgoing {
     OwnedMessage message;
@@ -159,9 +160,10 @@ class Object {
   // Returns whether the object has an entry `selector`.
   virtual bool HasEntry(uint32_t selector) const = 0;
 
-  // Gives entry `selector` a name for traces: the name of a service and `kind`, "Ready" or
-  // "Notify".  Returns the full name of the service.  REQUIRES: called in the Control or Connect
-  // entry of this service, because the selector of that entry tells which service it is.
+  // Gives entry `selector` of this object a name for traces: the name of a service, followed by
+  // `kind`, which is "Ready" or "Notify".  Returns the full name of the service.  REQUIRES: the
+  // Control or Connect entry of this service runs now, because the selector of the running entry
+  // tells which service it is.
   std::string NameService(uint32_t selector, const char* kind);
 
   System* const system;
@@ -184,14 +186,14 @@ class Object {
   // notice that another object has this id now, whose entries may have other names.
   int predecessors = 0;
 
-  // The regions that the constructors of this image have made while the object that this image
-  // replaces still had the same id.  They belong to no object at first.  After EndAllOf() has ended
-  // everything that belongs to the replaced object, ObjectTable::Place() makes this object the
-  // owner of these regions.
+  // Regions that the constructors of this image made while the image was loaded to replace an
+  // object with the same id.  They have no owner at first, because EndAllOf() deletes all regions
+  // of the replaced object, which has the same id.  Then ObjectTable::Place() makes this object
+  // their owner.
   std::vector<uint32_t> early_regions;
-  // The time events that the constructors of this image have ordered while the object that this
-  // image replaces still had the same id.  ObjectTable::Place() gives them back to TimeEvents after
-  // it has removed the time events of the replaced object.
+  // Time events that the constructors of this image ordered while the image was loaded to replace
+  // an object with the same id.  OpenImage() takes them out of TimeEvents, because the end of the
+  // replaced object removes all time events of this id.  Then ObjectTable::Place() puts them back.
   TimeEvents::Events early_events;
 
   // Text after "state: " in the last INFO line that the object has printed with OSYSLOG1.  This
@@ -256,7 +258,7 @@ class Object {
   // messages first, then the priorities of their receivers.
   MessageClass post_class = MessageClass::kObject;
   const bool is_image;  // whether the object was loaded from a file (an image)
-  DeliveryState::PlainFlag is_plain{delivery};  // whether a delivery only calls the handler
+  DeliveryState::PlainFlag is_plain{delivery};  // true if delivery needs only a call of the handler
   uint64_t message_count = 0;                   // number of messages delivered to the object
   HandlerState handler;
   // The entries of a CodeHost (code_object.h): the entry with selector oentryBASE + i is

@@ -167,9 +167,9 @@ void ObjectManager::RunBoot(int robot, size_t findings_before) {
 void ObjectManager::RunBootAgain(int robot) {
   const size_t findings_before = system().findings().all().size();
   shutting_down_.erase(robot);
-  // Clears unreported_, the services that may be reported later, because its keys hold addresses of
-  // connections, which LoadAgain() makes anew.  No service that should be reported is forgotten
-  // here: unreported_ has only services of lost processes, and a robot with objects in other
+  // Clears unreported_, the unknown services that may still become findings.  Its keys hold
+  // addresses of connections, and LoadAgain() makes all connections of the robot anew.  No finding
+  // is lost: unreported_ has only services of lost processes, and a robot with objects in other
   // processes does not boot again.
   unreported_.clear();
   if (!system().robot_table().LoadAgain(robot)) return;
@@ -223,11 +223,11 @@ void ObjectManager::ReplaceAndBoot(std::vector<std::unique_ptr<Object>> fresh) {
   system().dispatcher().CheckDeliveries();
   for (const auto& object : fresh) starting_[object->id] = false;
   ObjectTable::Readies readies = system().object_table().Replace(std::move(fresh));
-  // Sends to each new object the readies that observers had asserted to the old object, because
-  // these observers do not know of the replacement.  The object manager keeps these readies back
-  // until the connections are made.  They are sent before DoInit.  If the same observer then sends
-  // another ready or a deassert, this later message counts.  A ready of an observer that is
-  // replaced too is left out: the new observer asserts ready in its own boot.
+  // Sends the readies that observers had asserted to an old object once more, to the new object,
+  // because these observers do not know of the replacement.  Sends them before DoInit, and the
+  // object manager keeps them back until the connections are made.  So if such an observer sends
+  // another ready or a deassert meanwhile, this message comes later and counts.  Leaves out an
+  // observer that is replaced too, because the new observer asserts ready in its own boot.
   for (auto& [id, standing] : readies) {
     std::erase_if(standing, [&](const auto& one) { return readies.contains(one.observer); });
     system().object_table().AssertAgain(id, standing);
@@ -305,11 +305,12 @@ void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
 }
 
 // Returns whether `service` may be unknown only because the process of its object is lost.  The
-// name of a service does not tell its object for sure, so the object is searched for:
+// object does not always have the first part of the service's name as its name.  So the object is
+// searched for in two steps:
 // 1. the object whose name is the first part of the service's name,
 // 2. else the object of a registered service whose name has the same first part.
-// Returns whether the object found is lost.  If neither exists, returns whether any object of the
-// robot is lost, because the service may belong to the lost object.
+// Returns whether this object is lost.  If both steps find no object, returns whether any object of
+// the robot is lost, because the service may belong to that object.
 bool ObjectManager::MayBeLost(int robot, const std::string& service) const {
   const std::string prefix = service.substr(0, service.find('.') + 1);
   bool has_lost = false;
@@ -336,7 +337,7 @@ void ObjectManager::ReportUnknown(const Connection& connection, const std::strin
       "OBJECT.CFG)";
   std::vector<std::string> known;
   const std::string object = service.substr(0, service.find('.') + 1);
-  std::string cause = object;  // replaced below if the object has registered another service
+  std::string cause = object;  // becomes `service` below if the object has registered any service
   const auto wanted = ParseServiceName(service, nullptr);
   for (const auto& [name, entry] : system().robot(connection.robot).directory) {
     known.push_back(name);

@@ -118,12 +118,11 @@ class ObjectManager : public CodeObject {
   // true if the DoInit of the object has begun; then only readies are kept back.
   std::map<ObjectId, bool> starting_;
   bool are_connected_ = true;  // false while the connections of this boot are not made yet
-  // Each element is a connection and the name of one of its services that was not registered when
-  // the connection had to be made, while a worker process was lost (had ended or could not be
-  // reached).  Objects of this process may register the services after a restart, so the services
-  // are not reported yet.  Services that are not registered then become findings.  The elements
-  // contain addresses, so the code never iterates over this set: the order would differ from run to
-  // run.
+  // Each element is a connection and the name of one of its services, which was not registered when
+  // the connection had to be made.  Only services that may belong to a lost worker process are kept
+  // here (MayBeLost()): a restart of the process may register them.  After the restart,
+  // ReplaceAndBoot() reports the services that are still not registered.  The elements contain
+  // addresses, so the code never iterates over this set: the order would differ from run to run.
   std::set<std::pair<const struct Connection*, std::string>> unreported_;
 };
 

@@ -20,8 +20,8 @@ namespace {
 bool IsOf(const OServiceEntry& entry, ObjectId id) { return ObjectIdOf(entry.GetOID()) == id; }
 
 // Gives up the regions that `observer` has received from the subjects for which `ends` returns
-// true, except regions that the observer's object still reads.  Calls `release` with the subject's
-// RCRegion of each region.  The regions are not given back by a ready, because the object of the
+// true, and calls `release` with the subject's RCRegion of each region.  Keeps the regions that the
+// observer's object still reads.  No ready gives these regions back, because the object of the
 // observer or of the subject is being replaced.
 void ReleaseHeld(ObserverState* observer, const std::function<bool(const SubjectID&)>& ends,
                  const std::function<void(RCRegion*)>& release) {
@@ -227,11 +227,11 @@ std::vector<StandingReady> ObjectTable::EndMessagesTo(Object* old) {
   return readies;
 }
 
-// Removes the owner of all regions of object `id` that are in undelivered notifications, because
-// EndAllOf() deletes all regions that the object owns.  The observers have not read the data of
-// these notifications yet: an observer may wait in a handler, or for the processor, or a gate may
-// keep its messages.  The ready that gives such a region back deletes the region, if the object
-// itself has kept no reference to it.
+// Keeps the regions of object `id` that are in undelivered notifications, so that the observers can
+// still read the data.  EndAllOf() deletes all regions that the object owns, so these regions get
+// no owner (kNoObject).  A notification may be undelivered because the observer waits in a handler
+// or for the processor, or because a gate keeps the notification.  The ready that later gives such
+// a region back deletes the region, if the object itself has kept no reference to it.
 void ObjectTable::KeepSentRegions(ObjectId id) {
   RegionTable& regions = system_->regions();
   const auto keep = [&regions, id](const Message& message) {
@@ -295,9 +295,9 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
 ObjectTable::Readies ObjectTable::Replace(std::vector<std::unique_ptr<Object>> fresh) {
   Readies readies;
   // Marks all objects that will be replaced (is_leaving) before EndMessagesTo() takes the messages
-  // to them out of the queue.  Such a message may be a notification whose sender will be replaced,
-  // too.  SendDeassert() then gives the regions of the notification back by a direct call, because
-  // a message to the marked sender would be lost.
+  // to them out of the queue and gives back the regions of notifications.  If the sender of a
+  // notification is marked, SendDeassert() gives its regions back by a direct call and not by a
+  // message, because a message to the marked sender would be lost.
   for (const auto& object : fresh) {
     FlushStreams(Get(object->id));
     Get(object->id)->is_leaving = true;

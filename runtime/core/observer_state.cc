@@ -167,8 +167,9 @@ void HandleLateRefusal(Object* sender, const Message& message) {
   // Gives the regions back with a message, because `sender` is in a worker process, or has removed
   // this observer since.
   RefuseNotification(target, message);
-  // Makes the observer ready again for a subject in a worker process, because its ready was used
-  // for this message, and RefuseNotification() has told the subject that it is not ready.
+  // The refused notification has used up the observer's ready, and RefuseNotification() has told
+  // the subject that the observer is not ready.  So if the subject is in a worker process, asserts
+  // ready again in the name of the observer.
   if (!is_here) {
     system->object_table().AssertAgain(
         sender->id, {{notify.subjectID.GetSelector(), target->id, message.selector}});

@@ -149,10 +149,10 @@ void RCRegion::AddReference() { ++count_; }
 void RCRegion::RemoveReference() {
   if (--count_ > 0) return;
   const ApiScope scope;
-  // The last reference to a received region (an RCRegion with a source_, the RCRegion of the
-  // subject) belongs to the runtime, which deletes the RCRegion when the observer's next ready
-  // gives the region back.  An object that removes this reference has made one call too many, so
-  // the RCRegion is not deleted here.
+  // A received region is an RCRegion with a source_, the RCRegion of the subject.  The runtime
+  // holds one reference to a received region until the observer's next ready gives the region back.
+  // So if no reference is left here, the object has removed one too many.  The RCRegion is not
+  // deleted then, because the runtime still uses it.
   const bool received = source_ != nullptr;
   if ((received || count_ < 0) && t_current.system != nullptr) {
     t_current.system->AddFinding(

@@ -52,9 +52,9 @@ class RegionMemory {
 
   struct Cells {
     std::vector<bool> in_use;  // by slot: whether the slot's cell of this class is in use
-    // Tells for each piece of memory whether it is mapped.  A piece is mapped as a whole.  A piece
-    // has kMapBytes and holds several cells (a cell is the memory for one region), or one cell if
-    // the cells of this size class are larger than kMapBytes.
+    // Tells for each piece of memory whether the piece is mapped.  A piece has kMapBytes and holds
+    // several cells (a cell is the memory for one region).  If a cell of this size class has
+    // kMapBytes or more, each cell is a piece.
     std::vector<bool> is_mapped;
   };
 

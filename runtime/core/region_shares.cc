@@ -24,10 +24,10 @@ int32_t RegionShares::Check(ObjectId self, uint32_t region, MemoryProtectionInfo
                                                                  : sPERMISSIONDENIEDSHAREDMEM;
 }
 
-// Returns the rights of `object` to `region`.  If there are none yet, makes them.  Before that,
-// removes the rights to deleted regions if shares_ has grown to cleanup_size_.  These rights are
-// not removed when a region is deleted, because regions are deleted for many messages and few
-// programs use rights.
+// Returns the record of the rights of `object` to `region`, and adds this record if there is none.
+// Before that, removes the records of deleted regions if shares_ has grown to cleanup_size_.  The
+// deletion of a region does not remove its records, because regions are deleted for many messages,
+// and few programs use rights.
 RegionShares::Share& RegionShares::ShareOf(uint32_t region, ObjectId object) {
   if (const auto found = shares_.find({region, object}); found != shares_.end())
     return found->second;

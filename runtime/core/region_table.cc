@@ -66,10 +66,10 @@ uint32_t RegionTable::New(size_t size, ObjectId owner) {
   return slot.id;
 }
 
-// Makes the slot that `id` names empty, for a new region with this id, which the master process has
-// chosen.  The old memory of the slot is freed.  If an observer still reads this memory (it is
-// pinned), the memory is moved to pinned_deleted_ instead.  Returns null if the slot has a live
-// region.
+// Empties the slot that `id` names, for a new region with this id, which the master process has
+// chosen.  Frees the old memory of the slot; but if the memory is pinned, because an observer still
+// reads it, moves it to pinned_deleted_.  Returns null if the slot has a live region, or if `id`
+// names no slot.
 RegionTable::Slot* RegionTable::SlotFor(uint32_t id) {
   // The lower 16 bits of an id are the number of its slot, counted from 1; 0 names no slot.
   if ((id & 0xffff) == 0) return nullptr;

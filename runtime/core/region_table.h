@@ -86,8 +86,8 @@ class RegionTable {
   // Returns the object that made the region, even if another object owns it now.  In a run with
   // several processes, the bytes of the region are in the process of this object.  Returns
   // kNoObject if the region was deleted or its maker has ended.  Also returns kNoObject for a
-  // region that a constructor made while its object was loaded again (Object::early_regions),
-  // because the end of the old object with the same id has removed the maker.
+  // region of Object::early_regions, which a new image has made before the object that it replaces
+  // ends: both have the same id, so this end removes the maker of the region.
   ObjectId MakerOf(uint32_t id) const;
   void SetOwner(uint32_t id, ObjectId owner);
 
@@ -153,9 +153,9 @@ class RegionTable {
     bool is_idle = false;      // true for a copy that nobody reads; its memory is kept for reuse
   };
 
-  // Returns the slot of region `id`.  Finds also a region that AdoptCopy() has made as a copy of a
-  // region of another process and that no observer reads at present (is_idle), because its memory
-  // can be used again.  Returns null if there is no such region.
+  // Returns the slot that has memory for region `id`; null if there is no such slot.  Unlike
+  // Find(), finds also an idle copy (is_idle): a copy of a region of another process that no
+  // observer reads at present.  AdoptCopy() uses the memory of such a copy again.
   Slot* FindMemory(uint32_t id) {
     const uint32_t index = (id & 0xffff) - 1;
     if (index >= slots_.size()) return nullptr;
@@ -183,10 +183,10 @@ class RegionTable {
 
   RegionMemory memory_;
   std::vector<Slot> slots_;
-  // Memory of regions that were copied from another process.  When another region got the slot of
-  // such a copy, the copy was still pinned (being read), so its memory could not be freed.  This
-  // happens only if a subject is replaced while an observer in this process still reads its data.
-  // The memory is freed when the table is destroyed.
+  // Memory of copies of regions of another process that could not be freed: when another region got
+  // the slot of such a copy, an observer still read the copy (it was pinned).  This happens only if
+  // a subject is replaced while an observer in this process still reads its data.  The memory is
+  // freed when the table is destroyed.
   std::vector<char*> pinned_deleted_;
   std::vector<uint32_t> free_;  // indices of the slots that New() may use again
   int live_count_ = 0;          // number of live regions

@@ -41,9 +41,9 @@ OwnedMessage Requests::Await(uint64_t box, int64_t timeout_us, std::string_view 
   // LocalCalls::BeginWait() has posted from the object to itself.
   *timed_out = message->kind == PayloadKind::kHashed && message->sender == self->id;
   if (*timed_out) {
-    // `wake` is the message that ends the wait at the time-out.  If the request was refused
-    // (cpu.h), another message has ended the wait, and `wake` is removed here.  The box stays open,
-    // because after a time-out the reply may still come.
+    // The wait has ended without a reply: at the time-out by the message `wake`, or by another
+    // message because the request was refused (cpu.h).  In the second case `wake` is still queued,
+    // and is removed here.  The box stays open, because the reply may still come after a time-out.
     if (wake != nullptr && wake != message.get())
       system_->queue().TakeIf([wake](const Message& m) { return &m == wake; });
     return message;
@@ -52,9 +52,9 @@ OwnedMessage Requests::Await(uint64_t box, int64_t timeout_us, std::string_view 
   // before.
   if (wake != nullptr) system_->queue().TakeIf([wake](const Message& m) { return &m == wake; });
   self->boxes.open.erase(box);
-  // Removes the reply events that the object has ordered for this reply and that were not posted,
-  // because the reply came while the handler waited for it.  They can never be posted any more, but
-  // would count among the events of the object.
+  // Removes the reply events that the object has ordered for this reply and that were not posted:
+  // the reply has ended the wait of the handler instead.  These events can never be posted any
+  // more, but would count among the events of the object.
   if (self->boxes.with_event.erase(box) > 0) system_->time_events().ForgetBox(self->id, box);
   return message;
 }

@@ -1,7 +1,7 @@
 // OPENR_ROBOT_CALLS: the table of the OPENR:: functions that a robot answers, such as
 // OPENR::GetVolumeSwitch().
 //
-// These classes and lists take the functions, all or most of them, from the table:
+// The following classes and lists get all or most of their functions from this table:
 //   RobotServices        the interface, and the results of a robot without devices
 //   VirtualRobot         the declarations of the functions of the simulated robot
 //   ForwardingServices   passes calls to other RobotServices in the same process
@@ -16,10 +16,9 @@
 // names of the parameters, with which generated functions pass a call on.  `without_devices` is the
 // result of a robot without devices, an expression that may use the parameters.
 //
-// Calls CALL_WITH_MEMORY instead of CALL for a function whose parameters lead to memory of the
-// caller that call_codec.h cannot send: a `void*`, or the id of a region.  So the functions of this
-// name in RemoteServices and CheckedCalls, which send and receive the bytes of that memory, are
-// written by hand.
+// Calls CALL_WITH_MEMORY instead of CALL for a function that gets memory of its caller as a `void*`
+// or as the id of a region.  call_codec.h cannot send this memory.  So RemoteServices and
+// CheckedCalls, which send and receive the bytes of the memory, define the function by hand.
 //
 // The parameter `gains` has the six numbers of a joint's PID control: P, I, D gain, then P, I, D
 // shift.  A gain acts like gain x 2^(shift - 16) (robot.md 8).

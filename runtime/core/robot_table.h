@@ -26,7 +26,8 @@ class RobotTable {
   RobotTable(const RobotTable&) = delete;
   RobotTable& operator=(const RobotTable&) = delete;
 
-  // Does the work of System::AddRobot() for the robot itself.  Returns the robot's index.
+  // Adds a robot to the table and returns the robot's index.  Called by System::AddRobot(), which
+  // also adds a processor for the robot if there is a cost model.
   int Add(const std::string& design, std::shared_ptr<MemoryStick> stick);
   // Returns the robot with this index.  REQUIRES: 0 <= index < count().
   Robot& Get(int index) const { return *robots_.at(static_cast<size_t>(index)); }
@@ -37,10 +38,10 @@ class RobotTable {
   void Connect(Connection connection) { connections_.push_back(std::move(connection)); }
   const std::vector<Connection>& connections() const { return connections_; }
 
-  // Does the work of System::Shutdown(), which only passes the request to System::calls().  In a
-  // worker process, calls() sends the request to the master process.  In the master process,
-  // calls() is LocalCalls, which calls this function.  If the robot is off and waits for its boot
-  // timer, it stays off.
+  // Begins the shutdown of robot number `index` with the reason `why`.  If the robot is off already
+  // and waits for its boot timer, it stays off.  System::Shutdown() only passes the request to
+  // System::calls().  In the master process, calls() is LocalCalls, which calls this function.  In
+  // a worker process, calls() sends the request to the master process.
   void BeginShutdown(int index, const RunEnd& why);
   // Switches the power of the robot off.  System::PowerOff() only passes the request to
   // System::calls(), which calls this function.

@@ -10,7 +10,7 @@ namespace openr_host {
 // the protocol of distribution/, so new values must be added at the end.
 enum class EndKind : uint8_t {
   kTime,          // the virtual time that was asked for is over
-  kIdle,          // no object has sent anything for long enough
+  kIdle,          // --until-idle: no object has sent a message for 1 s (kIdleUs)
   kPause,         // the robot shut down after its pause button was pressed
   kBattery,       // an object shut the robot down while the battery was low
   kPowerOff,      // an object shut the robot down for a reason of its own
@@ -21,7 +21,7 @@ enum class EndKind : uint8_t {
   kLostProcess,   // a process with objects of the run was lost
   kNoBoot,        // the robot did not boot, or --strict refused to start its objects
   kSignal,        // Ctrl-C or SIGTERM came a second time
-  kBranch,        // a user went back in time; a copy of the run goes on from there (openr/rewind)
+  kBranch,        // a user chose a past moment; a copy of the run goes on from it (openr/rewind)
 };
 constexpr int kEndKinds = 13;
 

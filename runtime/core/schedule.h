@@ -2,9 +2,10 @@
 // messages back.
 //
 // Without a schedule the order is the canonical one: objects start in the order of OBJECT.CFG, and
-// messages that are due at the same time are delivered in the order of their numbers.  Among these
-// messages, a schedule cannot change the order of the messages to one receiver, and cannot put a
-// message before another message of a higher priority or an earlier class (MessageClass).
+// messages that are due at the same time are delivered by class (MessageClass), then by priority,
+// then by number.  Schedule::Choose() can change the order of the starts.  It can also change the
+// order of messages that have the same due time, class and priority, but not the order of the
+// messages to one receiver.
 #pragma once
 
 #include <cstddef>

@@ -22,8 +22,9 @@ namespace {
 
 thread_local StackMemory* t_newest = nullptr;
 
-// Two words of 8 bytes that every x86-64 processor can read or combine in one instruction.  With
-// them IsZero(), which tests whether bytes are all zero, is fast.
+// Two words of 8 bytes.  Every x86-64 processor reads a TwoWords in one instruction, and computes
+// `|` of two TwoWords in one instruction.  So IsZero(), which tests whether bytes are all zero, is
+// fast.
 using TwoWords = uint64_t __attribute__((vector_size(16)));
 
 // The number of bytes that IsZero() tests together for zeros.  One test of many words is faster
@@ -117,8 +118,8 @@ std::vector<std::pair<const char*, size_t>> StackMemory::All() {
   for (const StackMemory* each = t_newest; each != nullptr; each = each->older_) {
     all.emplace_back(each->bottom_, kBytes);
     const char* const imports = each->mapping_ + kGuardBytes;
-    // A stack at a planned address has a second stack below it, for the functions that an image
-    // imports.  Adds the second stack to the result (`all`), too.
+    // True if the stack is at a planned address.  Such a stack has a second stack below it, for the
+    // functions that an image imports.  Adds the second stack to the result (`all`), too.
     if (imports < each->bottom_)
       all.emplace_back(imports, static_cast<size_t>(each->bottom_ - kGuardBytes - imports));
   }

@@ -6,9 +6,10 @@
 //
 //     guard page | 752 KiB for imported functions | guard page | 256 KiB for the image | 4 KiB
 //
-// The last 4 KiB, above the image's stack, are only read.  A call of an imported function copies a
-// fixed number of bytes of arguments from the image's stack, even if there are fewer.  Near the top
-// of the stack this copy reads beyond the stack, into these 4 KiB.
+// The last 4 KiB, above the image's stack, are only read.  A call of an imported function copies
+// its arguments from the image's stack.  The size of the arguments is not known, so a fixed number
+// of bytes is copied.  Near the top of the stack, the copy therefore reads bytes beyond the stack,
+// which lie in these 4 KiB.
 #pragma once
 
 #include <cstddef>
@@ -54,11 +55,11 @@ class StackMemory {
     return address >= mapping_ && address < mapping_ + mapped_bytes_;
   }
 
-  // Returns how many bytes of this stack were written to, counted from its top.  The search for
-  // them goes from the top down and ends after `gap_bytes` of zeros.  So the function misses
-  // written bytes below an array of `gap_bytes` bytes that was not written.  Returns 0 with
-  // AddressSanitizer and under Valgrind, which do not allow these reads.  REQUIRES: the caller runs
-  // on another stack.
+  // Returns the distance in bytes from the top of this stack to the lowest byte that was written
+  // to, that is, to the lowest byte that is not 0.  The search goes from the top down and stops
+  // after `gap_bytes` of zeros.  So it does not find written bytes below an array of `gap_bytes`
+  // bytes that was not written.  Returns 0 with AddressSanitizer and under Valgrind, which do not
+  // allow these reads.  REQUIRES: the caller runs on another stack.
   size_t UsedBytes(size_t gap_bytes) const;
 
   // Sets to zero the bytes of this stack that UsedBytes(gap_bytes) counts, and returns their

@@ -15,10 +15,10 @@ double Seconds(int64_t us) { return static_cast<double>(us) * 1e-6; }
 constexpr char kReadyAdvice[] =
     "an observer gets nothing until it asserts ready, again after every notification";
 
-// Adds to `stalls` the wait for a ready on the connection `link` of `subject`, if the observer is
-// not ready.  Adds nothing for an observer that has deasserted ready (link.ready < 0), because such
-// an observer does not want data.  Adds nothing for an observer that is ready either.  Such an
-// observer lets data wait on purpose if it has asked for several notifications in one message
+// Adds to `stalls` the wait for a ready on the connection `link` of `subject`.  Adds nothing if the
+// observer has deasserted ready (link.ready < 0), because the observer does not want data then.
+// Adds nothing if the observer is ready (link.ready > 0).  Data that wait for a ready observer may
+// wait on purpose, because the observer can ask for several notifications in one message
 // (ObserverLink::min).
 void FindInLink(const Object& object, const SubjectState& subject, const ObserverLink& link,
                 int64_t now_us, std::vector<Stall>* stalls) {

@@ -48,11 +48,11 @@ void SubjectState::DropOldestUnit(ObserverLink* link) {
 namespace {
 
 // Reports data that newer data replaced before the observer was ready.  The robot prints nothing
-// about such a loss, so a user would not notice it.  No finding is added if one of the two objects
-// is a system service.  If the sender is a system service, replacing is intended: a slow program
-// sees the newest sensor values.  If the observer is a system service, replacing is common:
-// programs that work send command vectors and sounds without asking whether the robot is ready
-// (docs/body.md).  In both cases Object::dropped_count still counts the loss.
+// about such a loss, so a user would not notice it.  Reports nothing if the subject belongs to a
+// system object, because replacing is intended there: a slow program sees the newest sensor values.
+// Reports nothing if the observer belongs to a system object, because programs that work often send
+// command vectors and sounds without asking whether the robot is ready (docs/body.md).
+// Object::dropped_count counts every loss, also a loss that is not reported.
 void ReportReplaced(const SubjectState& subject, const ObserverLink& link) {
   if (subject.object->is_system) return;
   const Object* const observer = subject.system->object(ObjectIdOf(link.observer.GetOID()));
@@ -127,9 +127,9 @@ OStatus SubjectState::Notify(ObserverLink* link) {
   }
   link->skipped = 0;
   if (link->ready < 0) ReportDeasserted(*this, link);
-  // True if the observer is ready, no older notification is pending, and the observer wants to get
-  // each notification at once: `min`, the number of notifications for which it waits, is at most 1.
-  // Then these data are sent at once and never become pending.
+  // True if these data can be sent at once and need not become pending: the observer is ready, no
+  // older notification is pending, and the observer does not wait for several notifications in one
+  // message (`min` is at most 1).
   const bool is_awaited = link->ready > 0 && link->units.empty() && link->min <= 1;
   if (is_awaited && Send(link, link->fresh.begin(), link->fresh.size(), 1)) [[likely]] {
     link->fresh.Clear();
@@ -151,9 +151,9 @@ OStatus SubjectState::Notify(ObserverLink* link) {
 }
 
 void SubjectState::SendPending(ObserverLink* link) {
-  // Counts the notifications (units) that go into this message: the oldest, as many as fit
-  // completely.  A notification that does not fit completely waits for the next message, because
-  // its regions must stay together.
+  // Counts the notifications (units) that go into this message, from the oldest on.  All regions of
+  // a notification must stay together.  So the first notification that does not fit completely, and
+  // all later notifications, wait for the next message.
   size_t unit_count = 0;
   int data_count = 0;
   while (unit_count < link->units.size() &&

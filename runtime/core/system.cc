@@ -148,9 +148,8 @@ bool System::RunUntil(const std::function<bool()>& predicate, int64_t budget_us)
   return predicate();
 }
 
-// Posts `message`, a notification or a ready, with the slower SystemCalls::Post().  Called for
-// messages that MessagePoster::PostAtOnce() does not queue, because they may have to be refused or
-// delayed.
+// Posts `message`, a notification or a ready, with SystemCalls::Post(), which can refuse or delay
+// the message.  Called if the faster MessagePoster::PostAtOnce() has not queued the message.
 [[gnu::noinline]] int32_t System::PostByCalls(Message* message) {
   return calls_->Post(OwnedMessage(message), 0);
 }

@@ -153,8 +153,9 @@ class System {
     return calls_->Post(std::move(message), delay_us);
   }
   // Posts a notification or a ready as Post() does, but does not search the message for addresses
-  // of the host (HostAddresses::Check()).  This function is inline, because most messages of a run
-  // are of these two kinds.
+  // of the host (HostAddresses::Check()): SubjectState::Send() has already searched a notification,
+  // and a program cannot put bytes into a ready.  This function is inline, because most messages of
+  // a run are of these two kinds.
   [[gnu::always_inline]] int32_t PostAtOnce(OwnedMessage message) {
     Message* const posted = message.release();
     Object* const target = object(posted->target);
@@ -240,9 +241,9 @@ class System {
   int32_t PostByCalls(Message* message);
 
   SystemOptions options_;
-  // True if `calls_` is LocalCalls, that is, if the calls of handlers work on the tables of this
-  // System and not on those of another process.  The functions that run for every notification then
-  // do this work themselves, which saves a virtual call.
+  // True if `calls_` is LocalCalls.  Then the calls of handlers work on the tables of this System,
+  // and not on the tables of another process.  Functions that run for every notification, such as
+  // PinRegion(), then use these tables directly, which saves a virtual call.
   const bool calls_are_local_;
   const std::unique_ptr<SystemCalls> calls_;
 

@@ -132,8 +132,8 @@ std::string ReadSend(System* system, int robot, std::string_view rest, Inputs::A
   SentDatum datum;
   datum.robot = robot;
   std::string problem = ReadSentDatum(rest, &datum);
-  // Before the boot, the names of subject and observer cannot be checked, because objects register
-  // their services during the boot.
+  // Checks the names of subject and observer only after the boot, because objects register their
+  // services during the boot.
   ServiceEnd subject, observer;
   if (problem.empty() && system->booted()) problem = FindEnds(*system, datum, &subject, &observer);
   *action = [system, datum] { Send(system, datum); };

@@ -19,10 +19,10 @@ struct SystemOptions {
   // schedule (schedule.h); with any other seed, the order is drawn from the orders that the robot
   // allows.
   uint64_t seed = 1;
-  // If true, mistakes of programs that stop a real robot stop the robot here too.  If false, they
-  // only become findings, which are lines in the report of the run.  If true, objects also receive
-  // read-only copies of data (guard_pages.h), because on a real robot writing to received data is
-  // such a mistake.
+  // If true, a mistake of a program that would stop a real robot also stops the robot of this run.
+  // If false, such a mistake only becomes a finding, a line in the report of the run.  If true,
+  // objects also receive read-only copies of data (guard_pages.h), because writing to received data
+  // is such a mistake.
   bool strict = false;
   // A function that receives what objects print.  If it is null, they print to standard output.
   std::function<void(std::string_view text)> console = {};

@@ -1,6 +1,7 @@
 // Tells ThreadSanitizer about switches between fibers.  This file itself is compiled without
-// ThreadSanitizer.  Otherwise the compiler would insert notes of the call and of the return of
-// Enter(), and these would go to two different fibers, because Enter() switches fibers in between.
+// ThreadSanitizer.  Otherwise the compiler would add code to Enter() that records the call and the
+// return of Enter().  Because Enter() switches fibers, ThreadSanitizer would record the call for
+// one fiber and the return for another.
 #include "runtime/core/watched_fiber.h"
 
 #if defined(__SANITIZE_THREAD__)
@@ -20,13 +21,13 @@ namespace openr_host {
 namespace {
 
 int g_fibers = 0;  // number of WatchedFibers that have a fiber of their own
-// True if this process is a copy, made by fork(), of a process that had fibers.  In the copy,
-// ThreadSanitizer takes the fibers for threads that fork() did not copy, and from then on ignores
-// the fiber that has called fork().  So it also ignores the switches between this fiber and the
-// others, although these switches put the accesses of the others in order.  ThreadSanitizer would
-// then report races between other fibers that do not exist.  Therefore Enter() makes
-// ThreadSanitizer ignore all other fibers too.  No race is missed, because such a copy has only one
-// thread.
+// True if this process is a copy, made by fork(), of a process that had fibers.  ThreadSanitizer
+// takes the fibers for threads, which fork() does not copy.  So in the copy ThreadSanitizer ignores
+// the fiber that has called fork(), and also ignores the switches from this fiber to the other
+// fibers.  These switches put the memory accesses of the other fibers in order.  Without them,
+// ThreadSanitizer would report races between the other fibers that do not exist.  Therefore Enter()
+// makes ThreadSanitizer ignore all other fibers too.  No race is missed, because such a copy has
+// only one thread.
 bool g_is_copy = false;
 
 void NoteCopy() { g_is_copy = g_is_copy || g_fibers > 0; }

@@ -1,9 +1,9 @@
 // WatchedFiber: announces a fiber (a stack on which handlers run, fiber.h) to ThreadSanitizer.
 //
-// ThreadSanitizer keeps for each thread a list of the calls that have not returned yet.  Code that
-// moves to another stack needs another list, because otherwise the returns on the second stack
-// would end calls of the first.  ThreadSanitizer keeps such a list, together with what it knows of
-// the memory accesses, in an object that it also calls a fiber.
+// ThreadSanitizer keeps a list of the calls that have not returned yet.  Each stack needs a list of
+// its own, because in a common list a return on one stack would end a call on another stack.
+// ThreadSanitizer has an object for each stack, with this list and with what it knows of the memory
+// accesses.  ThreadSanitizer calls this object a fiber, too.
 //
 // In a build without ThreadSanitizer the class has no members, and its functions do nothing.
 #pragma once
@@ -23,8 +23,8 @@ class WatchedFiber {
   // with the calls on this stack that never returned.  REQUIRES: the stack is not running.
   void Begin();
 
-  // Stores in fiber_, before the running stack is left, the list of calls that ThreadSanitizer
-  // keeps for this stack (ThreadSanitizer calls the list a fiber).
+  // Called before the running stack is left.  Stores in fiber_ the object of ThreadSanitizer that
+  // has the list of calls of this stack (ThreadSanitizer calls the object a fiber).
   void Leave();
 
   // Tells ThreadSanitizer that this stack runs from now on.  The caller must change the stack

@@ -8,9 +8,10 @@
 
 namespace openr_host {
 
-// Adds a warning that bytes which the current object has written to `file` are not in the file,
-// once for each file.  `error` is the errno of the write that failed; 0 if it is not known.  Keeps
-// errno, because the object reads it.
+// Adds a warning that `file` does not contain all bytes which the current object has written to it.
+// Adds only one warning for each file.  `error` is the errno of the write that failed, or 0 if the
+// errno is not known; then the warning is added only if the disk is full.  Keeps errno, because the
+// object reads it.
 void ReportWriteError(OpenFiles::File* file, int error);
 
 // Writes the bytes that `stream` still holds to its `file`.  Reports, as ReportWriteError() does,

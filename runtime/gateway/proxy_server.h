@@ -3,7 +3,7 @@
 //
 // The program asks for a system object by name and then calls this object; the answers come from
 // system_messages.h.  Objects of the stick cannot be called, because their messages contain
-// addresses of memory.
+// addresses of memory, which mean nothing on another computer.
 #pragma once
 
 #include "runtime/gateway/gateway_channel.h"

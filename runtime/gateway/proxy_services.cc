@@ -17,9 +17,10 @@ namespace {
 
 constexpr size_t kGainsBytes = 6 * sizeof(word);
 
-// Returns whether `object` can wait for an answer from the network.  An object in this process can,
-// because its handler can be suspended.  An object in a worker process (--place, --isolate) cannot,
-// because this process waits for the worker meanwhile and cannot receive the answer.
+// Returns whether `object` can wait for an answer from the network.  An object whose code runs in
+// this process can wait, because its handler can be suspended.  An object whose code runs in a
+// worker process (--place, --isolate) cannot: while its handler runs, this process waits for the
+// worker and cannot receive an answer from the network.
 bool CanWait(const Object* object) {
   return object != nullptr && object->handler.running != nullptr &&
          (dynamic_cast<const CodeHost*>(object) != nullptr ||

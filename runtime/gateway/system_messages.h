@@ -3,10 +3,10 @@
 //
 // Only messages with a known layout are supported: the messages of OVirtualRobot about primitives,
 // gains, joint and sensor values and sync keys, the message of ODesignedRobot for the robot design,
-// and two messages of OPowerManager.  The layouts of the two messages of OPowerManager are
-// inferred: the layout of SetMotorPower from the size of its message, the layout of GetPowerStatus
-// from OPowerStatusMessage, which has the same size.  Other messages of OPowerManager are not
-// supported, because only their sizes are known.
+// and two messages of OPowerManager.  The layouts of these two messages are inferred.  The message
+// of SetMotorPower has only two words, so the argument must be the word after the type.  The answer
+// to GetPowerStatus is as large as an OPowerStatusMessage, so we assume the same layout.  Other
+// messages of OPowerManager are not supported, because only their sizes are known.
 #pragma once
 
 #include <cstddef>

@@ -36,16 +36,16 @@ using openr_host::t_current;
 namespace {
 
 // Makes the host write a file or folder to the disk now, so that a power cut does not lose it.
-// Used by rename(), unlink(), rmdir() and remove(), because a program may replace a file by a new
-// file, or remove a file, and then report success.  So the new file must not be lost, and the
-// removed file must not come back.  Returns EIO or ENOSPC if the disk could not store the bytes,
+// Used by rename(), unlink(), rmdir() and remove().  A program may call one of these functions to
+// replace or remove a file, and then report success.  So a power cut must not lose the new file or
+// bring back the removed file.  Returns EIO or ENOSPC if the disk could not store the bytes,
 // otherwise 0.  Ignores other errors, because some file systems cannot write a single file to the
 // disk.  Keeps errno.
 //
-// A copy of the default stick, which is removed at the end of its run, does not need the bytes on
-// the disk.  Its files are written to the disk as well, because otherwise a full disk would not be
-// noticed.  This costs little: a program that searches for a good walk, and uploads two motions for
-// each try, spends 4 % of its time here.
+// The files of a copy of the default stick are written to the disk too.  The copy is removed at the
+// end of its run, but without this write a full disk would not be noticed.  This costs little: a
+// program that searches for a good walk, and uploads two motions for each try, spends 4 % of its
+// time here.
 int WriteThrough(const std::string& host_path) {
   const ApiScope scope;  // so that open() uses `host_path` as a path of the host
   const int error = errno;
@@ -310,15 +310,16 @@ FILE* freopen(const char* path, const char* mode, FILE* file) {
   }
   const std::string host = HostPath(path, UseOf(mode));
   const bool writes = OpensForWriting(mode);
-  // Writes the last bytes of `file`, the stream that freopen() opens anew, to its old file first,
-  // because freopen() writes them when it closes the old file and does not report an error.
+  // Writes the bytes that the stream `file` still holds to the old file of the stream, before
+  // freopen() closes that file.  freopen() would also write these bytes, but would not report an
+  // error.
   if (t_current.object->files.streams.contains(file)) static_cast<void>(fflush(file));
   ForgetStream(file);
   const bool may_open = !host.empty() && MayOpen(host, writes, path);
   const ApiScope scope;
   if (may_open) return Remember(next(host.c_str(), mode, file), host, writes, path);
   const int error = errno;
-  fclose(file);  // freopen() of the C library also closes the old file when it fails
+  fclose(file);  // closes the old file, as freopen() of the C library does when it fails
   errno = error;
   return nullptr;
 }

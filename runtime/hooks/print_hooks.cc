@@ -1,9 +1,9 @@
-// Wraps printf(), sscanf() and the like, so that the stack that the C library uses in them is not
-// counted as stack of the object that calls them, and so that a NaN that an object prints is
-// reported.
+// Wraps printf(), sscanf() and the like for two reasons: the stack that the C library uses in these
+// functions must not count as stack of the object that calls them, and a NaN that an object prints
+// is reported.
 //
-// These functions need the most stack of all functions that objects call often: up to 2 KiB on this
-// host.  But the .ocf file of an object may allow a stack of only 3 KiB.
+// On this host these functions need up to 2 KiB of stack, more than all other functions that
+// objects call often.  But the .ocf file of an object may allow a stack of only 3 KiB.
 //
 // Sanitizers define these functions themselves, so nothing is defined here in their builds.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)

@@ -55,9 +55,10 @@ void Return(void* msg = 0, size_t size = 0);
 void Exit();
 void ExitFromPrologue();
 
-// Request messages for later: SetTimeEvent() at a certain time and again after each period,
-// SetReplyEvent() when the reply to `rbox` can be received without waiting.  Unless `event` is 0,
-// `*event` becomes the id for CancelEvent().
+// Request messages for later.  SetTimeEvent() requests a message at a certain time, and again after
+// each period.  SetReplyEvent() requests a message when the reply has arrived in the box `rbox`, so
+// that Receive() can return at once.  Unless `event` is 0, `*event` becomes the id for
+// CancelEvent().
 sError SetTimeEvent(TimeEventInfo* info, OID oid, Selector selector, void* msg, size_t size,
                     EventID* event);
 sError SetReplyEvent(RID rbox, OID oid, Selector selector, void* msg, size_t size, EventID* event);
@@ -68,8 +69,9 @@ sError NewRegion(size_t size, void** base);
 sError DeleteRegion(void* base);
 
 // Functions for memory that can be shared with other objects.  Another object needs the owner's
-// permission to use the memory; without it the call fails with error 44
-// (sPERMISSIONDENIEDSHAREDMEM).  Sizes are in bytes; a region cannot grow beyond its first size.
+// permission to use the memory.  Without the permission, calls of the other object for this memory
+// fail with error 44 (sPERMISSIONDENIEDSHAREDMEM).  Sizes are in bytes; a region cannot grow beyond
+// its first size.
 sError NewSharedMemoryRegion(size_t size, MemoryProtectionInfo info, MemoryRegionID* id,
                              void** base);
 sError DeleteSharedMemoryRegion(MemoryRegionID id);

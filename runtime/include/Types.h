@@ -56,7 +56,8 @@ typedef byte* VirtualAddress;
 typedef void* PhysicalAddress;
 
 // The id and the access rights of shared memory (NewSharedMemoryRegion() and similar functions).
-// The id is as wide as a longword, because programs cast a MemoryRegionID* to ODesignDataID*.
+// Programs cast a MemoryRegionID* to ODesignDataID*, which points to a longword.  So the id must be
+// as wide as a longword.
 typedef unsigned int MemoryRegionID;
 typedef MemoryRegionID SharedMemoryRegionID;
 

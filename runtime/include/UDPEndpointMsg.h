@@ -142,7 +142,7 @@ struct UDPEndpointSetBlockingModeMsg : public UDPEndpointBaseMsg {
 };
 
 struct UDPEndpointReadyForReadMsg : public UDPEndpointBaseMsg {
-  boolean ready;  // set in the answer
+  boolean ready;  // set in the answer of the network stack to this message
 
   UDPEndpointReadyForReadMsg()
       : UDPEndpointBaseMsg(UDPEndpoint_Operation_ReadyForRead), ready(FALSE) {}
@@ -151,7 +151,7 @@ struct UDPEndpointReadyForReadMsg : public UDPEndpointBaseMsg {
 };
 
 struct UDPEndpointReadyForWriteMsg : public UDPEndpointBaseMsg {
-  boolean ready;  // set in the answer
+  boolean ready;  // set in the answer of the network stack to this message
 
   UDPEndpointReadyForWriteMsg()
       : UDPEndpointBaseMsg(UDPEndpoint_Operation_ReadyForWrite), ready(FALSE) {}

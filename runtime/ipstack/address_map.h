@@ -25,8 +25,8 @@ class AddressMap {
   uint32_t ToHost(uint32_t address) const;
 
   // Returns the host's address for `peer`, the address to which a program talks, and remembers
-  // `peer` for FromHost().  If several addresses that programs use stand for one address of the
-  // host, FromHost() tells them apart by the port.
+  // `peer` for FromHost().  Several addresses that programs use may become the same address of the
+  // host.  FromHost() then uses the port of the peer to find the address that the program has used.
   NetAddress ToHost(NetAddress peer);
 
   // Returns the address under which programs know the peer `host`.  This is the address that a

@@ -29,9 +29,9 @@ std::conditional_t<std::is_const_v<M>, const T, T>& As(M& m) {
   return static_cast<std::conditional_t<std::is_const_v<M>, const T, T>&>(m);
 }
 
-// Finds the type of the TCP message `m` by its operation and calls visit(m, name), with `m` cast to
-// this type and the name of the message for texts that users read.  The other Visit functions do
-// the same for other protocols.
+// Calls visit(m, name) for the TCP message `m`.  The operation of the message decides to which type
+// `m` is cast for this call.  `name` is the name of the message for texts that users read.  The
+// other Visit functions do the same for other protocols.
 template <typename M, typename V>
 void VisitTcp(M& m, V&& visit) {
   switch (m.dstOperation) {

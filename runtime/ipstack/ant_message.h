@@ -1,9 +1,9 @@
 // Properties of messages to the network stack: size, name, and the fields that are hashed.
 //
-// On the robot, the reference of an endpoint contains a pointer.  On the host it contains the
-// number of the endpoint's protocol instead (MakeModuleRef).  So the type of a message is known
-// even if the endpoint is closed already.  The reference also contains no memory address, which
-// would differ between runs.
+// On the robot, a reference to an endpoint contains a pointer.  On the host, the reference contains
+// the number of the protocol instead of the pointer (MakeModuleRef).  So the type of a message is
+// known even if its endpoint is closed already.  Also, references do not differ between runs,
+// because they contain no memory address.
 #pragma once
 
 #include <TCPEndpointMsg.h>

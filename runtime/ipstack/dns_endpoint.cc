@@ -92,8 +92,8 @@ DNSEndpointError DnsEndpoint::GetAddress(DNSEndpointGetAddressMsg* message) cons
   return DNS_SUCCESS;
 }
 
-// Finds an alias of the host that the last query has found, by the index of the alias.  Alias 0 is
-// the official name, so the largest index is the number of HostInfo::aliases.
+// Finds an alias, by its index, of the host that the last query has found.  Alias 0 is the official
+// name of the host; alias i is HostInfo::aliases[i - 1].
 DNSEndpointError DnsEndpoint::GetAlias(DNSEndpointGetAliasMsg* message) const {
   const auto index = static_cast<size_t>(message->index);
   const size_t count = host_.addresses.empty() ? 0 : 1 + host_.aliases.size();

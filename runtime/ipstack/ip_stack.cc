@@ -172,9 +172,9 @@ void IpStack::HandleStackMessage(Operation* operation) {
         return Answer(operation, sender != nullptr && sender->is_system
                                      ? parameters_.Set(operation->As<antEnvInitSetParamMsg>())
                                      : ANT_FAIL);
-      // Answers with success to every object and does nothing, because the network stack runs since
-      // the boot and no document says whether the robot refuses a program (docs/openr/network.md,
-      // 3.3).
+      // Does nothing, because the network stack runs since the boot.  Answers every object with
+      // success, because no document says that the robot refuses this request of a program
+      // (docs/openr/network.md, 3.3).
       case antEnv_Operation_InitStart:
         return Answer(operation, ANT_SUCCESS);
       default:
@@ -296,9 +296,9 @@ void IpStack::KeepPolling() {
   bool needed = false;
   for (const auto& [index, endpoint] : endpoints_) needed = needed || endpoint->WaitsForNetwork();
   if (!needed) return;
-  // Subtracts crowding_delay_us(), which Post() adds to the delay, because the Poll message must be
-  // due exactly at the beginning of the frame.  crowding_delay_us() is 1 us while very many
-  // messages are delivered at one instant, so that time goes on; otherwise it is 0.
+  // Post() adds crowding_delay_us() to the delay: 1 us while very many messages are delivered at
+  // one instant, so that time goes on, otherwise 0.  This function subtracts the same time, because
+  // the Poll message must be due exactly at the beginning of the frame.
   const int64_t now_us = system().now_us();
   const int64_t delay_us = kFrameUs - now_us % kFrameUs - system().poster().crowding_delay_us();
   system().Post(system().NewMessage(host().id, poll_entry_), delay_us);

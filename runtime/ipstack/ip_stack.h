@@ -1,17 +1,18 @@
 // IPStack, the object through which programs use TCP, UDP and DNS.
 //
 // The name of the object is "IPStack".  Programs send messages of TCPEndpointMsg.h and similar
-// headers to it with Call() and Send() of antEnvMsg.  The messages name the selectors 0 to 2, but
-// on the host the selectors 0 to 3 belong to DoInit to DoDestroy.  So Call() and Send() post the
-// messages to further entries of IPStack (EntryFor).
+// headers to IPStack with Call() and Send() of antEnvMsg.  Each message contains a selector of
+// IPStack from 0 to 2.  On the host the selectors 0 to 3 belong to DoInit to DoDestroy.  So Call()
+// and Send() post the message to a further entry of IPStack (EntryFor).
 //
 // Time: operations that concern only the stack (creating, binding, a send that fits into the pool
 // of its endpoint) are answered at the instant of the request.  Input from outside enters only at
 // multiples of kFrameUs of virtual time.  While an operation waits for the network, the stack posts
-// itself a Poll message for the next multiple of kFrameUs.  When it handles this message, it passes
-// all events of Network::Poll() to the endpoints, then answers in the order of endpoint and
-// operation.  If nothing waits, there are no Poll messages.  PollNetwork() is the only caller of
-// Network::Poll(), so it is the place to record and to replay input from outside.
+// itself a Poll message for the next multiple of kFrameUs.  The handler of the Poll message passes
+// all events of Network::Poll() to the endpoints.  Then the stack answers the operations in the
+// order of endpoint and operation.  If no operation waits, there are no Poll messages.
+// PollNetwork() is the only caller of Network::Poll(), so PollNetwork() is the place to record and
+// to replay input from outside.
 #pragma once
 
 #include <cstdint>
@@ -126,8 +127,8 @@ class IpStack : public CodeObject {
   // Adds a note about `operation` to the findings of its sender.
   void Note(const Operation& operation, const std::string& text);
 
-  // Adds a finding if the program has changed the buffer of a Send before the bytes were sent: if
-  // the bytes at `data`, which are sent now, differ from the bytes at the time of the request.
+  // Adds a finding if the program has changed the buffer of a Send after its request.  Compares the
+  // bytes at `data`, which are sent now, with the hash of the bytes at the time of the request.
   void WarnIfChanged(const Operation& operation, const void* data, size_t size);
 
   // The addresses of the DNS servers, which programs can set; common to all objects of the robot.

@@ -56,7 +56,7 @@ void LoopbackNetwork::Listen(NetHandle handle, uint16_t port) {
 
 void LoopbackNetwork::Accept(NetHandle listener, NetHandle handle) {
   const auto found = listeners_.find(listener);
-  if (found == listeners_.end()) return;  // an event has reported that the listener failed
+  if (found == listeners_.end()) return;  // Listen() has failed and has added an event kFailed
   found->second.accepts.push_back(handle);
 }
 
@@ -125,8 +125,9 @@ void LoopbackNetwork::Close(NetHandle handle) {
   const auto found = connections_.find(handle);
   if (found == connections_.end()) return;
   found->second.closing = true;
-  // Discards the bytes now and not in the next Poll(), because a client of a test may never call
-  // Poll() again.  A robot whose bytes fill the window would then wait for ever.
+  // Discards the peer's bytes from now on.  The next Poll() would be too late, because a client of
+  // a test may never call Poll() again; the bytes of the robot would then fill the window, and the
+  // robot would wait for ever.
   found->second.in().discards = true;
   found->second.in().bytes.clear();
   Push(handle, &found->second);

@@ -70,8 +70,8 @@ class LoopbackNetwork : public Network {
   uint16_t HostPort(NetProtocol, uint16_t port) const override { return port; }
 
  private:
-  // Direction of a connection between two LoopbackNetworks, with the bytes that one of them has
-  // sent and the other one has not read yet.
+  // Direction of a connection between two LoopbackNetworks, with the bytes that the writer has
+  // sent and the reader has not read yet.
   struct Pipe {
     std::string bytes;
     bool ended = false;  // whether the writer has ended the stream
@@ -85,7 +85,7 @@ class LoopbackNetwork : public Network {
   };
   struct Connection {
     std::shared_ptr<Link> link;
-    int side = 0;     // this end reads link->to[side]
+    int side = 0;     // index in link->to of the pipe that this end reads
     std::string out;  // bytes to send that are not in the pipe yet
     size_t want = 0;  // largest number of bytes that the pending Receive() takes
     bool closing = false;

@@ -153,9 +153,9 @@ void UdpEndpoint::Send(const Operation& operation) {
   send_ = accepted;
 }
 
-// Adds a note if the program has sent this Send in the same handler as the last Send, that is,
-// before the answer to the last Send.  This stack finishes a Send at once, but the robot's stack
-// takes only one Send at a time (network.md, 5).
+// Adds a note if the program has sent this Send in the same handler as the last Send, and so before
+// the answer to the last Send.  This stack executes both, but the robot's stack executes only one
+// Send at a time, so this Send may fail on the robot (network.md, 5).
 void UdpEndpoint::NoteSecondSend(const Operation& operation) {
   const uint64_t cause = operation.ticket.box == 0 ? operation.cause : 0;
   if (cause != 0 && cause == last_send_cause_) {

@@ -66,8 +66,9 @@ class UdpEndpoint : public Endpoint {
 
   std::optional<Operation> send_;
   // The number of the message in whose handler the program has last sent a datagram through this
-  // endpoint with antEnvMsg::Send().  0 if the program used antEnvMsg::Call(): a program that waits
-  // for the answer cannot send a second datagram too early, so NoteSecondSend() ignores this case.
+  // endpoint with antEnvMsg::Send().  0 if the last datagram was sent with antEnvMsg::Call(), which
+  // waits for the answer.  The next datagram then cannot come too early, so NoteSecondSend() adds
+  // no note.
   uint64_t last_send_cause_ = 0;
   std::optional<Operation> receive_;
 };

@@ -86,9 +86,10 @@ namespace {
 
 // Asks the subject at `entry` to add or remove this observer, as `control` says, and waits for the
 // reply.  Returns the reply, or nullopt if the process of the subject was lost before the subject
-// has answered: the runtime then answers with an empty message.  If the subject is in the same
-// object, calls the subject's entry directly and sends no message.  The object would not handle a
-// message before this handler has ended, so this handler would wait for the reply for ever.
+// has answered: the runtime then answers with an empty message.  If the subject belongs to the same
+// object as the observer, calls the entry of the subject directly and sends no message.  The object
+// would handle a message only after this handler has ended, but this handler would wait for the
+// reply for ever.
 std::optional<OControlReplyMessage> AskSubject(ObserverState* state, const OServiceEntry& entry,
                                                OControlMessage* control) {
   System* const system = state->system;
@@ -109,8 +110,9 @@ std::optional<OControlReplyMessage> AskSubject(ObserverState* state, const OServ
                          : objcommCMD_REMOVEOBSERVER_SELF;
   SelfReply self{&reply, sizeof reply, entry.GetSelector()};
   state->object->self_reply = &self;
-  // Ends the direct call in a destructor, because the program's function for Control may throw an
-  // exception.  Otherwise later replies of the object would go to `self`, which no longer exists.
+  // A destructor ends the direct call, so that the call also ends if the program's function for
+  // Control throws an exception.  Otherwise the object would write later replies to `self`, which
+  // no longer exists then.
   struct CallEnd {
     openr_host::Object* object;
     ~CallEnd() {
@@ -151,8 +153,8 @@ OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
     const auto reply = is_lost ? std::nullopt : AskSubject(state_, msg.entry, &control);
     answer.status = reply ? reply->status : oFAIL;
     if (!reply) {
-      // Records the missing subject without printing that the connection has failed, because the
-      // runtime itself reports the loss of the process in which the subject was.
+      // Records a missing subject: the process of the subject is lost, so no reply has come.  Prints
+      // nothing, because the runtime itself reports the lost process.
       if (connect) state_->MissSubject(msg.subName);
     } else if (reply->status != oSUCCESS) {
       state_->system->Print(fmt::format(
@@ -169,9 +171,9 @@ OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
 
 namespace {
 
-// Adds an error finding if the data of `notify` have changed since the subject sent them: if their
-// hash differs from the hash that was stored at that time.  In this case the subject has written
-// into a region after NotifyObservers().  Called only with SystemOptions::guard_regions.
+// Adds an error finding if the subject has written into a region of `notify` after
+// NotifyObservers().  The hash of the data then differs from the hash that was stored when the
+// subject sent the data.  Called only with SystemOptions::guard_regions.
 void CheckUnchanged(ObserverState* state, const ONotifyMessage& notify) {
   const Message* const message = state->object->handler.running.get();
   uint32_t size = 0;
@@ -193,10 +195,10 @@ void CheckUnchanged(ObserverState* state, const ONotifyMessage& notify) {
   // notification as addresses.
   if (!IsRunningMessage(*state->object, PayloadKind::kNotify)) return oUNKNOWN_COMMAND;
   if (state->system->options().guard_regions) CheckUnchanged(state, msg);
-  // Starts the count of readies anew.  The count shows how often the observer asserts ready without
-  // getting a notification; a large count is probably a mistake in the program.  A notification of
-  // any subject resets the count for all subjects, because AssertReady() without argument asserts
-  // to all of them.
+  // Sets the counts of repeated readies to 0.  A count shows how often the observer has asserted
+  // ready to one subject without getting a notification; a large count is probably a mistake in the
+  // program.  A notification from one subject resets the counts for all subjects, because
+  // AssertReady() without argument asserts ready to all subjects.
   for (ObserverState::Held& each : state->held) each.asserted = 0;
   // Records from which subject the regions of this notification came, because the next ready to
   // that subject gives them back.

@@ -46,8 +46,8 @@ OStatus WithCopyOf(const void* bytes, size_t size, Set set) {
     status = set(region);
   }
   // Gives back the reference that the constructor of RCRegion took.  By now each ObserverLink (the
-  // subject's record of one observer) that got the data holds a reference of its own, so the region
-  // lives until the last observer has given it back.
+  // subject's record of one observer) that got the data holds a reference of its own.  So the
+  // region lives until the last observer has given the region back.
   region->RemoveReference();
   return status;
 }
@@ -341,9 +341,9 @@ int OSubject::IsAnyReady() const {
 
 int OSubject::IsAllReady() const {
   for (const ObserverLink& link : state_->links) {
-    // The value 0 means that the observer has not asserted ready since the last notification.  An
-    // observer that has deasserted ready (-1) wants no data, so the subject need not wait for it
-    // (core.md 2.2).
+    // link.ready is 0 if the observer has not asserted ready since the last notification; then not
+    // all observers are ready.  link.ready is -1 if the observer has deasserted ready: such an
+    // observer wants no data and does not count (core.md 2.2).
     if (link.ready == 0) return 0;
   }
   return IsAnyReady();

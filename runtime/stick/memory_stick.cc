@@ -122,7 +122,7 @@ void MemoryStick::HashFile(std::string_view name, std::string_view otherwise, Ha
   if (location.error == 0 && std::filesystem::is_regular_file(location.path, error))
     file.emplace(location.path);
   if (!file || !file->is_open()) {
-    const int why = file ? errno : ReadError(name);  // FileReader sets errno if it opens no file
+    const int why = file ? errno : ReadError(name);  // FileReader sets errno if it cannot open
     // Throws an exception after an error of the host, such as too many open files.  If the file
     // were hashed as missing instead, two runs with the same stick would have different hashes.
     if (why != ENOENT && why != EACCES && why != EISDIR && why != EINVAL)
@@ -194,7 +194,7 @@ uint64_t FolderStick::ContentHash() {
     // Leaves the crash record of an earlier run out of the hash of the stick, because this run does
     // not read that file.
     const bool is_crash_record = UpperCase(it->path().filename().string()) == kCrashRecord;
-    std::error_code no_file;  // the error for a dangling link, which is no file and is left out
+    std::error_code no_file;  // not read: a dangling link gives an error and counts as no file
     if (it->is_regular_file(no_file) && extension != ".BIN" && extension != ".DBG" &&
         !is_crash_record)
       names.push_back(it->path().lexically_relative(root_).string());

@@ -48,8 +48,8 @@ void Hull::Move(int part, const Isometry3d& X_BL) {
   }
 }
 
-// Finds the corner of `box` that is lowest along `n_B`, which points up.  If the height of the
-// corner is less than `best`, stores the corner in `lowest` and the height in `best`.
+// Finds the lowest corner of `box`.  The height of a point is its scalar product with `n_B`.  If
+// the corner is lower than `best`, stores the corner in `lowest` and its height in `best`.
 void Hull::StoreIfLower(const Box& box, const Vector3d& n_B, double* best, Vector3d* lowest) {
   const Vector3d reach = box.half_edges.transpose() * n_B;
   const double height =

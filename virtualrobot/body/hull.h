@@ -25,9 +25,9 @@ class Hull {
   // Moves the ball and the box of part `part` (index of RobotModel::bodies) to the pose `X_BL`.
   void Move(int part, const Eigen::Isometry3d& X_BL);
 
-  // Returns the point of the hull that lies furthest in the direction opposite to `n_B`.  Of each
-  // ball, only one point is compared: the point that lies furthest in the direction opposite to
-  // `up_B`, a unit vector near n_B.  So the result is such a point or a corner of a box.
+  // Returns the lowest point of the hull.  The height of a point is its scalar product with `n_B`.
+  // Compares the corners of the boxes and one point of each ball: the point that is lowest along
+  // `up_B`, a unit vector near n_B.
   Eigen::Vector3d LowestAlong(const Eigen::Vector3d& n_B, const Eigen::Vector3d& up_B) const;
 
   // Returns the centre of the ball of paw `paw` (index of RobotModel::paws), in the base frame B.
@@ -53,10 +53,10 @@ class Hull {
   // than the lowest point found so far.
   struct BallPair {
     Pair x{}, y{}, z{};  // coordinates of the balls' centres
-    // The radii of two balls, each of which encloses a box.  If the number of boxes is odd, the
-    // second ball of the last BallPair is missing, and its radius stays minus infinity.  Then the
-    // lowest point of this ball (height of the centre minus radius) is infinitely high, so
-    // LowestAlong() never looks for the box of this ball, which does not exist.
+    // The radii of the two balls.  If the number of boxes is odd, the second ball of the last
+    // BallPair has no box, and its radius stays minus infinity.  The lowest point of this ball
+    // (height of the centre minus radius) is then infinitely high, so LowestAlong() never looks for
+    // the missing box.
     Pair radius = {-std::numeric_limits<double>::infinity(),
                    -std::numeric_limits<double>::infinity()};
   };

@@ -89,12 +89,11 @@ void OVirtualRobotComm::Frame() {
     SendToListeners(sensor_, robot_.sensors.MakeVector(robot_.optional));
   }
 
-  // 5. Send the image that the camera took before, and take the next image.  No source says how
-  // much time the camera needs to read out an image.  But when BallTrackingHead, a sample of Sony,
-  // receives an image, it looks up the joint angles of the image's frame in the two newest sensor
-  // vectors (robot.md, 14).  These vectors have the samples of 8 frames, and the newest sample is 1
-  // to 4 frames old.  So an image must be sent 4 to 8 frames after its frame.  We send it when the
-  // next image is taken, because this is 4 or 5 frames later in our models.
+  // 5. Send the image that was taken before, and take the next image.  So an image is sent 4 or 5
+  // frames after it was taken.  No source says how much time the camera needs to read out an image.
+  // But Sony's sample BallTrackingHead expects images that are 4 to 8 frames old: it looks up the
+  // joint angles of the moment of the image in the two newest sensor vectors (robot.md, 14).  These
+  // vectors have the samples of 8 frames, and the newest sample is 1 to 4 frames old.
   if (image_->NumberOfObservers() > 0 && robot_.camera.Due(frame)) {
     if (exposed_) SendToListeners(image_, exposed_.get());
     exposed_.Release();

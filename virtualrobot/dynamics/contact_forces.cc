@@ -29,12 +29,12 @@ struct Friction {
   double x, y;
 };
 
-// Returns the next impulse of a contact along the ground, after the impulse `now`.  This is the
-// impulse that stops the sliding, if its length is at most `max`.  Otherwise the contact slides,
-// and the result is one step of the search for the impulse of a sliding contact, cut to the length
-// `max`.  `missing` is the change of velocity that the impulse `now` does not give, but that is
-// needed to stop the sliding.  The matrix with the rows (a, b) and (b, c) is a part of the matrix
-// K: multiplied by an impulse of this contact along the ground, it gives the change of velocity.
+// Returns the next impulse of a contact along the ground, after the impulse `now`.  `missing` is
+// the change of velocity that is still needed to stop the sliding.  The matrix (a, b; b, c) is a
+// part of the matrix K: multiplied by an impulse of this contact along the ground, it gives the
+// change of velocity.  If the impulse that stops the sliding is not longer than `max`, returns this
+// impulse.  Otherwise the contact slides.  Then makes one step of the search for the impulse of a
+// sliding contact, and shortens the result to `max` if it is longer.
 Friction NextFriction(const Friction& now, double a, double b, double c, const Friction& missing,
                       double max) {
   const double det = a * c - b * b;

@@ -1,21 +1,21 @@
 // ContactForces: computes the impulses of contacts that obey Coulomb's law of friction.
 //
-// Each contact has three rows in the equations: along its normal, away from the ground, and along
-// two directions of the ground.  An impulse p along the rows changes the velocity along these rows
-// by K p, where K is the mobility of the robot plus the softness of the contacts.  Let d be the
-// wanted change of velocity: after it, no contact slides, and each contact leaves the ground at the
-// speed that corrects its depth.  Then a contact obeys one of three laws:
+// Each contact has three rows in the equations: one for its normal, which points away from the
+// ground, and two for directions along the ground.  K is the mobility of the robot plus the
+// softness of the contacts: impulses p along the rows change the velocities along the rows by K p.
+// d is the wanted change of velocity: after it, no contact slides, and each contact leaves the
+// ground at the speed that corrects its depth.  A contact obeys one of three laws:
 //
-//   It sticks: its rows of K p equal those of d, and its impulse lies in the cone of friction.
-//   It slides: its row of K p along the normal equals that of d.  Its impulse lies on the border
-//     of the cone, in the direction of the velocity that is missing along the ground.
+//   It sticks: in its rows, K p equals d, and its impulse lies in the cone of friction.
+//   It slides: along the normal, K p equals d.  Its impulse lies on the border of the cone.  Along
+//     the ground, the impulse has the direction of d - K p, the velocity that is missing.
 //   It opens: its impulse is 0, and it leaves the ground faster than d demands.
 //
-// Most contacts of a robot stick.  So the equations are first solved as if all contacts stuck,
-// except those that would pull at the ground.  When all impulses lie in their cones, this is the
-// answer.  Otherwise sweeps begin from these impulses.  In a sweep, one contact after the other
-// gets the impulse that its law demands while all other impulses stay.  The sweeps end when no
-// impulse changes any more.
+// Find() first solves the equations as if all contacts stuck, because most contacts of a robot do.
+// It leaves out contacts that would pull at the ground.  When all impulses lie in their cones, they
+// are the result.  Otherwise Find() makes sweeps, which begin from these impulses.  A sweep gives
+// one contact after the other the impulse that its law demands while all other impulses stay.  The
+// sweeps end when no impulse changes any more.
 #pragma once
 
 #include <cstddef>

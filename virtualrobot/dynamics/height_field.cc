@@ -103,9 +103,9 @@ void TouchTriangles(const WorldThing& thing, const Vector3d& p, double radius_m,
   }
 }
 
-// Converts the contact points `found` from the axes T of the thing to the world W and adds them to
-// `points`: at most kHeightPointsMax, first those that are deepest in the ground.  Leaves out a
-// point if `is_same` says that it is so near to a deeper point that the deeper one stands for both.
+// Adds the deepest of the contact points `found` to `points`: at most kHeightPointsMax, the deepest
+// first.  Leaves out a point if `is_same` says that it is the same contact as a deeper point.
+// Converts the points from the axes T of the thing to the world W.
 template <typename IsSame>
 void AddDeepest(std::vector<TouchPoint> found, const WorldThing& thing, IsSame is_same,
                 std::vector<TouchPoint>* points) {

@@ -326,8 +326,8 @@ void JointTree::EndStep(const std::vector<double>& impulses) {
   Move();
 }
 
-// Adds the changes of velocity in along_ to the velocities of trunk and hinges.  Then moves all
-// parts with the new velocities for one step.
+// Adds along_, in which EndStep() has stored changes of velocity, to the velocities of trunk and
+// hinges.  Then moves all parts with the new velocities for one step.
 void JointTree::Move() {
   for (int k = 0; k < 3; ++k) {
     w_W_[k] += along_[k];

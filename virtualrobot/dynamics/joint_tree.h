@@ -179,8 +179,9 @@ class JointTree {
   // row_[row * Unknowns() + unknown]; `unknown` and `row` are counted from 0.
   std::vector<double> row_;
   std::vector<double> row_scaled_;  // row_ divided by D (see matrix_), in the order of row_
-  // For each call of AddRow(): the index of the unknown (UnknownOf()) of the parameter `part`.  The
-  // row in row_ is 0 except at the unknowns on the path from this unknown to unknown 0 (parent_).
+  // For each call of AddRow(): UnknownOf(part), the index of the unknown that belongs to the `part`
+  // of the call.  The row in row_ is 0 except at the unknowns on the path from this unknown to
+  // unknown 0 (parent_).
   std::vector<int> row_unknown_;
   std::vector<double> row_speed_;  // for each call of AddRow(): the speed that FreeSpeed() returns
 };

@@ -55,9 +55,8 @@ class OdeBody : public Body {
   // and of a person's hand.
   void BeginStep(double step_s);
   void NotePawContact(int paw) { state_.paws[paw] = true; }
-  // Adds `force_n` to the force that presses paw `paw` in this frame.  The caller has divided the
-  // impulse of a step by the length of the frame, so that the sum over all steps is the average
-  // over the frame.
+  // Adds `force_n` to the average force that presses paw `paw` in this frame.  Called in each step
+  // with the impulse of the step, divided by the length of the frame.
   void NotePawForce(int paw, double force_n) {
     state_.paw_forces_n[static_cast<size_t>(paw)] += force_n;
   }

@@ -18,10 +18,10 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-// Largest number of contacts that are solved in a group (robots and movable things that touch each
-// other), for each robot in the group.  A group without robots may have as many contacts as a group
-// with one robot.  In a group with more contacts, only the deepest are solved, because the work of
-// the solver grows with the third power of the number of contacts.
+// Largest number of contacts that are solved together, per robot in the group.  A group has the
+// robots and movable things that touch each other; a group without robots may have as many contacts
+// as a group with one robot.  In a group with more contacts, only the deepest are solved, because
+// the work of the solver grows with the third power of the number of contacts.
 constexpr size_t kContactsPerRobot = 64;
 constexpr size_t kContactsMax = 3 * kContactsPerRobot;
 

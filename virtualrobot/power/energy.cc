@@ -87,9 +87,9 @@ void Energy::Keep(HeatedPart part, std::optional<int> celsius) {
   if (celsius) temperature.above_rest_k = *celsius - kRestC;
 }
 
-// Adds only values that differ from the values at boot.  So a robot without physics, which always
-// draws the usual current, adds nothing: the simulation of energy does not change the state hash of
-// such a robot.
+// Adds only values that differ from the values at boot.  A robot without physics always draws the
+// usual current and does not warm up, so nothing is added: its state hash is the same as without
+// the simulation of energy.
 void Energy::HashState(Hasher* hasher) const {
   if (mean_ma_ != kUsualMa) hasher->Add(mean_ma_);
   for (const HeatedPart part : {HeatedPart::kBody, HeatedPart::kBattery}) {

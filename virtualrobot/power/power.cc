@@ -197,9 +197,9 @@ void Power::HashState(Hasher* hasher) const {
   hasher->Add(clock_offset_s_);
   hasher->Add(static_cast<uint64_t>(watchers_.size()));
   if (extra_ma_us_ != 0) hasher->Add(extra_ma_us_);
-  // Leaves the battery out of the hash until an input changes the battery, because until then the
-  // capacity follows from the capacity at boot, the virtual time and extra_ma_us_, which the hash
-  // includes.
+  // Leaves the battery out of the hash until an input changes the battery.  Until then, the
+  // capacity follows from the capacity at boot, the virtual time and extra_ma_us_.  Of these,
+  // extra_ma_us_ is in the hash already.
   if (capacity_since_us_ == 0 && !charging_) return;
   hasher->Add(battery_.percent);
   hasher->Add(capacity_since_us_);

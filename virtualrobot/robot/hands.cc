@@ -262,7 +262,8 @@ std::string Hands::ReadLift(std::string_view rest, Inputs::Action* action) {
 }
 
 // Reads the name of a thing and then two or three coordinates.  The name may have several words,
-// and the last of them may be a number, so the coordinates are found from the end of the text.
+// and its last word may be a number.  So first looks for a thing named by all but the last two
+// words, and then for a thing named by all but the last three.
 std::string Hands::ReadPut(std::string_view rest, Inputs::Action* action) {
   const std::vector<std::string> words = SplitInput(rest);
   if (words.size() < 3) return "needs the name of a thing, and x and y in m";

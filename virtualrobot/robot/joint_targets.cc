@@ -102,10 +102,10 @@ int JointTargets::JointNamed(std::string_view name) {
 // point of the joint, or at its measured angle if no set point was sent for the joint since boot.
 void JointTargets::Begin(const std::vector<Goal>& goals, int64_t frames) {
   robot_.devices.set_commander(kNoObject);
-  // True if DoFrame(), which moves the set points in each frame, has already run for the frame that
-  // begins now.  Begin() then makes the first step of the movement itself.  Otherwise the next
-  // DoFrame() makes the first step, because a step made now would move the body in the frame that
-  // is just over.
+  // True if DoFrame() has already moved the set points for the frame that begins now.  Begin() must
+  // then make the first step of the movement itself.  If DoFrame() still has to run, DoFrame()
+  // makes the first step.  A step made here would then be too early: it would move the body in the
+  // frame that is just over.
   const bool is_frame_done = frame_begin_us_ == robot_.system.now_us();
   for (const Goal& goal : goals) {
     const auto j = static_cast<size_t>(goal.joint);

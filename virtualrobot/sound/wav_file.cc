@@ -31,8 +31,8 @@ std::string NameOfSamples(int subtype) {
   return is_known && info.name != nullptr ? info.name : fmt::format("unknown ({:#x})", subtype);
 }
 
-// Throws std::runtime_error when a file that libsndfile could open holds sound that the microphone
-// cannot play.
+// Throws std::runtime_error if `file`, which libsndfile could open, is no WAV file or cannot be
+// used as the sound that the simulated microphone hears.  `info` describes the content of the file.
 void CheckSound(const std::string& file, const SF_INFO& info) {
   const int type = info.format & SF_FORMAT_TYPEMASK;
   const int subtype = info.format & SF_FORMAT_SUBMASK;

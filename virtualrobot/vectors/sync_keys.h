@@ -28,8 +28,8 @@ class SyncKeys {
   // already has the maximum number of parts.
   bool Divide(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2);
 
-  // Records that a vector with `key`, the key of one part, has come to the front of its queue.  The
-  // vectors with the keys of all parts may start when this has been recorded for each part.
+  // Records that the vector with `key`, the key of one part, has come to the front of its queue.
+  // When the vectors of all parts have come to the front, all of them may start.
   void Arrive(OVRSyncKey key);
   // Returns whether a vector with `key` may start.  This is true for a key that does not exist, or
   // no longer exists.
@@ -48,7 +48,7 @@ class SyncKeys {
     // part of each key, so an old key is not taken for the present key.
     longword serial = 0;
     int parts = 0;    // number of parts of the key: 1, and 1 more for each Divide()
-    int arrived = 0;  // number of parts whose vectors have arrived; <= parts
+    int arrived = 0;  // number of the key's parts whose vectors have arrived
   };
   // The bits of a key are serial << 8 | slot << 4 | part.  `slot` is the index of the key's Group
   // in groups_, and `serial` is Group::serial.  `part` is 0 in the key that New() returned;

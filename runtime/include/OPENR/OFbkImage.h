@@ -20,14 +20,14 @@ const OFbkImageBand ofbkimageBAND_Y_HH = 6;
 // the image data.
 //
 // The bands of one image are interleaved row by row, in the order Y, Cr, Cb and, for
-// odataFBK_YCrCb_HPF, LH, HL, HH.  The order of LH, HL and HH is inferred; programs do not depend
-// on it, because Pointer() and Skip() lead them through the rows of a band.  The colour detection
-// image has only one band, so its Skip() is 0.
+// odataFBK_YCrCb_HPF, LH, HL, HH.  The order of LH, HL and HH is inferred.  Programs do not depend
+// on this order, because they find the rows of a band with Pointer() and Skip().  The colour
+// detection image has only one band, so its Skip() is 0.
 //
 // The last row of the Y band, and of the colour detection image, begins with a tag of 16 bytes in
-// place of pixels: the field counter (the camera's count of its pictures) in bytes 0 and 1, low
-// byte first, the colour frequencies of channels 4..7 in bytes 4..7, and those of channels 0..3 in
-// bytes 8..11.
+// place of pixels.  Bytes 0 and 1 are the field counter (the camera's count of its pictures), low
+// byte first.  Bytes 4..7 are the colour frequencies of channels 4..7, bytes 8..11 those of
+// channels 0..3.
 class OFbkImage {
  public:
   OFbkImage(OFbkImageInfo* info, byte* data, OFbkImageBand band);

@@ -17,8 +17,8 @@ class OObject {
   // The stub, the generated code of the object, calls these four functions for the selectors 0 to
   // 3.  Init() calls DoInit() and reports the status of DoInit() to the object manager; the other
   // three functions do the same with DoStart(), DoStop() and DoDestroy().  The four functions are
-  // inline, so that they are part of the image, and DoInit() to DoDestroy() run on the stack of the
-  // object.
+  // inline, so that they are code of the image.  Otherwise DoInit() to DoDestroy() would run on the
+  // stack for library functions and not on the stack of the object.
   void Init(const OSystemEvent& event) { ReplyStatus(DoInit(event)); }
   void Start(const OSystemEvent& event) { ReplyStatus(DoStart(event)); }
   void Stop(const OSystemEvent& event) { ReplyStatus(DoStop(event)); }

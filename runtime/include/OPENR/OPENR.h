@@ -20,8 +20,8 @@ const Selector oentrySTOP = 2;
 const Selector oentryDESTROY = 3;
 const Selector oentryBASE = 4;
 
-// An entry of an object, the target of messages.  It is also the id of a subject (object and ready
-// selector) and of an observer (object and notify selector).
+// An entry of an object, to which messages are sent: the object and a selector.  The id of a
+// subject is its Ready entry.  The id of an observer is its Notify entry.
 struct OServiceEntry {
   OID oid;
   Selector selector;
@@ -164,8 +164,8 @@ const OVolumeSwitch ovolumeSW3 = 3;
 typedef longword ODesignDataID;
 const ODesignDataID odesigndataID_UNDEF = 0xffffffff;
 
-// A keyword for OPENR::FindDesignData() that needs no line in DESIGNDB.CFG; the system's answer is
-// an OCPUInfo.
+// A keyword for OPENR::FindDesignData() that needs no line in DESIGNDB.CFG, because the system
+// itself makes the data, an OCPUInfo.
 #define odesignkeywordCPUINFO "SYS_CPUINFO"
 
 struct OCPUInfo {

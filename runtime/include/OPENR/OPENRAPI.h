@@ -116,7 +116,8 @@ OStatus SetMotorPower(OPower power);
 // Stores the conditions under which the robot boots again, and then begins the shutdown.  Returns
 // before any object is stopped.
 OStatus Shutdown(const OBootCondition& bootCondition);
-// Stores in `bitmap` the reason why the robot booted; the other fields then have no meaning.
+// Stores in bootCondition->bitmap the reason why the robot booted; the other fields of
+// *bootCondition then have no meaning.
 OStatus GetBootCondition(OBootCondition* bootCondition);
 OStatus GetPowerStatus(OPowerStatus* powerStatus);
 // Errors of Shutdown(), GetBootCondition() and GetPowerStatus(): oFAIL, oNOT_FOUND

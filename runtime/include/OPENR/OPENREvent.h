@@ -6,8 +6,8 @@
 
 class OSystemEvent {
  public:
-  // The caller owns the block `param`, the parameter of DoInit, DoStart, DoStop or DoDestroy, which
-  // must exist as long as this event.
+  // `param` points to the parameter of DoInit, DoStart, DoStop or DoDestroy.  The caller owns the
+  // parameter and must keep it as long as this event exists.
   OSystemEvent(OReason reason, void* param, size_t paramSize)
       : reason_(reason), param_(param), paramSize_(paramSize) {}
 

@@ -1,9 +1,9 @@
 // Messages between the system and an object.
 //
-// An application receives only OPowerStatusMessage of these messages, and its stub receives
-// OReasonMessage and OConnectMessage.  On the robot the OPENR:: functions send the other messages;
-// on the host these functions need no messages.  The other messages are declared because sources of
-// old programs name them.  Sizes are those of a 32-bit target, as on the robot.
+// Of these messages, an application receives only OPowerStatusMessage, and its stub receives only
+// OReasonMessage and OConnectMessage.  The other messages are those that the OPENR:: functions send
+// on the robot.  On the host the OPENR:: functions send no messages; the structs are declared
+// because sources of old programs name them.  Sizes are those of a 32-bit target, as on the robot.
 #ifndef OPENR_OPENRMESSAGES_H_INCLUDED
 #define OPENR_OPENRMESSAGES_H_INCLUDED
 
@@ -16,9 +16,9 @@
 #include <OPENR/OVRData.h>
 #include <string.h>
 
-// The type of a message of OPEN-R.  The type only describes the bytes of the message: the selector
-// decides which function receives it.  So a message between objects (ObjcommMessages.h) may have
-// the same number as a message of the system.
+// The type of a message of OPEN-R, a number.  The number only describes the bytes of the message;
+// the selector decides which function receives the message.  So a message between objects
+// (ObjcommMessages.h) may have the same number as a message of the system.
 typedef longword OMessageType;
 const OMessageType OMessageSystemBase = 0;
 const OMessageType OMessageRoboticBase = 1024;
@@ -71,8 +71,8 @@ struct OReasonMessage {
 
   OReasonMessage(OReason why = oreasonUNDEF) { Set(why, 0, 0); }
 
-  // Copies `size` bytes of the parameter of DoInit, DoStart, DoStop or DoDestroy from `block`, at
-  // most oreasonPARAM_MAX_SIZE bytes.
+  // Copies the parameter of DoInit, DoStart, DoStop or DoDestroy into this message: the `size`
+  // bytes at `block`, or only the first oreasonPARAM_MAX_SIZE bytes if `size` is larger.
   OReasonMessage(OReason why, const void* block, size_t size) { Set(why, block, size); }
 
  private:

@@ -143,8 +143,8 @@ const OPrimitiveRequest oprmreqLED2_SET_COMMAND = 768;     // parameter: LEDComm
 const OPrimitiveRequest oprmreqLED3_SET_COMMAND = 1024;    // parameter: LEDCommandValue3
 const OPrimitiveRequest oprmreqJOINT4_SET_COMMAND = 1152;  // parameter: JointCommandValue4
 
-// The parameter or the result of each request above: the command or the value of one frame, in the
-// struct that vectors also use for one frame.
+// The structs for the parameters and results of the requests above.  Each struct contains the
+// command or the value for one frame, in the same form as in a vector.
 struct OPrimitiveControl_JointCommandValue2 {
   OJointCommandValue2 command;
   OPrimitiveControl_JointCommandValue2(slongword value) {

@@ -1,7 +1,7 @@
 // Kinds of primitives and of sensors.
 //
-// The word after the dash of a locator ("PRM:/r1/c1-Joint2:j1") is the name of the primitive's
-// kind, for which there is a constant oprimitive..._NAME.  The words Joint2, Joint3, Joint4,
+// The word after the dash of a locator ("PRM:/r1/c1-Joint2:j1") is the name of the kind of the
+// primitive.  Each such name has a constant oprimitive..._NAME.  The words Joint2, Joint3, Joint4,
 // Sensor, LED2, LED3, Speaker, Mic and FbkImageSensor are from locators in the Model Information
 // guides.  The other words, the names oprimitiveUNDEF and osensorUNDEF, and the prefix osensor are
 // inferred.

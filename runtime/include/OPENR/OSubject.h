@@ -1,11 +1,11 @@
 // OSubject, the sending end of connections.
 //
-// Each connection has a ready flag.  NotifyObservers() sends all data that were set since the last
-// call, as one event, to every observer that is ready, and clears the ready flag of its connection
-// to that observer.  For an observer that is not ready, only the newest notification waits, or more
-// of the newest notifications if the observer has called OObserver::SetBufCtrlParam().  The
-// waiting notifications are sent when the observer's next ready arrives, before the program's Ready
-// function runs.  (measured.md, section 1)
+// Each connection has a ready flag.  NotifyObservers() makes one notification of all data that were
+// set since the last call.  If an observer is ready, the subject sends the notification and clears
+// the ready flag of the connection to this observer.  If an observer is not ready, only the newest
+// notification waits, or more of the newest notifications if the observer has called
+// OObserver::SetBufCtrlParam().  When the observer's next ready arrives, the subject sends the
+// waiting notifications; then the program's Ready function runs (measured.md, section 1).
 #ifndef OPENR_OSUBJECT_H_INCLUDED
 #define OPENR_OSUBJECT_H_INCLUDED
 

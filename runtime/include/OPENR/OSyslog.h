@@ -1,8 +1,9 @@
 // Console output of objects.
 //
-// The macros of this header need double parentheses, as in OSYSPRINT(("n = %d\n", n)), and are
-// expressions.  The format is that of printf, except that l means 32 bits, as on the robot: %ld
-// prints a slongword.  Text is cut to osyslogMAX_SIZE bytes, including the final NUL.
+// The macros of this header need double parentheses, as in OSYSPRINT(("n = %d\n", n)).  Each macro
+// is an expression, or is empty if it is switched off.  The format is that of printf, except that l
+// means 32 bits, as on the robot: %ld prints a slongword.  Text is cut to osyslogMAX_SIZE bytes,
+// including the final NUL.
 #ifndef OPENR_OSYSLOG_H_INCLUDED
 #define OPENR_OSYSLOG_H_INCLUDED
 

@@ -19,8 +19,8 @@ class OTime {
   // otimeTIME_DIF_UNDEF.
   OTime(time_t clock, sbyte timeDif);
 
-  // Returns oINVALID_ARG, and changes nothing, for a `timeDif` outside of -12..12 (hours by which
-  // local time is ahead of UTC) that is not otimeTIME_DIF_UNDEF.
+  // Returns oINVALID_ARG and changes nothing if `timeDif` is not valid.  Valid are -12..12 (hours
+  // by which local time is ahead of UTC) and otimeTIME_DIF_UNDEF.
   OStatus Set(time_t clock, sbyte timeDif);
   OStatus SetClock(time_t clock);
   OStatus SetLocalTime(time_t localTime);  // keeps the time difference

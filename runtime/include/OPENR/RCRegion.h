@@ -34,8 +34,8 @@ class RCRegion {
   // Makes an empty region with 0 references; call AddReference() before use.
   RCRegion();
 
-  // Allocates `size` bytes of memory, filled with zeros, and makes an RCRegion with 1 reference for
-  // them.  Base() is 0 if the memory cannot be allocated.
+  // Makes an RCRegion with 1 reference and allocates its memory: `size` bytes, filled with zeros.
+  // Base() is 0 if the memory cannot be allocated.
   explicit RCRegion(size_t size);
 
   // Makes an RCRegion with 1 reference for existing memory, which it does not own.  If baseAddr is

@@ -1,8 +1,9 @@
-// Lets programs pass an unsigned int* for a result of type size_t.
+// Lets programs pass an unsigned int* to a function that stores a result of type size_t.
 //
-// On the robot both types are the same, so programs pass either for a size_t*.  Where size_t is
-// wider, functions with such a result have a second form for unsigned int*, which uses the classes
-// below.  The second form is a template, so that a literal 0 selects the first form.
+// On the robot unsigned int is the same type as size_t, so programs pass a pointer to either type.
+// Where size_t is wider, such a function has a second form for unsigned int*, which uses the
+// classes below.  The second form is a template: two plain functions would make a call with a
+// literal 0 ambiguous, but with a template this call selects the first form.
 #ifndef OPENR_SIZERESULT_H_INCLUDED
 #define OPENR_SIZERESULT_H_INCLUDED
 

@@ -1,8 +1,9 @@
 // Declares the names of the C++ library that old sources use without std::.
 //
 // On the robot the headers for subjects and observers put these names into the global namespace,
-// and programs that include such a header rely on that.  Only MemoryMapAgent.h declares `map` and
-// `less`, so a program that does not include OObserver.h may define these names itself.
+// and programs that include such a header rely on that.  The names `map` and `less` are not here
+// but in MemoryMapAgent.h.  Only OObserver.h includes that header, so a program without OObserver.h
+// may define `map` and `less` itself.
 #ifndef OPENR_STANDARDNAMES_H_INCLUDED
 #define OPENR_STANDARDNAMES_H_INCLUDED
 

@@ -1,6 +1,7 @@
-// A variant of core_macro.h for a program that is started under another name.  The full name of a
-// service begins with the name of the object, up to the first '.'; this variant registers services
-// with `myname` in place of that part.
+// A variant of core_macro.h for a program that is started under another name, which the program
+// stores in its variable `myname`.  The full name of a service begins with the name of the object,
+// up to the first '.'.  When this variant registers a service, it puts `myname` in place of that
+// part.
 #ifndef OPENR_CORE_MACRO2_H_INCLUDED
 #define OPENR_CORE_MACRO2_H_INCLUDED
 

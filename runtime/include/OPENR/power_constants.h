@@ -66,10 +66,10 @@ const longword obsecUNKNOWN = 7;
 // ---- fields of the filter of OPENR::ObservePowerStatus()
 //
 // Each bit that is set in robotStatus and batteryStatus of the filter requests a message whenever
-// that bit changes.  Each of the four numbers (remainingCapacity, temperature, timeDif, volume) of
-// the filter requests a message for every change, or no message, by one of the constants below.
-// Any other number requests a message when the status reaches this number.  Voltage, current and
-// full capacity cannot be observed.
+// this bit of the status changes.  For each of the four numbers (remainingCapacity, temperature,
+// timeDif, volume), one constant below requests a message for every change, and one requests no
+// message.  Any other number in the filter requests a message when the status reaches this number.
+// Voltage, current and full capacity cannot be observed.
 
 const word opsoREMAINING_CAPACITY_NOTIFY_EVERY_CHANGE = 0xffff;
 const word opsoREMAINING_CAPACITY_NOT_NOTIFY = 0xfffe;

@@ -59,8 +59,8 @@ const ODataType odataCPC_TREE = 1030;
 
 const ODataType odataDONT_CARE = 0xffffffff;
 
-// A pointer of the robot: 32 bits, and always 0 on the host, where it has no meaning.  It converts
-// to void*, and a void* can be assigned to it; bits beyond 32 are lost.
+// A pointer of the robot, which has 32 bits.  On the host the pointers in vectors have no meaning
+// and are always 0.  Converts to void* and from void*; bits beyond 32 are lost.
 struct OPhysAddr {
   longword address;
 
