@@ -110,14 +110,14 @@ void GrowingFile::Append(std::string_view bytes, std::string_view end) {
     end_ = end;
     if (!is_shorter) return;
   } else if (!end_.empty()) {
-    // Writes the old `end_`, the text that completes the file, once more at its old place, because
-    // the failed write may have overwritten `end_` with a part of `bytes`.
+    // Goes back to the place of the old `end_`, the text that completes the file, and writes `end_`
+    // once more, because the failed write may have overwritten it with a part of `bytes`.
     go_back();
     WriteAll(descriptor_, end_);
   }
-  // Cuts off bytes after the new end of the file.  Such bytes remain if a write has failed.  They
-  // also remain if `bytes` and `end` together are shorter than the old `end_`, which they have
-  // overwritten.  A device or a pipe cannot be shortened, so a failure is ignored.
+  // Cuts off the bytes behind `end_`.  There are such bytes if a write has failed, or if the old
+  // `end_` was longer than the `bytes` and `end` that were written over it.  A device or a pipe
+  // cannot be shortened, so a failure is ignored.
   [[maybe_unused]] const int result =
       ftruncate(descriptor_, static_cast<off_t>(size_ + end_.size()));
 }

@@ -33,8 +33,8 @@ enum class Fractions {
   kNone,
 };
 
-// Throws std::runtime_error if `json` has a number with a fraction or an exponent that `fractions`
-// does not include.  Other numbers are not checked.
+// Checks all numbers in `json` that have a fraction or an exponent.  Throws std::runtime_error if
+// `fractions` does not allow one of them.  Other numbers are not checked.
 //
 // C++ gives no meaning to the conversion of a number like 1e30 to an integer, and the JSON library
 // converts without a check.  So code that reads the JSON of a file or of another program must call

@@ -23,9 +23,9 @@ struct OutputTarget {
 // Returns the open stream or the file that the name `file` means.  Follows symbolic links.
 OutputTarget OutputTargetOf(const std::string& file);
 
-// Returns whether new content for `target` is written to a new file that then replaces it, and not
-// written into the file itself (in place).  Devices and pipes are written in place, and so are
-// files with several hard links, because the other names of such a file would keep the old content.
+// Returns whether a new file with the new content replaces `target`.  If not, the content is
+// written into `target` itself (in place).  This holds for devices, pipes and files with several
+// hard links, because the other names of such a file would keep the old content.
 bool IsReplaced(const OutputTarget& target);
 
 // Returns the path of the temporary file with the number `number` beside the file `beside`.

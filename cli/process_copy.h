@@ -74,9 +74,9 @@ struct ProcessCopy {
 ProcessCopy StartCopy(Orphan orphan, const std::function<void(int answers)>& work);
 
 // Starts a program that is not a child of this process.  So this process need not wait for the end
-// of the program, and no zombie is left.  Calls `start`, which starts the program and returns 0 or
-// an errno, in a copy of this process; the copy ends at once.  Returns the reason why the program
-// was not started; "" if it was started.
+// of the program, and no zombie is left.  Makes a copy of this process for this.  The copy calls
+// `start`, which starts the program and returns 0 or an errno, and then the copy ends.  Returns the
+// reason why the program was not started; "" if it was started.
 // REQUIRES: `start` calls only functions that are allowed after fork().
 std::string StartThroughCopy(const std::function<int()>& start);
 

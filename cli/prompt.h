@@ -29,14 +29,15 @@ class PromptHistory {
   static constexpr uint32_t kBytesMax = 16 << 10;
 
   uint32_t size_ = 0;
-  char text_[kBytesMax] = {};  // lines, each with '\n' at its end, in the first `size_` bytes
+  char text_[kBytesMax] = {};  // typed lines, each with '\n' at its end; `size_` bytes are used
 };
 
 class Prompt {
  public:
-  // A function that returns all words that may follow `words`, the whole words of a line before the
-  // word that Tab completes.  `start` is what the user has typed of that word; the function may
-  // return words that do not begin with it.  If the function throws, no word is completed.
+  // A function that returns the words to which Tab may complete a word of the line.  `words` are
+  // the words before this word, and `start` is the part of this word that the user has typed.  The
+  // function may also return words that do not begin with `start`; they are ignored.  If the
+  // function throws, no word is completed.
   using Complete = std::function<std::vector<std::string>(const std::vector<std::string>& words,
                                                           const std::string& start)>;
 

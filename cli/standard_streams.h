@@ -16,8 +16,8 @@ struct ReaderGone : std::runtime_error {
 
 // Prepares the standard streams.  Must be called first in main().  Afterwards
 //   - each of the descriptors 0 to 2 is open, so that no file opened later gets one of these
-//     numbers.  A descriptor that was closed is opened on /dev/null; standard output is opened so
-//     that writing fails, because a lost answer must be noticed;
+//     numbers.  A descriptor that was closed leads to /dev/null.  If standard output was closed,
+//     writing to it fails, because a lost answer must be noticed;
 //   - writing to a pipe or a socket without a reader, or beyond the file size limit, gives an error
 //     and does not end the process;
 //   - writing to standard error never fails: text that cannot be written is lost.

@@ -41,9 +41,9 @@ class Remarks {
 
   void Add(Remark::Kind kind, const FilePosition& place, std::string text);
 
-  // Adds a remark (an error, a warning or a note) that has the cause `cause`, a text that is only
-  // compared with other causes.  If the file already has a remark of this kind with the same cause,
-  // only adds the place to that remark.  So one mistake gives one remark.
+  // Adds a remark (an error, a warning or a note).  `cause` is a text that names the cause of the
+  // remark and that users do not see.  If the file already has a remark of this kind with the same
+  // cause, only adds the place to that remark, so that one mistake gives one remark.
   void AddConsequence(Remark::Kind kind, const FilePosition& place, std::string cause,
                       std::string text);
 

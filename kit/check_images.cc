@@ -161,10 +161,10 @@ void ImageCheck::CheckImage(const ObjectRecord& record, const fs::path& file,
   for (const ObjectFolder* object : objects_) {
     if (HasOcfName(*object, name)) namesakes.push_back(object);
   }
-  // Compares the services if several objects of the program have the same name as the object in the
-  // image, because objects for different robots often share a name.  Drops each object with a
-  // service that the image lacks.  Does not compare the services of a single object, because its
-  // stub.cfg may have changed since the image was built.
+  // Finds the object from which the image was built.  Objects for different robots often share a
+  // name.  So if several objects have the name in the image, drops each object with a service that
+  // the image lacks.  Does not compare the services of a single object, because its stub.cfg may
+  // have changed since the image was built.
   if (namesakes.size() > 1)
     std::erase_if(namesakes,
                   [&](const ObjectFolder* object) { return !HasServicesIn(*object, record); });
@@ -213,9 +213,9 @@ std::vector<std::string> ImageCheck::NamesOf(const ObjectFolder& object) const {
   return names;
 }
 
-// Returns, for each image in `missing_`, the index in `objects_` of the object from which a build
-// will make the image; -1 if no object has a similar name.  `missing_` lists the images that
-// OBJECT.CFG names, if the stick lacks them or has them only for the robot's processor.  Lines for
+// Finds the objects from which a build will make the images in `missing_`.  OBJECT.CFG names these
+// images, and the stick lacks them or has them only for the robot's processor.  Returns for each
+// image the index of its object in `objects_`; -1 if no object has a similar name.  Lines for
 // different robots may name the same image, so each file name is matched only once.
 std::vector<int> ImageCheck::MatchMissing() const {
   std::vector<std::string> wanted;

@@ -17,9 +17,10 @@ namespace openr_host {
 // - both images are built, and their debug information has one definition of the struct;
 // - sources of the subject's object pass such a struct to SetData(), with its size;
 // - sources of the observer's object use received data as such a struct;
-// - a member that sources of both objects name lies at another place or has another size, or the
-//   observer's object names a member that is behind the last byte which the subject sends, and
-//   asks nowhere for the size of the data.
+// - a member differs in one of two ways:
+//   - sources of both objects name the member, and it lies at another place or has another size;
+//   - the member is only in the observer's struct, behind the last byte that the subject sends, and
+//     the observer's object names it and asks nowhere for the size of the data.
 // An array at the end of the struct may have another length in the two objects, because data of
 // variable length are sent in this way.
 //

@@ -96,9 +96,9 @@ class ObjectCheck {
     return sources;
   }
 
-  // Returns the text of definitions of sbjX, obsX or entryX that do not come from stub.cfg: each
-  // def.h and entry.h that somebody wrote by hand, and a definition for each service in other .cfg
-  // files of the folder.  A Makefile may make the stub from such a .cfg file.
+  // Returns the text of definitions of sbjX, obsX or entryX that do not come from stub.cfg.  These
+  // are the def.h and entry.h that somebody wrote by hand, and a definition for each service in
+  // another .cfg file of the folder, because a Makefile may make the stub from such a file.
   std::string OtherDefinitions() const {
     static const std::regex kService(
         "Service[ \t]*:[ \t]*\"[ \t]*\\w+\\.(\\w+)\\.[^\"]*\\.([SO])\"");

@@ -264,11 +264,11 @@ class StickCompletion {
     }
   }
 
-  // Adds to `listed_` (the images that the new OBJECT.CFG names) the images in the stick's folder
-  // OBJS that this build has not linked.  These are images that rules of Makefiles have copied to
-  // the stick, the gateway, and images of the user's stick if the SDK tree has an image of the same
-  // name; the image of the SDK tree is then used.  Adds a note about each image that stays out of
-  // OBJECT.CFG.
+  // Adds to `listed_` (the images that the new OBJECT.CFG names) images in the stick's folder OBJS
+  // that this build has not linked: the gateway, and images that rules of Makefiles have copied to
+  // the stick.  Also adds an image of the user's stick if the SDK tree has an image of the same
+  // name, and copies the image of the SDK tree to the stick.  Adds a note about each other image,
+  // because it stays out of OBJECT.CFG.
   void ListForeign() {
     std::map<std::string, fs::path> files;  // key: name of the file in upper case
     for (const fs::path& folder :

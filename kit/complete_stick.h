@@ -34,14 +34,14 @@ struct CompletedStick {
 
 // Puts on `stick` the images that its OBJECT.CFG names and that no rule of a Makefile has put on
 // the stick.  `stick` is in the private copy of the user's folder; `users_stick` is the original of
-// `stick`, or empty if there is no original.  If `stick` has no OBJECT.CFG, writes an OBJECT.CFG,
-// and adds a note, with the reason, about each image in the stick's folder OBJS that the new
-// OBJECT.CFG does not name.
+// `stick`, or empty if there is no original.  If `stick` has no OBJECT.CFG, writes one.  Then adds
+// a note, with the reason, about each image in the stick's folder OBJS that the new OBJECT.CFG does
+// not name.
 //
-// Compares the names in OBJECT.CFG with the images of the build in two rounds: first with the
-// images to which no other stick is nearer in the tree of folders, then with all other images, for
-// names that still have no image.  If a Makefile puts an image on one stick, the file name on that
-// stick counts as a name of the image for all sticks.
+// Finds the images of the build by comparing names.  A first round uses only the images to which no
+// other stick is nearer in the tree of folders.  A second round uses all images, for the names in
+// OBJECT.CFG that still have no image.  If a Makefile puts an image on any stick, the file name on
+// that stick counts as a name of the image.
 CompletedStick CompleteStick(const StickFolder& stick, const Project& project, const KitLog& log,
                              const std::string& sdk_root, const std::filesystem::path& users_stick);
 

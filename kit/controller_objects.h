@@ -9,10 +9,10 @@
 
 namespace openr_host {
 
-// Compiles `sources` of the controller in `folder`, with the further flags `flags`, and the
-// generated function CallControllerMain() (objects/Controller/ControllerMain.h), into the folder
-// `scratch`. Returns the object files; nullopt after printing errors.  Throws std::runtime_error if
-// a file cannot be written.
+// Compiles the controller in `folder`: its `sources`, and the generated function
+// CallControllerMain() (objects/Controller/ControllerMain.h).  `flags` are further flags of the
+// compiler.  Returns the object files, which are in the folder `scratch`; nullopt after printing
+// errors.  Throws std::runtime_error if a file cannot be written.
 std::optional<Arguments> CompileController(const std::vector<std::filesystem::path>& sources,
                                            const std::filesystem::path& folder,
                                            const std::filesystem::path& scratch,

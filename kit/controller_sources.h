@@ -13,7 +13,7 @@ struct ControllerSources {
   // in the order of their names if there is no Makefile.sources.
   std::vector<std::filesystem::path> files;
   std::filesystem::path list;           // path of Makefile.sources; empty: there is no such file
-  std::vector<Diagnostic> diagnostics;  // mistakes in the list, such as a missing file
+  std::vector<Diagnostic> diagnostics;  // mistakes in Makefile.sources, such as a missing file
 };
 
 // Returns the sources that Makefile.sources of `folder` names.  The variables of this file may have

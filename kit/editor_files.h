@@ -23,7 +23,7 @@ struct EditorPlaces {
 struct EditorFolder {
   bool is_controller = false;  // true: built by `openr controller build`; false: by `openr build`
   std::string stick = "MS";    // path of the stick relative to the folder; ".": the folder itself
-  bool has_tests = true;       // true: CMakeLists.txt in the folder uses the package openr-host
+  bool has_tests = true;       // true: CMakeLists.txt uses openr-host, so the folder has tests
 };
 
 // Returns the paths of this installation.

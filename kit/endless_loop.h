@@ -8,7 +8,7 @@
 namespace openr_host {
 
 struct EndlessLoop {
-  size_t at = 0;       // position of the word for, while or do
+  size_t at = 0;       // position of the keyword `for`, `while` or `do`
   size_t end = 0;      // position after the loop
   bool waits = false;  // true: the loop waits for a device; false: its condition is always true
 };

@@ -39,10 +39,10 @@ struct KitLog {
     std::string place;  // place of the repair: "file:line"
     std::string what;
   };
-  std::vector<Image> images;      // images; for each image file only the newest entry
+  std::vector<Image> images;      // the newest record of each image file
   std::vector<Failure> failures;  // failures, but not of files that were made later
-  std::vector<Compile> compiles;  // compilations; for each file and folder only the newest entry
-  std::vector<Command> commands;  // commands; for each file and folder only the newest entry
+  std::vector<Compile> compiles;  // the newest compilation of each source in each folder
+  std::vector<Command> commands;  // the newest command for each source in each folder
   std::vector<Repair> repairs;
 };
 

@@ -202,11 +202,11 @@ size_t MacroTable::PutMacro(std::string_view text, size_t at, size_t origin, con
 }
 
 // Expands the macros in `text` and appends the resulting characters to `result`, each with its
-// origin, an offset in the source (ExpandedText::origins).  If `text` comes from a macro, `fixed`
-// is the origin of all characters: the offset of the macro's use.  If `text` is the source itself,
-// `fixed` is kNone, and the origin of a character is its offset in `text`.  Does not expand the
-// macros in `hidden`, because `text` is a part of their own expansion: a macro that contains its
-// own name would be expanded without end.
+// origin, an offset in the source (ExpandedText::origins).  If `text` is the source itself, `fixed`
+// is kNone, and the origin of a character is its offset in `text`.  If `text` comes from a macro,
+// `fixed` is the offset of the macro's use, and this is the origin of all characters.  Does not
+// expand the macros in `hidden`, because `text` is a part of their own expansion: a macro that
+// contains its own name would be expanded without end.
 void MacroTable::Put(std::string_view text, size_t fixed, const Names& hidden,
                      ExpandedText* result) const {
   for (size_t at = 0; at < text.size() && result->text.size() < kExpandedMax;) {

@@ -124,12 +124,12 @@ class PlaceSearch {
     }
   }
 
-  // Adds the folder `target`, or the folder that contains the file `target`.  A path in a file of
-  // the program leads to `target`; `is_above` says that this path ends in "..".  In two cases, adds
-  // only the files directly in the folder:
+  // Adds the folder `target`, or, if `target` is a file, the folder that contains it.  `target` is
+  // where a path in a file of the program leads; `is_above` tells whether this path ends in "..".
+  // In two cases, adds only the files directly in the folder:
   //   - The folder contains the program's own folder, so it may hold other programs, too.
-  //   - The folder contains a folder that was added before, and `target` is a file or `is_above` is
-  //     true.
+  //   - The folder contains a folder that was added before, and the path leads to a file or ends in
+  //     "..".
   void AddTarget(const fs::path& target, bool is_above) {
     std::error_code error;
     if (!fs::exists(target, error) || IsCovered(target)) return;

@@ -29,8 +29,8 @@ class RepairSession {
   // -fdiagnostics-format=json for `sources`.  Returns false if nothing could be repaired.
   bool Apply(const std::string& diagnostics, const std::vector<std::string>& sources);
 
-  // Records the repairs that this session has made in the private copies in the log (kit_log.h),
-  // under the names of the user's own files.  Called if the repaired sources compile; otherwise
+  // Adds the repairs that this session has made to the log (kit_log.h).  The log names the user's
+  // own files and not their private copies.  Called if the repaired sources compile; otherwise
   // Undo() is called.
   void Keep();
 

@@ -12,9 +12,10 @@
 
 int main(int argc, char** argv) {
   // Makes Mesa draw pictures without threads of its own.  The pictures are the same.  With threads,
-  // Mesa would wait without end for a thread that could not be made for lack of memory, or for a
-  // thread that a copy of this process, made by fork(), does not have.  Calls setenv() before the
-  // program has other threads, because they may read the environment.
+  // Mesa would wait without end for a thread that could not be made for lack of memory.  In a copy
+  // of this process, made by fork(), Mesa would wait for threads that the copy does not have.
+  // Calls setenv() before the program has other threads, because other threads may read the
+  // environment meanwhile.
   setenv("LP_NUM_THREADS", "0", 0);
   openr_host::PrepareStandardStreams();
   return openr_host::FinishStandardOutput(openr_host::RunProgram(argc, argv), "openr");

@@ -54,9 +54,9 @@ class Expectations {
     bool reported = false;
   };
 
-  // Stores `message` in each expectation that it almost meets, so that the text of a later failure
-  // can name it: in `early` if it fits but came before its turn, in `other` if only its payload
-  // does not fit.
+  // Stores `message` in each expectation that it almost meets, for the text of a later failure: in
+  // `early` if the message fits but came before its turn, in `other` if only the payload of the
+  // message does not fit.
   void Compare(const SeenMessage& message);
   void CheckUnexpected(const SeenMessage& message, const Report& report);
 

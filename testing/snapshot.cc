@@ -30,8 +30,8 @@ struct ResultHeader {
 };
 
 // Sends every test result from a copy of the process (made by fork()) to the original process at
-// once, so that no result is lost when the copy crashes.  In a copy that was made inside of
-// EXPECT_NONFATAL_FAILURE(), the results go to the original process, too, and not to this macro.
+// once, so that no result is lost when the copy crashes.  If the copy was made inside of
+// EXPECT_NONFATAL_FAILURE(), this macro gets the results in the original process (AddResults()).
 class ResultSender : public ::testing::ScopedFakeTestPartResultReporter {
  public:
   explicit ResultSender(int pipe)

@@ -84,8 +84,8 @@ class TcpClient : public openr_host::CodeObject {
   bool connected_ = false;
   bool ended_ = false;
   bool broken_ = false;
-  std::string heard_;
-  size_t passed_ = 0;  // number of bytes of heard_ that the steps so far have used
+  std::string heard_;  // all bytes that the robot has sent
+  size_t passed_ = 0;  // number of bytes of heard_ that the earlier steps of the script have used
 };
 
 }  // namespace openr::testing

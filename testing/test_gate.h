@@ -81,7 +81,7 @@ class DroppedMessages {
   std::vector<std::string> texts_;
 };
 
-// A message that comes twice: the n-th message that fits `spec`.
+// A message that its receiver gets twice: the n-th message that fits `spec`.
 class RepeatedMessage {
  public:
   RepeatedMessage(MessageSpec spec, uint64_t nth, const Place& place)
@@ -91,8 +91,8 @@ class RepeatedMessage {
   RepeatedMessage& Optional() { return is_optional_ = true, *this; }
 
   bool happened() const { return matches_ == nth_; }
-  // Returns a description of the message that comes twice; "" as long as it has not come for the
-  // first time.
+  // Returns a description of the repeated message; "" as long as its receiver has not got it for
+  // the first time.
   const std::string& text() const { return text_; }
 
  private:

@@ -231,8 +231,8 @@ class Painter {
     cairo_set_dash(cairo_, nullptr, 0, 0);
   }
 
-  // Draws the legend at the right end of the space above the diagrams.  For each label, it has a
-  // short line in the look of the curves with this label, and the label itself.
+  // Draws the legend at the right end of the space above the diagrams.  For each label, draws a
+  // short line or a mark, which looks like the curves with this label, and the label itself.
   void DrawLegend(double width) {
     std::vector<const Curve*> entries;
     for (const Panel& panel : chart_.panels) {

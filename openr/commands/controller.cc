@@ -104,9 +104,9 @@ int (*LoadController(const ControllerFlags& flags))() {
 }
 
 int Run(const ControllerFlags& flags) {
-  // Loads libopenr_controller.so before the controller's library, which is linked with
-  // libopenr_controller.so but has no path (rpath) to the folder of this file.  So the dynamic
-  // linker finds libopenr_controller.so only if this file is already loaded.
+  // Loads libopenr_controller.so before the controller's library.  The controller's library needs
+  // libopenr_controller.so, but does not say in which folder it is (rpath).  So the dynamic linker
+  // can only use a libopenr_controller.so that is already loaded.
   auto* const run = Load<RunController>(ControllerLibrary(), kRunControllerName);
   auto* const controller_main = LoadController(flags);
   if (controller_main == nullptr) return kExitWrong;

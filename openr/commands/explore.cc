@@ -96,9 +96,9 @@ std::string Summary(const Json& result, const ExploreFlags& flags) {
   return text;
 }
 
-// Writes the run in `result` that broke a property to the file that the flag -o names.  `openr
-// explore --replay` can repeat the run from this file.  Does nothing without -o.  Returns false
-// after printing an error.
+// Writes the failing run of `result`, the run that broke a property, to the file that the flag -o
+// names.  `openr explore --replay` can repeat the run from this file.  Does nothing without -o.
+// Returns false after printing an error.
 bool WriteFailure(const Json& result, const ExploreFlags& flags) {
   if (flags.file.empty()) return true;
   if (!result.contains("failure")) {

@@ -13,10 +13,10 @@ namespace openr_host {
 // whether the run fails in the same way.  Returns the exit code.
 int ReplayFailure(ExploreFlags flags);
 
-// Runs the failing run once more and writes its recording.  `answer` describes how the run ended
-// before; ReplayDeviations() has returned it.  Must be called last, because this process ends if an
-// object crashes in the run.  The recording then ends at the crash.  Returns false after printing
-// an error.
+// Runs the failing run once more and writes its recording.  `answer` is the answer that
+// ReplayDeviations() has returned for this run; it says how the run ended.  Must be called last,
+// because this process ends if an object crashes in the run.  The recording then ends at the crash.
+// Returns false after printing an error.
 bool RecordFailure(const ExploreFlags& flags, const ExploredStick& stick, uint64_t seed,
                    const nlohmann::ordered_json& deviations, const nlohmann::ordered_json& answer);
 

@@ -213,10 +213,10 @@ LogGroup GroupOf(const std::string& flag, const LogFile& log) {
 }
 
 // Returns the group of values for one side of a comparison within one log of a motion.  This is the
-// group that the flag `flag` names.  Without the flag, it is the first of `groups` that the log has
-// and that is not `other`, the group of the other side, because a comparison of a group with itself
-// says nothing.  If the log has no such group, returns the commanded values, or the measured values
-// if `other` is the commanded values.
+// group that the flag `flag` names.  Without the flag, it is the first of `groups` that the log
+// has, but never `other`, the group of the other side, because a comparison of a group with itself
+// says nothing.  If there is no such group, returns the commanded values or, if these are `other`,
+// the measured values.
 LogGroup GroupWithin(const std::string& flag, const std::string& other, const LogFile& log,
                      std::initializer_list<LogGroup> groups) {
   if (!flag.empty()) return GroupOf(flag, log);

@@ -152,7 +152,7 @@ void UnpackOda(const OdaFlags& flags) {
   const std::filesystem::path folder = flags.folder;
   // Checks all names before the first file is written, so that an error leaves nothing unpacked.
   for (const OdaMember& member : members) {
-    // Does not write a file of the container over a symbolic link, even with --overwrite, because
+    // Does not write a member of the ODA file over a symbolic link, even with --overwrite, because
     // the link may lead to a file outside of the folder.
     std::error_code error;
     if (flags.overwrites && !std::filesystem::is_symlink(folder / member.file, error)) continue;

@@ -28,9 +28,9 @@ remote::Address AddressOf(const RcFlags& flags) {
 }
 
 int Perform(const RcFlags& flags, const RcAction& action) {
-  // Performs the action at two robots separately if --with names a second robot.  With --log,
-  // performs one action for both robots together instead, because it writes one log with the
-  // records of both robots.
+  // Performs the action once for each robot if --with names a second robot.  With --log, performs
+  // the action only once, because the action then uses both robots and writes one log with the
+  // records of both.
   if (!flags.with.empty() && flags.log.empty()) {
     // Checks the address HOST before two robots are used, so that a wrong address is an error of
     // the command line, as it is with one robot.

@@ -46,9 +46,9 @@ remote::PlayAnswer PlayBoth(remote::Connection* robot, remote::Connection* other
 
 void ReadBothLogs(remote::LogReader* log, remote::LogReader* other) {
   for (bool plays = true; plays; usleep(kBothPollUs)) {
-    // Reads the records of the first robot before the condition, because `||` in the condition
-    // would skip the second call.  So the records of both robots are read in each round, even if
-    // one robot has ended its motion.
+    // Reads the new records of both robots in each round, even if one robot has ended its motion.
+    // Calls log->ReadNewRecords() here, because `||` in the next line would skip this call while
+    // the other robot still plays its motion.
     const int state = log->ReadNewRecords();
     plays = other->ReadNewRecords() != moverACCEPTING_COMMANDS || state != moverACCEPTING_COMMANDS;
   }

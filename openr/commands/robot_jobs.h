@@ -20,9 +20,9 @@ namespace openr_host {
 void RefuseFlagsBesideJobs(const RunFlags& flags);
 
 // Runs each robot in a copy of this process (fork), with a System for this robot only.  The images
-// are loaded once, before the copies are made.  So the hashes of a robot depend only on its number,
-// and not on the number of robots or jobs.  The memory does not grow with the number of robots,
-// except for their reports.
+// are loaded once, before the copies are made, so all robots begin in the same state.  Therefore
+// the hashes of a robot depend only on its number, and not on the number of robots or jobs.  The
+// memory does not grow with the number of robots, except for their reports.
 class RobotJobs {
  public:
   // Prepares the runs that the flags describe.  REQUIRES: flags.jobs > 0; RefuseFlagsBesideJobs()

@@ -299,10 +299,10 @@ std::string CommandedRun::ReasonNotRewindable() const {
   return "";
 }
 
-// Returns entries for the recording of a branch, with the original content of the files `changed`,
-// which the first run has changed on its stick.  A replay of the branch first restores these files.
-// The replay begins with the last entry, so the entry of a folder is behind the entries of the
-// files in this folder.
+// Returns entries for the recording of a branch.  By these entries, a replay of the branch restores
+// the files `changed`, which the first run has changed on its stick.  A replay restores the last
+// entry first.  It must restore a folder before the files in the folder, so the entry of a folder
+// comes after the entries of its files.
 std::vector<TraceEntry> EntriesOf(const SavedStick& changed) {
   std::vector<TraceEntry> entries;
   for (auto file = changed.files().rbegin(); file != changed.files().rend(); ++file) {
@@ -441,8 +441,8 @@ bool CommandedRun::Report() {
   EndConsoleLine();
   nlohmann::ordered_json report = MakeReport(&simulation_, facts_);
   // Writes the bytes that still wait in the buffers of objects' open files, but only after
-  // MakeReport() has computed the state hash.  This hash contains the files of the stick, and a
-  // replay does not write these bytes.  So with them the hash of a replay would differ.
+  // MakeReport() has computed the state hash, which contains the files of the stick.  A replay
+  // computes this hash before these bytes are written, too; otherwise the two hashes would differ.
   for (const auto& object : system().objects()) {
     if (object != nullptr) FlushStreams(object.get());
   }

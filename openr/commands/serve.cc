@@ -35,9 +35,10 @@ int RunServe() {
   if (!is_copy) return exit_code;
   // Writes out all streams, because _exit() does not do so.
   std::fflush(nullptr);
-  // Ends the process without exit handlers.  Mesa, a library that draws pictures, may have threads
-  // if the user has set LP_NUM_THREADS (main.cc).  The exit handler of Mesa would then wait for
-  // these threads, and a copy of a process that has drawn a picture does not have them.
+  // Ends this process, which is a copy of another process (fork), without exit handlers.  If the
+  // user has set LP_NUM_THREADS (main.cc), Mesa, a library that draws pictures, may have had
+  // threads in the other process.  This copy does not have the threads, and the exit handler of
+  // Mesa would wait for them.
   _exit(exit_code);
 }
 

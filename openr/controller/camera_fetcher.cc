@@ -10,7 +10,7 @@ namespace remote = openr::remote;
 constexpr int kLargestLayer = 0;
 // Time between two attempts to fetch a camera picture while the robot serves another client.
 constexpr std::chrono::milliseconds kBusyWait{100};
-// Number of attempts in a row without a picture after which TakeProblem() tells that no pictures
+// After this number of attempts in a row without a picture, TakeProblem() reports that no pictures
 // come.  The attempts last 10 s.  Another client occupies the camera for a far shorter time, so a
 // busy camera alone is not reported.
 constexpr int kSilentTries = 100;

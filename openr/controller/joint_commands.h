@@ -28,10 +28,10 @@ class JointCommands {
   explicit JointCommands(const RobotConstants* robot);
 
   // Returns the requests that bring the robot from the values that were sent last to `now`, the
-  // values that the controller wants, and marks these values as sent.  The order is positions,
-  // speeds, accelerations (Hohl 2004, 4.2.3); motors are switched with the positions.  Returns no
-  // positions while a motion plays (`is_playing`), because the robot would refuse them; a later
-  // call returns them.
+  // values that the controller wants.  From then on, counts the values in these requests as sent.
+  // The order is positions, speeds, accelerations (Hohl 2004, 4.2.3); motors are switched with the
+  // positions.  Returns no positions while a motion plays (`is_playing`), because the robot would
+  // refuse them; a later call returns them.
   std::vector<RobotCommand> Changes(const BatchMoverCommand& now, bool is_playing);
 
   // Marks the position of a joint as not sent, because the robot has refused it.  So a later call

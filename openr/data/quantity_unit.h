@@ -14,10 +14,11 @@ struct QuantityUnit {
 };
 
 // Returns the unit of the quantity `name`, such as "pitch_deg" or "robots[1].sensor.distance".  The
-// unit depends on the name alone, and not on values.  Logs of --log-data have sensors in OPEN-R's
-// unit; their kinds are looked up in the models of all robots.  The name of any other quantity ends
-// with its unit, except the name of a joint angle: for joint angles the caller must use degrees and
-// not call this function.  Throws std::runtime_error when a model cannot be read.
+// unit depends on the name alone, and not on values.  A sensor has OPEN-R's unit, as in logs of
+// --log-data; the kind of the sensor is looked up in the models of all robots.  The name of any
+// other quantity ends with its unit, but the name of a joint angle does not: for joint angles the
+// caller must use degrees and not call this function.  Throws std::runtime_error when a model
+// cannot be read.
 QuantityUnit UnitOfQuantity(const std::string& name);
 
 }  // namespace openr_host

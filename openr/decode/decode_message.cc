@@ -274,9 +274,8 @@ std::string DecodeReady(const std::string& content) {
   return words[1] == 0 ? kind : fmt::format("{}, gives back {} regions", kind, words[1]);
 }
 
-// Returns a text for `content`, a message of the system to an object or the object's answer to such
-// a message.  The type is the first word of such a message.  Returns "" if `content` is no such
-// message.
+// Returns a text for `content` if it is a message of the system to an object, or the object's
+// answer to such a message; else "".  The first word of these messages is the type of the message.
 std::string DecodeSystemMessage(const std::string& content) {
   OMessageType type;
   if (!ReadAt(content, 0, &type)) return "";

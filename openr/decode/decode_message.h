@@ -12,12 +12,13 @@ namespace openr_host {
 class System;
 struct RobotModel;
 
-// Returns the content of a message as text, with one line for each value.  A robot of the model
-// `model` has sent the message.  `entry` is the name of a service or of the receiver's entry
-// ("RCServer.Mover.MoverCommand.S (Ready)").  The name of the service contains the type of the
-// content, here MoverCommand.  Messages of the system to an object, such as a power status, are
-// recognised by their first word and their size.  Content of an unknown type is shown as text if it
-// is printable, else as numbers.  If `content` was cut, the values at its beginning are shown.
+// Returns the content of a message as text, with one line for each value.  `model` is the model of
+// the robot; it has the names of joints and primitives.  `entry` is the name of a service, or of an
+// entry of the receiver, such as "JointMover.Mover.MoverCommand.O (Notify)".  Both names contain
+// the type of the content, here MoverCommand.  Messages of the system to an object, such as a power
+// status, are recognised by their first word and their size.  Content of an unknown type is shown
+// as text if it is printable, else as numbers.  If `content` was cut, the values at its beginning
+// are shown.
 std::string DecodeContent(const RobotModel& model, const std::string& entry,
                           const std::string& content);
 
@@ -57,11 +58,11 @@ std::string TypeOfService(const std::string& service);
 // any robot has fewer bytes.  The pixels of an image are cut off, because they are not shown.
 constexpr size_t kDecodedBytesMax = 16384;
 
-// Returns the content of `message` for DecodeContent() and for recordings.  If the bytes are in one
-// piece, the result refers to them; else it refers to a copy in `*copy`.  The content is that of
-// PayloadView() (trace.h), except for a message of the network stack.  The bytes of such a message
-// hold memory addresses, so the result is a description, such as "IPStack: TCP Listen, port 54000".
-// The result is valid until the message ends or `*copy` changes.
+// Returns the content of `message` for DecodeContent() and for recordings.  For a message of the
+// network stack, this is a description, such as "IPStack: TCP Listen, port 54000", because the
+// bytes of such a message hold memory addresses.  For any other message, it is the result of
+// PayloadView() (trace.h).  The result refers to the bytes of the message or to a copy in `*copy`,
+// and is valid until the message ends or `*copy` changes.
 std::string_view ContentView(const Message& message, std::string* copy);
 std::string ContentOf(const Message& message);
 

@@ -54,8 +54,9 @@ class RobotCode {
   uint32_t text_offset_ = 0;  // place of the code's first byte in bytes_
   uint32_t text_bytes_ = 0;
   uint32_t file_gp_ = 0;  // value of the register gp that belongs to the addresses in the file
-  // The address for which the code was linked, minus its address in the headers.  It is not 0 for a
-  // .BIN: this file was linked at 0x400000, and only its headers were moved to 0 (binary.md 1.5).
+  // The address for which the code was linked, minus its address in the headers.  This difference
+  // is 0 except for a .BIN, which was linked at 0x400000, and of which only the headers were moved
+  // to 0 (binary.md 1.5).
   uint32_t moved_by_ = 0;
   uint32_t loaded_by_ = 0;  // distance by which the robot has moved the code when it loaded it
 };

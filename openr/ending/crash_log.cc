@@ -255,10 +255,10 @@ unsigned RobotExceptionCode(int signal, const siginfo_t& info, const void* conte
   }
 }
 
-// Writes the crash record to standard error and to the robot's file for crash records.  The file
-// also gets the crash record in the robot's form, which needs the call stack.  Call stack and
-// robot's form come last, because the stack may be so damaged that walking it crashes again; the
-// file then lacks both.
+// Writes the crash record to standard error and to the file for crash records of the robot `robot`.
+// Then adds the call stack to both.  Finally adds to the file the part in the robot's form, which
+// needs the call stack.  The stack may be so damaged that walking it crashes again; the file then
+// lacks these two parts.
 void WriteRecordInSignal(Ending* ending, RobotException* exception, const void* context,
                          int robot) {
   const std::string* const name = FileOf(robot);

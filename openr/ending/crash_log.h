@@ -22,10 +22,10 @@ class CrashLog {
   // an empty path no file is written.  `adds` is true if other processes of the run write to the
   // same file: a crash record is then added at the end of the file, else it replaces the file.
   //
-  // `place` has a value if the finding in the report must name the file of the crash record,
-  // because the user cannot guess where it is: it is on another host, or the user has named no
-  // stick.  The value is the text that follows the file's name in the finding, such as " on HOST";
-  // it may be "".
+  // `place` is the text that follows the file's name in the report's finding, such as " on HOST";
+  // it may be "".  Without a value, the finding does not name the file.  The finding must name the
+  // file if the user cannot guess where the file is: it is on another host, or the user has named
+  // no stick.
   explicit CrashLog(std::vector<std::string> files, bool adds = false,
                     const std::optional<std::string>& place = {});
   ~CrashLog();

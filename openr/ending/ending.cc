@@ -31,9 +31,9 @@ Ending* g_ending = nullptr;
 Current g_current;          // the object and handler that ran when the end of the process began
 bool g_is_awaited = false;  // true while an EndingAnswer exists, which reports an early end
 int g_answer = -1;
-// The JSON answer of a command whose run has ended early is written to this file (no value: to no
-// file) and to the descriptor g_answer.  The paths of the file are made together with the
-// EndingAnswer, because OnSignalDuringEnding() must not allocate memory.
+// The file to which the JSON answer of a command is written if the run of the command ends early;
+// no value: no file.  The descriptor g_answer gets the answer, too.  The EndingAnswer works out the
+// paths for this file in advance, because OnSignalDuringEnding() must not allocate memory.
 std::optional<PreparedFile> g_answer_file;
 
 void AnswerInSignal(const Ending& ending) {

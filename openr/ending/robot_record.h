@@ -25,12 +25,12 @@ struct RobotException {
 inline constexpr char kRobotRecordBegin[] = "[exception info]";
 
 // Passes the parts of a crash record one after the other to `write`: exception info, object info,
-// exception code and list of objects, see field-notes.md 4.5.  Numbers are cut to the 32 bits that
-// they have on the robot.  The time stamp is the virtual time in microseconds.  An object's id
-// stands for its context and its thread, because an object of a run has neither context nor thread.
+// exception code and list of objects, see field-notes.md 4.5.  The time stamp is the virtual time
+// in microseconds.  Other numbers are cut to the 32 bits that they have on the robot.  An object of
+// a run has no context and no thread, so the record gives the object's id in their places.
 // Registers and stack are left out, because they are those of another processor.  If
-// `is_in_own_code` is true, the list has all objects of the robot; otherwise it has only `object`.
-// May be called in a signal handler.
+// `exception.is_in_own_code` is true, the list has all objects of the robot; otherwise it has only
+// `object`.  May be called in a signal handler.
 void WriteRobotRecord(const RobotException& exception, const Object& object,
                       const std::function<void(const SignalText&)>& write);
 

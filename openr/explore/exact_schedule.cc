@@ -50,8 +50,8 @@ size_t ExactSchedule::PickOf(const Deviation& spot, const std::vector<ObjectId>&
   const size_t index = nodes_.size();
   if (index < choices_.size()) {
     node.chosen = std::min(choices_[index], candidates.size() - 1);
-    // Replaces sleep_, the deliveries that must not be chosen, by next_sleep_ at the last choice
-    // that the search has made for this run.  The search has computed next_sleep_ for this choice.
+    // At the last choice that the search has made for this run, replaces the deliveries that sleep
+    // (must not be chosen) by next_sleep_, which the search has computed for this choice.
     if (index + 1 == choices_.size() && !is_start) sleep_ = std::move(next_sleep_);
   } else {
     node.sleep = sleep_;
@@ -84,9 +84,9 @@ void ExactSchedule::BeginDelivery(ObjectId target, size_t node) {
 }
 
 void ExactSchedule::OnDelivery(const Message& message) {
-  // True if PickOf() has chosen the receiver of this message.  If false, PickOf() had no choice to
-  // make, because only this receiver could get a message.  The delivery to this receiver then
-  // becomes the current delivery here.
+  // True if PickOf() has chosen the receiver of this message.  False if there was no choice,
+  // because only this receiver could get a message.  The delivery to this receiver then becomes the
+  // current delivery here.
   const bool was_chosen = has_delivery_ && !is_begun_ && delivery_target_ == message.target;
   if (!was_chosen) {
     FinishDelivery();

@@ -58,10 +58,10 @@ class ExactSchedule : public ExploreSchedule {
   // search also tries orders that repeat earlier ones.
   ExactSchedule(const System& system, const nlohmann::ordered_json& plan);
 
-  // Records which objects the delivery of `message` concerns.  Cuts the run (stops it early) if the
-  // schedule had no choice but this delivery and the delivery sleeps (must not be chosen), because
-  // the run would then repeat an order of an earlier run.  Called for every message before the
-  // handler of the receiver runs.
+  // Records which objects the delivery of `message` concerns.  Cuts the run (stops it early) if no
+  // other delivery was possible and this one sleeps (must not be chosen), because the run would
+  // then repeat an order of an earlier run.  Called for every message before the handler of the
+  // receiver runs.
   void OnDelivery(const Message& message);
 
   // Returns whether this run was cut, that is, stopped early.  A run is cut when every delivery

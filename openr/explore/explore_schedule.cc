@@ -150,9 +150,9 @@ RandomSchedule::RandomSchedule(const System& system, uint64_t seed, const Schedu
   const double delay = one_of(0, 0.002, 0.03), network = one_of(0, 0.1, 0.5);
   const double cost = one_of(0, 0.05, 1), frame = one_of(0, 0, 0, 1);
   delay_max_us_ = kDelayMaxUs[temper.NextBelow(std::size(kDelayMaxUs))];
-  // Draws the object whose messages are often delayed, from three times as many numbers as there
-  // are objects.  So two seeds of three draw a number that is no object, and delay the messages of
-  // all objects equally often.
+  // Draws the number of the object whose messages are often delayed.  Draws from three times as
+  // many numbers as there are objects.  So with two thirds of the seeds, no object has this number,
+  // and the messages of all objects are delayed equally often.
   const uint64_t slow = temper.NextBelow(3 * system.objects().size());
   if (vary.starts) start_rate_ = start;
   if (vary.ties) tie_rate_ = tie;
@@ -220,9 +220,9 @@ ScriptedSchedule::Spot ScriptedSchedule::SpotOf(const Deviation& deviation) {
   using Kind = Deviation::Kind;
   const Kind kind = deviation.kind;
   const bool of_entry = kind == Kind::kDelay || kind == Kind::kCost;
-  // Keeps the time only of a deviation that orders messages of the same time (kTie).  The time at
-  // which a message is delayed or a handler takes longer changes when other deviations are removed;
-  // the number of the message or call (nth) does not.
+  // Uses the time to find a deviation only for kTie, which orders messages of the same time.
+  // Another deviation is found by the number of its message or call (nth), because its time changes
+  // when other deviations are removed, and this number does not.
   return {kind,
           kind == Kind::kTie ? deviation.time_us : 0,
           deviation.nth,

@@ -70,11 +70,11 @@ class ExploreSchedule : public Schedule {
   void set_log(DeviationLog* log) { log_ = log; }
 
  protected:
-  // Each of these functions makes one choice.  `spot` says where in the run the choice is.  The
-  // field of `spot` for the result is not set yet: `object` for PickOf(), `us` for the other
-  // functions.  PickOf() returns the index of the chosen candidate, PickFrame() the number of the
-  // first frame, the other functions a time that is added.  The result 0 always is the choice of a
-  // run without exploration.
+  // Each function with the argument `spot` makes one choice.  `spot` says where in the run the
+  // choice is; its field for the result is not set yet (`object` for PickOf(), `us` for the
+  // others).  PickOf() returns the index of the chosen candidate, PickFrame() the number of the
+  // first frame, the others a time that is added.  The result 0 is always the choice of a run
+  // without exploration.
   virtual size_t PickOf(const Deviation& spot, const std::vector<ObjectId>& candidates) = 0;
   virtual int64_t PickDelayUs(const Deviation& spot, bool from_network) = 0;
   virtual int64_t PickCostUs(const Deviation& spot, int64_t range_us) = 0;
@@ -101,11 +101,10 @@ class ExploreSchedule : public Schedule {
   // Number of ties at the time tie_time_us_ so far.  A tie is a moment when several objects have a
   // message due.
   uint64_t tie_count_ = 0;
-  // Counts the messages from each sender to each handler of each receiver.  The key is sender,
-  // receiver and selector (number of the handler).  The value has the number of messages so far,
-  // because deviations name a message by this number.  For messages from the network, the value
-  // also has the time when the last message reaches the receiver, because the next message must not
-  // overtake it.
+  // Counts the messages from each sender to each handler of each receiver, because deviations name
+  // a message by its number.  The key is sender, receiver and selector (number of the handler).
+  // For messages from the network, the value also has the time when the last message reaches the
+  // receiver, because the next message must not overtake it.
   std::map<std::tuple<ObjectId, ObjectId, uint32_t>, Stream> streams_;
   // Counts the calls of CostJitterUs() for each handler; the key is the object and the selector of
   // the handler.

@@ -66,8 +66,8 @@ nlohmann::ordered_json ReplayDeviations(const ExplorePlan& plan,
 // The description has
 //   "seed", "property", "time_us", "message", "text", "waits", "tail" (as in RunPlan()),
 //   "deviations" (the differences from an ordinary run that are needed to break the property, such
-//   as another order of messages; see deviation.h), "deviations_found" (number of differences
-//   before those that are not needed were removed),
+//   as another order of messages; see deviation.h),
+//   "deviations_found" (number of deviations in the run of `answer`, needed or not),
 //   "shorten_runs" (number of runs made by `pool`), "canonical" (true: the property is broken
 //   without any deviation too).
 nlohmann::ordered_json MakeFailure(const ExplorePlan& plan, ExplorerProcesses* pool,

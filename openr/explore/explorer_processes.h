@@ -29,11 +29,12 @@ class ExplorerProcesses {
   // other thread.
   //
   // If `twice` is true, plans may have the field "twice", which tests whether a run gives the same
-  // result again.  The plan is run a second time, in a process with Memory::kElsewhere and in time
-  // slices of another length.  If the hash of state or trace differs, a third run shows the reason:
-  // it has the same slices, but the addresses of the first run.  The answer gets two more fields:
-  // "depends_on_addresses" is true if only the second run differs from the first, "differs" if the
-  // third run differs too.
+  // result again.  The plan is then run a second time, in a process with Memory::kElsewhere and in
+  // time slices of another length.  If a hash (of state or trace) differs from the first run, a
+  // third run shows the reason: it has the slices of the second run and the addresses of the first.
+  // The answer gets three more fields: "differs" is true if the third run differs from the first,
+  // "depends_on_addresses" if only the second run does, and "not_compared" if a run was killed and
+  // so has no hashes.
   ExplorerProcesses(const PrepareRun& prepare_run, const RunOptions& options,
                     const ForkLimits& limits, int count, bool twice = false,
                     Memory memory = Memory::kAsItComes, int outer_channel = -1);

@@ -22,9 +22,9 @@ FailingRun::FailingRun(const PrepareRun& prepare, const nlohmann::ordered_json& 
   for (const auto& line : script) deviations.push_back(DeviationFromJson(line, *prepared_.system));
   schedule_ = std::make_unique<ScriptedSchedule>(*prepared_.system, deviations);
   if (const auto& broken = answer.at("broken"); !broken.is_null()) {
-    // The time of the failure is null if the process of the failing run has crashed, or was killed
-    // because the run did not end.  Then this run goes on for `for_us`, the length of each run of
-    // an exploration.
+    // If the run of `answer` has crashed, or was killed because it did not end, the time of its
+    // failure is null.  This FailingRun then goes on for `for_us`, the length of each run of an
+    // exploration.
     const bool has_time = !broken.at("time_us").is_null();
     if (has_time) length_us_ = broken["time_us"].get<int64_t>();
     why_ =

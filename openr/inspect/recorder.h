@@ -15,9 +15,9 @@ class Recorder {
  public:
   Recorder(std::string file, bool payloads) : file_(std::move(file)), payloads_(payloads) {}
 
-  // Changes `options` so that a recording network stands in front of each robot's network.  If
-  // `options` already puts other networks in front of the robot's network, the recording network
-  // comes before these.  The recording network passes all calls on, and gives this recorder all
+  // Changes `options` so that a recording network stands between each robot and its network.  If
+  // `options` already puts another network there, the recording network stands between the robot
+  // and that network.  The recording network passes all calls on, and gives this recorder all
   // events from outside.  Must be called before the simulation is made with `options`.
   void RecordNetworks(SimulationOptions* options);
 

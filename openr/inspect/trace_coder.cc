@@ -10,13 +10,12 @@ namespace {
 // Largest payload that is read from a file.  No region of this size fits into the robot's memory,
 // so a larger size means that the file is damaged.
 constexpr uint64_t kPayloadMax = 64 << 20;
-// The largest number of bytes of all payloads that the writer keeps; the reader keeps the same
-// payloads.  The last payload of each sender and size is kept, because the next payload of this
-// sender and size is stored as its differences from the last.  Before a message for which the limit
-// would be exceeded, the writer forgets all kept payloads and writes kForget, at which the reader
-// forgets them, too.  Without the limit, a damaged file of some hundred bytes could make the reader
-// use all memory, because a large payload without differences from the last needs only some bytes
-// in the file.
+// The largest number of bytes of all kept payloads.  The writer and the reader keep the last
+// payload of each sender and size, because the next payload of this sender and size is stored as
+// its differences from the last.  If a message would exceed the limit, the writer first forgets all
+// kept payloads and writes kForget, at which the reader forgets them, too.  Without the limit, a
+// damaged file of some hundred bytes could make the reader use all memory, because a large payload
+// without differences from the last needs only some bytes in the file.
 constexpr uint64_t kKeptMax = 512 << 20;
 
 void WriteEvent(const NetworkEvent& event, ByteWriter* out) {

@@ -121,7 +121,8 @@ std::string LiveEvents::Line(std::string_view name, EventCursor* cursor) {
   }
   uint64_t& shown = cursor->versions[std::string(name)];
   // `shown` is the version of the run's state that was sent to the client last; 0: none was sent
-  // yet.  Adds 1 to the present version, so that even the first state differs from 0 and is sent.
+  // yet.  The present version can be 0 at the beginning.  So adds 1 to it, because otherwise this
+  // state would not be sent.
   if (const uint64_t version = Version() + 1; std::exchange(shown, version) == version) return "";
   if (name == "pose") return begin + "," + PoseText(context_.simulation) + "}";
   return line(name == "values" ? ValuesJson(context_.simulation) : Graph());
@@ -136,9 +137,9 @@ std::string LiveEvents::LineOfPast(std::string_view name, EventCursor* cursor) {
   // findings again when the present is shown again.
   if (name == "findings") cursor->findings = UINT64_MAX;
   const Rewind& rewind = *context_.rewind;
-  // Sets the highest bit, so that the version of a past moment never equals a version of the
-  // present: the sum of messages and virtual time in us, which is below 2^63.  So the client gets a
-  // new line when the user goes from the present to the past, or back.
+  // Makes a version from the virtual time and the messages at the past moment, as Version() does
+  // for the present.  Sets the highest bit, which no version of the present has.  So the client
+  // gets a new line when the user goes from the present to the past, or back.
   const uint64_t moment =
       static_cast<uint64_t>(rewind.shown_us()) + rewind.shown_messages() + (uint64_t{1} << 63);
   uint64_t& shown = cursor->versions[std::string(name)];
@@ -185,9 +186,9 @@ void LiveEvents::UpdateRates() {
   if (passed_us >= 0 && passed_us < kRateUs) return;
   rates_us_ = system.now_us();
   const auto update = [passed_us](Rate* rate, uint64_t count) {
-    // Takes `count` itself as the increase if it is smaller than at the last update.  The count of
-    // messages begins at 0 again when an object is loaded again, or when nobody has watched the
-    // event "graph" for a time.
+    // The count of messages begins at 0 again when an object is loaded again, or when nobody has
+    // watched the event "graph" for a time.  So if `count` is smaller than at the last update, the
+    // increase is `count` itself.
     const uint64_t more = count >= rate->count ? count - rate->count : count;
     rate->per_s = passed_us > 0 ? static_cast<double>(more) / InSeconds(passed_us) : 0;
     rate->count = count;

@@ -305,8 +305,8 @@ void RemotePair::HandleSensors(PairSide side, const remote::Event& event) {
     lag_.AddFollower(SentMs(side), values.joints);
   }
   if (settings_.follow == Follow::kSecond && side == kFirst) Lead(side, event.frame, values.joints);
-  // Makes the first robot follow the measured positions while the second robot goes to the first
-  // key frame of a motion, because the second robot reports no key frames yet.
+  // Makes the first robot follow the measured positions of the second robot while the second robot
+  // goes to the first key frame of a motion, because the second robot reports no key frames yet.
   if (side == kSecond && values.state == moverPREPARE_MTN && settings_.follows_motions &&
       settings_.follow == Follow::kNone)
     Lead(side, event.frame, values.joints);

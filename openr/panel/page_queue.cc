@@ -5,9 +5,9 @@
 namespace openr_host {
 namespace {
 
-// Returns the name of the event in the line `text` if it is an event that shows a state of the run,
-// which a newer event of the same name replaces; "" if it is not.  Does not parse the line as JSON,
-// because a run writes the member "event" first.
+// Returns the name of the event in the line `text` if the event shows a state of the run; "" for
+// any other line.  A newer event of the same name replaces such an event.  Does not parse the line
+// as JSON, but only compares its beginning, because a run writes the member "event" first.
 std::string_view StateIn(std::string_view text) {
   constexpr std::string_view kBegin = "{\"event\":\"";
   if (!text.starts_with(kBegin)) return "";

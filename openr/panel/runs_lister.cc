@@ -74,8 +74,8 @@ struct RunsLister::Questions {
     for (;;) {
       std::vector<Question> now;
       {
-        // Decides under the lock whether this thread ends, so that no request of a page for the
-        // state of the runs is lost: this thread takes the request, or Ask() starts a new thread.
+        // Takes the waiting requests and decides whether this thread ends, both under one lock.  So
+        // no request of a page is lost: Ask() has added the request before, or starts a new thread.
         const std::lock_guard lock(mutex);
         now = std::exchange(waiting, {});
         is_answering = !now.empty();

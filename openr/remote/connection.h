@@ -246,8 +246,8 @@ class Connection {
   // Returns the socket, for poll().  REQUIRES: the caller uses it with poll() only.
   int descriptor() const;
   // Returns the answer to the request `id` if it has been received, and then forgets the request;
-  // else nullopt.  Does not wait and does not receive; NextEvent() with a deadline in the past
-  // receives.
+  // else nullopt.  Does not wait and does not read from the socket.  To read what has arrived, call
+  // NextEvent() with a deadline in the past.
   std::optional<Answer> TakeAnswer(RequestId id);
   // Returns the answers to the single requests of a batch.  `answer` is the answer to SendBatch(),
   // `count` the number of requests in the batch.

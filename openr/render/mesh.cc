@@ -9,9 +9,9 @@ namespace {
 
 // Adds one of the six sides of a rounded box to `mesh`, as a square grid of points.  `axis` (0 to
 // 2: x to z) and `sign` (1 or -1) give the direction in which the side faces.  `flat` is half the
-// size of the box along each axis, minus `radius`.  In both directions of the grid, the lines of
-// the first half are on the round edge at one end of the side.  The lines of the second half are on
-// the round edge at the opposite end.  The flat part of the side is between the two halves.
+// size of the box along each axis, minus `radius`.  The grid has 2 * (`steps` + 1) lines in each
+// direction.  The first half of these lines is on the round edge at one end of the side, and the
+// second half on the round edge at the opposite end.  Between the halves is the flat part.
 void AddSide(int axis, float sign, const Eigen::Vector3f& flat, float radius, int steps,
              Mesh* mesh) {
   const int u_axis = (axis + 1) % 3;

@@ -49,10 +49,10 @@ Eigen::Matrix4f LightMatrix(const Eigen::Vector3d& target_W, const Eigen::Vector
       std::abs(to_light.x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
   Eigen::Matrix4d box = Eigen::Matrix4d::Identity();
   box(0, 0) = box(1, 1) = 1 / half_m;
-  // The depth of OpenGL goes from -1 at the near end of the drawn space to 1 at its far end.  For
-  // the light, the near end is at the light, and the far end is `distance` behind the target.  So a
-  // difference of 2 in depth stands for 2 * `distance`.  The sign is negative because the view
-  // looks along the negative z axis.
+  // Converts a distance from the light to the depth of OpenGL, which goes from -1 at the near end
+  // of the drawn space to 1 at its far end.  The near end is at the light.  The far end is
+  // `distance` behind the target, and so 2 * `distance` from the light.  So the depth changes by 1
+  // for each `distance`.  The sign is negative because the view looks along the negative z axis.
   box(2, 2) = -1 / distance;
   box(2, 3) = -1;
   return (box * LookAt(target_W + distance * to_light, target_W, up)).cast<float>();

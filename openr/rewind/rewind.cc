@@ -132,7 +132,8 @@ bool Rewind::MakeCheckpoint() {
   }
   ProcessFiles files;
   const SocketPair sockets;
-  // Does not flush the files of objects, because that would change what objects read.  A view, the
+  // Does not flush the files of objects, because that would change what objects read.  So the copy
+  // has the unwritten bytes, too.  These bytes do not come twice into a file, because a view, the
   // copy that shows a past moment, opens the files of objects again with descriptors of its own
   // (ProcessFiles).
   const pid_t process = CopyProcess(Flushed::kOwn, Orphan::kIsKilled);
@@ -305,9 +306,10 @@ nlohmann::ordered_json Rewind::Branch(double rate) {
   }
   branch_ = answer->at("process");
   branch_parent_ = shown_->process;
-  // Closes only the socket.  Does not call Drop() for the checkpoint that is shown, because its
-  // process must go on: the process waits for its child, the branch, and ends with the exit code of
-  // the branch, which WaitForBranch() then returns.
+  // Closes only the socket of the checkpoint that is shown.  Does not call Drop() for this
+  // checkpoint, because Drop() would end its process.  This process is the parent of the branch: it
+  // waits for the branch and ends with the exit code of the branch, which WaitForBranch() then
+  // returns.
   close(shown_->socket);
   for (Checkpoint& checkpoint : checkpoints_) {
     if (&checkpoint != shown_) Drop(&checkpoint);

@@ -115,9 +115,9 @@ void Rewind::Prepare(const SavedStick& stick, ProcessFiles* files, const PlainJs
   auto* const present = dynamic_cast<FolderStick*>(system().robot(0).stick.get());
   const std::string root = present->root();
   CopyStick(root, copy);
-  // Gives the content from before the run to all files that objects have changed.  The copy of the
-  // stick must not have changes from after the checkpoint, because the view has not made these
-  // changes yet.
+  // Undoes in the copy of the stick all changes that objects have made since the beginning of the
+  // run, because the view has not come to the changes after the checkpoint yet.  The changes before
+  // the checkpoint are made again below.
   const SavedStick changed = SavedStick::Of(request.at("files"));
   changed.CopyTo(copy);
   stick.CopyTo(copy);  // restores the files that objects had changed before the checkpoint

@@ -48,7 +48,8 @@ Ros2Status FaultStatus(VirtualRobot* robot) {
 }
 
 // Returns a summary of the findings about the objects of `robot`.  The member `message` is the
-// newest finding.  Notes leave the level as it is, because a note says that nothing is wrong.
+// newest finding.  The member `level` depends only on the warnings and errors, because a note says
+// that nothing is wrong.
 Ros2Status ObjectStatus(const RobotParts& robot) {
   Ros2Status status{
       .level = Ros2Status::kGood, .name = "objects", .message = "no findings", .values = {}};

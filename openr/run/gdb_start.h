@@ -12,9 +12,9 @@ namespace openr_host {
 // "JointMover::ReadyEffector(OReadyEvent const&)".
 std::vector<std::string> HandlersAmong(const std::vector<std::string>& functions);
 
-// Returns the words of the command that starts gdb. gdb reads the file `printers`, which shows data
-// of OPEN-R readably ("": no such file), stops at each of `handlers`, and runs `program`, which is
-// the command line of the run.
+// Returns the words of the command that starts gdb.  `printers` is a file that makes gdb show data
+// of OPEN-R readably; "": no such file.  This command makes gdb read this file, stop at each of
+// `handlers`, and run `program`, which is the command line of the run.
 std::vector<std::string> GdbCommand(const std::vector<std::string>& handlers,
                                     const std::string& printers,
                                     const std::vector<std::string>& program);

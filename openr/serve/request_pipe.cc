@@ -42,9 +42,9 @@ void RequestPipe::DropDescriptors() {
 }
 
 void RequestPipe::UseSocket(int socket) {
-  // Gives up the descriptors of the original process's pipe in this fork, which uses `socket`
-  // instead.  Then the program that drives the run, at the other end, sees when the original
-  // process ends, although the fork goes on.
+  // Gives up, in this fork, the pipe of the original process, because this fork uses `socket`
+  // instead.  If the fork kept the pipe open, the program that drives the run would not see at its
+  // end of the pipe that the original process has ended.
   if (input_ == output_) {
     close(input_);  // the socket of a fork; may be closed, because nothing else uses this socket
   } else {

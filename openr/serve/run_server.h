@@ -92,9 +92,9 @@ class RunServer {
   RequestPipe& pipe_;
   bool is_copy_ = false;
   // A function that is called when a crash, or a handler that does not return, ends the process.
-  // The function is registered before the EndingActions of `run_`, and so it is called after them.
-  // The recording of the run is then already complete if the function crashes while it makes the
-  // report.
+  // This function is registered first, so it is called last, after the function that completes the
+  // recording of `run_`.  So the recording is complete even if this function crashes while it makes
+  // the report.
   const EndingAction final_state_action_{[this](Ending* ending) { SendFinalState(*ending); }};
   std::unique_ptr<ServedRun> run_;
   // These members end the process when an object crashes or its handler does not return:

@@ -51,9 +51,10 @@ class StandingMonitor {
 
   const RobotModel* model_;
   std::optional<Stance> posture_;
-  // Joint angles and attitude (R_WB_) of the robot when it had last moved slowly for kRestingUs.
-  // Only standing() compares them with the model's posture "stand".  Sample() does not, because
-  // computing the poses of all parts costs more time than a frame of a robot without physics.
+  // Joint angles and attitude (R_WB_) of the robot when Sample() was last called for a robot that
+  // had moved slowly for kRestingUs.  Only standing() compares them with the model's posture
+  // "stand".  Sample() only stores them, because computing the poses of all parts costs more time
+  // than a frame of a robot without physics.
   std::vector<double> angles_rad_;
   Eigen::Matrix3d R_WB_ = Eigen::Matrix3d::Identity();
   bool all_paws_touch_ = false;
