@@ -347,7 +347,7 @@ Controller::RunLoop(void (*body)(void*), void* argument)
 // also reports that robot_step() does not work on the robot.  Later calls do not report this again,
 // because a program calls robot_step() many times a second.
 bool
-Controller::LeaveLoop()
+Controller::SuspendLoop()
 {
     if (!hasStepped_) TellRunner(STEP_IS_NOT_FOR_THE_ROBOT);
     hasStepped_ = true;

@@ -69,7 +69,7 @@ private:
     virtual void Remark(const char* text);
     virtual void Print(const char* text);
     virtual void RunLoop(void (*body)(void*), void* argument);
-    virtual bool LeaveLoop();
+    virtual bool SuspendLoop();
     virtual void ContinueLoop();
     virtual void EndLoop();
 

@@ -147,10 +147,10 @@ ControllerCore::Step(int ms)
         port_->Remark("robot_step() after robot_run(): main() ends here, the run function goes on");
     }
     place_ = NOWHERE;
-    // LeaveLoop() suspends main() here, and returns true when the time step has ended and main()
+    // SuspendLoop() suspends main() here, and returns true when the time step has ended and main()
     // goes on.  It returns false if main() cannot be suspended, as on the robot.  Then the program
     // ends.
-    if (!port_->LeaveLoop()) {
+    if (!port_->SuspendLoop()) {
         isStepping_ = false;
         port_->EndLoop();
     }
@@ -158,9 +158,10 @@ ControllerCore::Step(int ms)
     return 0;
 }
 
-// Ends the program if its code called exit().  exit() ends only the method that is running, not the
-// object (Programmer's Guide, appendix A.2).  After exit(), place_ still says that the code is
-// running.  This is how the call of exit() is recognised here.
+// Ends the program if its code has called exit().  exit() ends only the method that is running, not
+// the object (Programmer's Guide, appendix A.2).  So exit() leaves place_ as it was: place_ says
+// that code of the program is running, although it has ended.  This is how the call of exit() is
+// recognised here.
 void
 ControllerCore::EndIfItDidNotReturn()
 {
@@ -170,8 +171,8 @@ ControllerCore::EndIfItDidNotReturn()
 }
 
 // Begins the next iteration, because the last LED vector has ended.  Does nothing if the effector
-// is no longer ready, because an LED vector that waited has just been sent to it.  The end of that
-// vector will call this function again.
+// is not ready any more, because it has then just received an LED vector that waited.  The end of
+// that vector will call this function again.
 void
 ControllerCore::LedReady()
 {

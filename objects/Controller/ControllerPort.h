@@ -62,20 +62,20 @@ public:
 
     // Calls `body`, a program that may be an endless loop.  Such a program is suspended in
     // robot_step() and continued later.  Because this needs a second stack, `body` runs on the
-    // second stack if there is one.  Returns when `body` has ended or has called LeaveLoop().
+    // second stack if there is one.  Returns when `body` has ended or has called SuspendLoop().
     virtual void RunLoop(void (*body)(void*), void* argument) = 0;
 
     // Suspends the program that RunLoop() has called, in the middle of its loop.  Called by this
     // program.  Returns true when ContinueLoop() continues the program.  Returns false at once when
     // there is no second stack.
-    virtual bool LeaveLoop() = 0;
+    virtual bool SuspendLoop() = 0;
 
-    // Continues the program that has called LeaveLoop().  Returns when the program has ended or has
-    // called LeaveLoop() again.
+    // Continues the program that has called SuspendLoop().  Returns when the program has ended or
+    // has called SuspendLoop() again.
     virtual void ContinueLoop() = 0;
 
-    // Ends the program when LeaveLoop() has returned false, by ending the method of the object that
-    // runs now.  Does not return.
+    // Ends the program when SuspendLoop() has returned false, by ending the method of the object
+    // that runs now.  Does not return.
     virtual void EndLoop() = 0;
 };
 

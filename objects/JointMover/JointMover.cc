@@ -13,7 +13,7 @@ JointMover::JointMover()
 {
     for (int j = 0; j < MAX_JOINTS; j++) joint_[j] = oprimitiveID_UNDEF;
     for (int i = 0; i < NUM_REGIONS; i++) region_[i] = 0;
-    memset(&plan_, 0, sizeof(plan_));
+    memset(&nextVector_, 0, sizeof(nextVector_));
 }
 
 // ---- Boot and end of the object ------------------------------------------------------
@@ -123,7 +123,7 @@ JointMover::SendVectors()
     if (isStopped_ || !subject[sbjMove]->IsReady()) return;
     int numSet = 0;
     for (RCRegion* region = FindFreeRegion(); region != 0; region = FindFreeRegion()) {
-        if (!core_.NextVector(&plan_)) break;
+        if (!core_.NextVector(&nextVector_)) break;
         FillRegion(region);
         subject[sbjMove]->SetData(region);
         numSet++;
@@ -162,18 +162,19 @@ JointMover::FillRegion(RCRegion* region)
     // earlier vector.
     vector->SetNumData(robot_->numJoints);
     for (int j = 0; j < robot_->numJoints; j++) {
-        vector->GetInfo(j)->Set(odataJOINT_COMMAND2, joint_[j], plan_.numFrames);
+        vector->GetInfo(j)->Set(odataJOINT_COMMAND2, joint_[j], nextVector_.numFrames);
         OJointCommandValue2* value = (OJointCommandValue2*)vector->GetData(j)->value;
-        for (int f = 0; f < plan_.numFrames; f++) {
-            value[f].value = plan_.urad[f][j];
+        for (int f = 0; f < nextVector_.numFrames; f++) {
+            value[f].value = nextVector_.urad[f][j];
             value[f].padding = 0;
         }
     }
 }
 
-// Handles the ready event of Controller.  If Controller has replaced another Controller while the
-// robot stands, tells the new Controller at once that the robot stands, so that its program begins.
-// During the start of the robot, the event comes before the robot stands, and has no effect.
+// Handles the ready event of Controller.  If the robot stands already, a new Controller has
+// replaced another one.  Then tells the new Controller at once that the robot stands, so that its
+// program begins.  During the start of the robot, the robot does not stand yet, so nothing is told
+// here.
 void
 JointMover::ReadyMainExecution(const OReadyEvent& event)
 {
@@ -207,7 +208,7 @@ JointMover::NotifyMover(const ONotifyEvent& event)
             core_.Stop();
             break;
         default:
-            core_.Do(command);
+            core_.CarryOut(command);
             break;
         }
     }

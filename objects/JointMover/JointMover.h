@@ -72,7 +72,7 @@ private:
     bool isStopped_;  // true until DoInit has succeeded, and again from DoStop on
     bool isUp_;  // whether the robot has reached its initial posture
     MoverCore core_;
-    VectorPlan plan_;  // 1300 bytes; a member, because the stack of an object is small
+    VectorPlan nextVector_;  // 1300 bytes; a member, because the stack of an object is small
 };
 
 #endif  // JointMover_h_DEFINED

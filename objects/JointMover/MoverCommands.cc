@@ -103,7 +103,7 @@ MoverCore::SetGain(const MoverCommand& command)
 }
 
 void
-MoverCore::Do(const MoverCommand& command)
+MoverCore::CarryOut(const MoverCommand& command)
 {
     switch (command.kind) {
     case moverkindMOTOR_OFF:
@@ -182,7 +182,7 @@ MoverCore::Play(const MoverCommand& command, const Uint8* bytes, size_t size, st
     Enter(moverPREPARE_MTN);
     // Usually the end of a vector begins the motion.  But if no joint has to move, there may be no
     // further vector, so the motion begins here.
-    if (HasArrived()) BeginMotion();
+    if (IsStateComplete()) BeginMotion();
     return true;
 }
 

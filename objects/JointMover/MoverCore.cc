@@ -74,7 +74,7 @@ MoverCore::NextVector(VectorPlan* plan)
     // Usually the end of a vector begins the motion.  But there may be no further vector if the
     // joints that still had to move to the first key frame were switched off, so the motion begins
     // here.
-    if (state_ == moverPREPARE_MTN && numUnderWay_ == 0 && HasArrived()) BeginMotion();
+    if (state_ == moverPREPARE_MTN && numUnderWay_ == 0 && IsStateComplete()) BeginMotion();
     if (state_ == moverFILLING) {
         // Sends a single vector with the measured positions and waits for its end: the gains are
         // enabled only then, so that no joint jerks.
@@ -121,7 +121,7 @@ MoverCore::Remember(const VectorPlan& plan)
     record.number = numVectors_++;
     record.stateCount = stateCount_;
     record.keyFrame = state_ == moverMTN ? player_.KeyFrame() : -1;
-    record.arrived = HasArrived();
+    record.completesState = IsStateComplete();
     memcpy(record.commanded, plan.urad[plan.numFrames - 1], sizeof(record.commanded));
     joints_.VectorMade(record.number);
 }
@@ -129,7 +129,7 @@ MoverCore::Remember(const VectorPlan& plan)
 // Returns whether the newest frame completes the present state of MoverCore, such as "standing":
 // all joints have reached their goals, or the motion is over.
 bool
-MoverCore::HasArrived() const
+MoverCore::IsStateComplete() const
 {
     if (state_ == moverMTN) return !player_.IsPlaying();
     for (int j = 0; j < robot_->numJoints; j++) {
@@ -152,7 +152,7 @@ MoverCore::VectorEnded()
     // stopped, because this vector must not advance the present state.
     if (ended.stateCount != stateCount_) return;
     if (state_ == moverMTN) Report(ended.keyFrame, ended.commanded);
-    if (ended.arrived) Advance();
+    if (ended.completesState) Advance();
 }
 
 // ---- States --------------------------------------------------------------------------
@@ -194,7 +194,7 @@ MoverCore::EnterPosture(int index)
         Enter(START_POSTURES[posture_].state);
         // Goes on to the next posture at once if no joint has to move: vectors are made only while
         // a joint moves, so the end of a vector, which calls Advance(), would never come.
-        if (!HasArrived()) return;
+        if (!IsStateComplete()) return;
     }
     Enter(moverACCEPTING_COMMANDS);
     port_->InitialPostureReached();

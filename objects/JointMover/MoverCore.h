@@ -70,7 +70,7 @@ public:
 
     // Carries out `command`, which may be of any kind except PLAY and STOP.  For these two kinds
     // the caller calls Play() or Stop() instead.
-    void Do(const MoverCommand& command);
+    void CarryOut(const MoverCommand& command);
 
     // Sets the position, speed or acceleration of one joint.  Has no effect before the robot
     // stands.  A position has no effect on a joint that is switched off.  If a motion moves the
@@ -109,7 +109,7 @@ private:
         Sint32 number;
         Sint32 stateCount;  // value of stateCount_ when the vector was made
         Sint32 keyFrame;
-        bool arrived;                  // whether MoverCore completes its state when the vector ends
+        bool completesState;           // whether MoverCore completes its state when the vector ends
         Sint32 commanded[MAX_JOINTS];  // positions at the end of the vector
     };
 
@@ -122,7 +122,7 @@ private:
     bool NeedsPreparation() const;
     void Track(const MoverCommand& command);
     Sint32 HoldPosition(int joint) const;
-    bool HasArrived() const;
+    bool IsStateComplete() const;
     void MakeFrame(Sint32 urad[MAX_JOINTS]);
     void Remember(const VectorPlan& plan);
     void SetPosition(int joint, Sint32 urad, bool wake);

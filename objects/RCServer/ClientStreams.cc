@@ -18,14 +18,14 @@ ClientStreams::Begin(int stream, Uint16 period, Uint16 tag)
     begun.tag = tag;
 }
 
-// Returns whether the period of the subscription (the least time between two packets), counted from
-// lastFrame, is over.  Also returns true when frame numbers have begun anew: then `frame` is less
-// than lastFrame, and the difference of these unsigned numbers is very large.  So the next packet
-// comes too early, which is better than a long wait.
+// Returns whether the period of the subscription (the least time between two packets) has passed
+// since lastFrame.  Also returns true when the robot counts its frames from the beginning again:
+// `frame` is then less than lastFrame, so the difference of these unsigned numbers is very large.
+// One packet is then sent too early, which is better than a long wait.
 bool
 ClientStreams::IsPeriodOver(const Stream& stream, Uint32 frame) const
 {
-    return !stream.wasSent || frame - stream.lastFrame >= stream.period;
+    return !stream.hasLastFrame || frame - stream.lastFrame >= stream.period;
 }
 
 // Counts new values of a stream.  Sensor values come in every vector, usually more often than the
@@ -38,7 +38,7 @@ ClientStreams::NewValues(int stream, Uint32 frame)
     if (!changed.isOn) return;
     if (stream == rcstreamSENSORS) {
         if (!IsPeriodOver(changed, frame)) return;
-        changed.wasSent = true;
+        changed.hasLastFrame = true;
         changed.lastFrame = frame;
     }
     if (changed.numNew < 0xffff) changed.numNew++;
@@ -60,7 +60,7 @@ ClientStreams::Sent(int stream, Uint32 frame)
     Stream& sent = stream_[stream];
     const Uint16 leftOut = (Uint16)(sent.numNew - 1);
     sent.numNew = 0;
-    sent.wasSent = true;
+    sent.hasLastFrame = true;
     sent.lastFrame = frame;
     return leftOut;
 }

@@ -41,9 +41,9 @@ private:
         bool isOn;
         Uint16 tag;
         Uint16 period;
-        bool wasSent;      // whether lastFrame was set since Begin()
-        Uint32 lastFrame;  // frame in which a packet was last sent or, for sensor values, last due
-        Uint16 numNew;     // number of values that NewValues() has counted since the newest packet
+        bool hasLastFrame;  // whether lastFrame was set since Begin()
+        Uint32 lastFrame;   // frame in which a packet was last sent or, for sensor values, last due
+        Uint16 numNew;      // number of values that NewValues() has counted since the newest packet
     };
 
     bool IsPeriodOver(const Stream& stream, Uint32 frame) const;

@@ -17,7 +17,7 @@ RCServer::RCServer()
     : handler_(this),
       retryFrame_(0),
       runEnd_(runGOES_ON),
-      isEnding_(false),
+      isShutdownDue_(false),
       endFrame_(0),
       isStopped_(true)
 {
@@ -112,7 +112,7 @@ RCServer::NotifySensor(const ONotifyEvent& event)
     RetryListening(sensors_.frame);
     PlaceWaiting(sensors_.frame);
     SendEvents();
-    EndRunInTime(sensors_.frame);
+    ShutDownWhenDue(sensors_.frame);
 }
 
 void
@@ -227,10 +227,10 @@ RCServer::EndRun(bool reboot)
 // Shuts the robot down a moment after the answer was handed to the network, because the network
 // needs this time to bring the answer to the client.
 void
-RCServer::EndRunInTime(Uint32 frame)
+RCServer::ShutDownWhenDue(Uint32 frame)
 {
-    if (!isEnding_ || frame - endFrame_ < END_FRAMES) return;
-    isEnding_ = false;
+    if (!isShutdownDue_ || frame - endFrame_ < END_FRAMES) return;
+    isShutdownDue_ = false;
     ShutDownRobot();
 }
 
@@ -255,8 +255,8 @@ RCServer::ShutDownRobot()
 }
 
 // Converts the temperature of the battery to 0.01 degree Celsius.  `temperature` is in 0.1 kelvin,
-// from 0 to 5000.  The range in Hohl 2004, table 3.6, ends at 227.00 degrees for 500 kelvin, so 273
-// kelvin, and not 273.15, are taken as 0 degrees here.
+// from 0 to 5000.  Takes 273 kelvin, and not 273.15, as 0 degrees, because in Hohl 2004, table 3.6,
+// the highest temperature is 227.00 degrees, which is 500 kelvin less 273.
 static Sint32
 CentiCelsius(word temperature)
 {

@@ -104,7 +104,7 @@ private:
     void TurnAway(int index);
     void SendMover();
     void SendLedEar();
-    void EndRunInTime(Uint32 frame);
+    void ShutDownWhenDue(Uint32 frame);
     void ShutDownRobot();
 
     antStackRef ipstack_;
@@ -116,7 +116,7 @@ private:
     MoverQueue mover_;    // commands that wait until JointMover is ready
     LedEarState ledEar_;  // changes of LEDs and ears that wait until Controller is ready
     RunEnd runEnd_;       // set by a request for shutdown or reboot
-    bool isEnding_;       // whether the robot shuts down END_FRAMES after endFrame_
+    bool isShutdownDue_;  // whether the robot shuts down END_FRAMES after endFrame_
     Uint32 endFrame_;     // frame in which the answer to a request for shutdown or reboot was sent
     bool isStopped_;      // true before DoInit has found the robot, and from DoStop on
 };

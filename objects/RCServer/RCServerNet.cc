@@ -272,7 +272,7 @@ RCServer::SendCont(ANTENVMSG msg)
     // The client has asked for shutdown or reboot, which follows even if the answer could not be
     // sent.
     if (client_[index].session.EndsRun()) {
-        isEnding_ = true;
+        isShutdownDue_ = true;
         endFrame_ = sensors_.frame;
     }
     Close(index);

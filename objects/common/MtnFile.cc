@@ -10,7 +10,7 @@
 class MtnFile::Cursor {
 public:
     Cursor(const Uint8* bytes, size_t size)
-        : bytes_(bytes), size_(size), at_(0), section(-1), start(0), declared(0)
+        : bytes_(bytes), size_(size), at_(0), section(-1), start(0), declaredSize(0)
     {
     }
 
@@ -55,9 +55,9 @@ private:
     size_t at_;
 
 public:
-    int section;      // number of the section that is being read; -1 before the first section
-    size_t start;     // offset in the file at which this section begins
-    Uint32 declared;  // size of the section in bytes, as the section itself says
+    int section;          // number of the section that is being read; -1 before the first section
+    size_t start;         // offset in the file at which this section begins
+    Uint32 declaredSize;  // size of the section in bytes, as the section itself says
 };
 
 MtnFile::MtnFile()
@@ -131,27 +131,28 @@ MtnFile::BeginSection(Cursor* cursor, Uint32 number, Uint32 smallest)
     if (found != number)
         return Refuse(*cursor, TextFormat("section number is %u, expected %u", found, number));
     cursor->MoveTo(cursor->At() + 4);
-    cursor->declared = cursor->U32();
+    cursor->declaredSize = cursor->U32();
     return true;
 }
 
 // Moves to section `next`, which begins after the padding of the present section.  If the size that
-// the present section declares is wrong, section `next` begins either after the padding or after
-// the declared size.  Moves to the first of these two places that holds the section number `next`.
+// the present section declares does not lead to this place, looks for the section number `next` at
+// two places: first after the padding, then after the declared size.  Moves to the first place that
+// has this number.
 bool
 MtnFile::EndSection(Cursor* cursor, Uint32 next)
 {
     const size_t length = cursor->At() - cursor->start;
     const size_t padded = (length + 3) / 4 * 4;
-    if (cursor->declared == padded) {
+    if (cursor->declaredSize == padded) {
         if (!cursor->Has(padded - length))
             return Refuse(*cursor, "the file ends inside the padding");
         cursor->MoveTo(cursor->start + padded);
         return true;
     }
     const std::string sizes = TextFormat("size says %u bytes, its content has %lu",
-                                         cursor->declared, (unsigned long)padded);
-    const size_t places[2] = { cursor->start + padded, cursor->start + cursor->declared };
+                                         cursor->declaredSize, (unsigned long)padded);
+    const size_t places[2] = { cursor->start + padded, cursor->start + cursor->declaredSize };
     for (int i = 0; i < 2; i++) {
         if (places[i] < cursor->At() || places[i] > cursor->Size() ||
             cursor->Size() - places[i] < 4)
@@ -251,10 +252,10 @@ MtnFile::ReadKeyFrames(Cursor* cursor)
                       TextFormat("%u key frames of %d joints need %u bytes, the file has %lu left",
                                  frames, NumJoints(), data, (unsigned long)cursor->Left()));
     }
-    if (cursor->declared != 12 + data) {
+    if (cursor->declaredSize != 12 + data) {
         warnings_.push_back(
             TextFormat("section 3: size says %u bytes, %u key frames of %d joints have %u",
-                       cursor->declared, frames, NumJoints(), 12 + data));
+                       cursor->declaredSize, frames, NumJoints(), 12 + data));
     }
     angles_.reserve(frames * NumJoints());
     attitudes_.reserve(frames * 3);

@@ -115,7 +115,7 @@ void RemotePort::ReceiveUntil(Clock::time_point deadline, const std::function<bo
     }
     if (event) HandleEvent(*event);
     HandleAnswers(false);
-    ShowLife();
+    PingIfSilent();
   } while (Clock::now() < deadline && !is_ended());
   CopyNewPicture();
 }
@@ -184,7 +184,7 @@ void RemotePort::CopyNewPicture() {
 
 // Sends the request INFO when the robot has been silent for long, so that a robot that has stopped
 // is noticed.
-void RemotePort::ShowLife() {
+void RemotePort::PingIfSilent() {
   if (life_ != 0) {
     if (!robot_.IsAnswered(life_)) return;
     robot_.Drop(std::exchange(life_, 0));
@@ -205,8 +205,9 @@ void RemotePort::HandleAnswers(bool waits) {
       if (answers[i].status == rcOK) continue;
       const std::string why = fmt::format("{} was refused: {}", command.what, answers[i].error);
       if (answers[i].status == rcerrorBUSY && command.joint >= 0) {
-        // Keeps the refusal of a joint's position until the next sensor values, which tell whether
-        // a motion plays.  If so, the motion is the reason, and the position is sent again later.
+        // The robot refuses a position while a motion plays, and the next sensor values tell
+        // whether a motion plays.  So keeps the refusal until then: if a motion plays, the position
+        // is sent again later, else the user gets a warning.
         busy_.emplace_back(command.joint, why);
       } else {
         WarnOfRefusal(why);
@@ -362,7 +363,7 @@ void RemotePort::Print(const char* text) {
 // then returns true.  Meanwhile each call of on_step_() runs one iteration of ControllerCore.  The
 // object Controller of a simulated robot must not block, so it needs a second stack for its main().
 // On this computer, main() may block, so no second stack is needed.
-bool RemotePort::LeaveLoop() {
+bool RemotePort::SuspendLoop() {
   is_continued_ = false;
   while (!is_continued_) on_step_();
   return true;

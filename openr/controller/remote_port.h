@@ -77,7 +77,7 @@ class RemotePort : public ControllerPort {
   void Remark(const char* text) override;
   void Print(const char* text) override;
   void RunLoop(void (*body)(void*), void* argument) override { body(argument); }
-  bool LeaveLoop() override;
+  bool SuspendLoop() override;
   void ContinueLoop() override { is_continued_ = true; }
   void EndLoop() override {}
 
@@ -92,7 +92,7 @@ class RemotePort : public ControllerPort {
   void StoreMotionState(int key_frame, bool is_over);
   void HandleAnswers(bool waits);
   void CopyNewPicture();
-  void ShowLife();
+  void PingIfSilent();
   void AddLights(RcCommand command, const char* kind, int count, Uint32 now, Uint32* sent,
                  std::vector<RobotCommand>* commands) const;
   void Send(const std::vector<RobotCommand>& commands);

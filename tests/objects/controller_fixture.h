@@ -84,7 +84,7 @@ class ControllerTest : public testing::Test, public ControllerPort {
   void RunLoop(void (*body)(void*), void* argument) override {
     has_loop_stack ? loop_stack.Run(body, argument) : body(argument);
   }
-  bool LeaveLoop() override { return has_loop_stack && loop_stack.Leave(); }
+  bool SuspendLoop() override { return has_loop_stack && loop_stack.Leave(); }
   void ContinueLoop() override { loop_stack.Continue(); }
   void EndLoop() override { throw MethodEnds(); }
 

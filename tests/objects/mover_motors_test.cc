@@ -15,7 +15,7 @@ class MoverMotorsTest : public testing::Test {
  protected:
   void Switch(int kind, int joint) {
     MoverCommand command = {kind, joint, 0, {0}, 0, {}, {}};
-    dog_.core.Do(command);
+    dog_.core.CarryOut(command);
   }
   int NumLimp() const {
     int count = 0;
@@ -39,7 +39,7 @@ TEST_F(MoverMotorsTest, AllMotorsLosePowerAndEveryGainIsOff) {
 // Sends TRACK to the tilt joint and plays what follows; returns the positions of all frames.
 std::vector<int32_t> Tracked(StandingDog* dog, int32_t urad, int frames) {
   const int tilt = dog->Joint(kTiltJoint);
-  dog->core.Do({moverkindTRACK, tilt, urad, {frames}, 0, {}, {}});
+  dog->core.CarryOut({moverkindTRACK, tilt, urad, {frames}, 0, {}, {}});
   const size_t begin = dog->frames.size();
   dog->Play();
   std::vector<int32_t> positions;
@@ -164,9 +164,9 @@ int32_t LargestStep(const StandingDog& dog, int joint) {
 // which hangs at `hangs` micro-radians meanwhile.  If `is_vector_made`, a vector is made between
 // both.
 void StartAfterMotorOn(StandingDog* dog, int tilt, int32_t hangs, bool is_vector_made) {
-  dog->core.Do({moverkindMOTOR_OFF, MOVER_ALL_JOINTS, 0, {0}, 0, {}, {}});
+  dog->core.CarryOut({moverkindMOTOR_OFF, MOVER_ALL_JOINTS, 0, {0}, 0, {}, {}});
   dog->angle[tilt] = hangs;
-  dog->core.Do({moverkindMOTOR_ON, MOVER_ALL_JOINTS, 0, {0}, 0, {}, {}});
+  dog->core.CarryOut({moverkindMOTOR_ON, MOVER_ALL_JOINTS, 0, {0}, 0, {}, {}});
   VectorPlan plan;
   if (is_vector_made) {
     ASSERT_TRUE(dog->core.NextVector(&plan));
@@ -240,11 +240,11 @@ TEST_F(MoverMotorsTest, GainsTheRobotBeginsWithAreThoseOfItsTable) {
 
 TEST_F(MoverMotorsTest, GainsAreSetAtOnceOrWhenTheJointIsSwitchedOn) {
   MoverCommand command = {moverkindGAINS, tilt_, 0, {0}, 0, {}, {30, 0, 5}};
-  dog_.core.Do(command);
+  dog_.core.CarryOut(command);
   EXPECT_EQ(dog_.gains[tilt_], (std::vector<int>{30, 0, 5}));
   Switch(moverkindMOTOR_OFF, tilt_);
   command.gain[0] = 31;
-  dog_.core.Do(command);
+  dog_.core.CarryOut(command);
   EXPECT_FALSE(dog_.gain[tilt_]);
   EXPECT_EQ(dog_.gains[tilt_], (std::vector<int>{30, 0, 5}));
   Switch(moverkindMOTOR_ON, tilt_);
@@ -257,8 +257,8 @@ TEST_F(MoverMotorsTest, CommandsBeforeTheRobotStandsAndForNoJointHaveNoEffect) {
   for (const int kind : {moverkindMOTOR_OFF, moverkindMOTOR_ON, moverkindGAINS}) {
     for (const int joint : {-1, 0, 18, 1000000}) {
       MoverCommand command = {kind, joint, 0, {0}, 0, {}, {99, 99, 99}};
-      dog.core.Do(command);
-      if (joint > 17) dog_.core.Do(command);
+      dog.core.CarryOut(command);
+      if (joint > 17) dog_.core.CarryOut(command);
     }
   }
   EXPECT_TRUE(dog.motor_power);

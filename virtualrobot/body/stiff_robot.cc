@@ -42,7 +42,7 @@ double Cross2(const Vector3d& o, const Vector3d& p, const Vector3d& q) {
 }
 
 // Returns whether the point `p` is inside the triangle `t`, seen from above.
-bool Under(const Triangle& t, const Vector3d& p) {
+bool IsInsideFromAbove(const Triangle& t, const Vector3d& p) {
   return Cross2(t[0], t[1], p) >= 0 && Cross2(t[1], t[2], p) >= 0 && Cross2(t[2], t[0], p) >= 0;
 }
 
@@ -61,11 +61,11 @@ Triangle HugeTriangleOver(const Vector3d& centre) {
   return {o + Vector3d(10, 0, 0), o + Vector3d(-5, 8, 0), o + Vector3d(-5, -8, 0)};
 }
 
-// Moves the triangle `t` down until it is the face of the robot's convex hull that lies below
-// `centre`.  In each pass, the hull's point that is furthest below the plane of the triangle
-// replaces one corner.  The corner is chosen so that `centre` still lies over the triangle.  `t`
+// Turns the triangle `t` into the face of the robot's convex hull that lies below `centre`.  Each
+// pass replaces one corner by the point of the hull that is furthest below the plane of the
+// triangle.  The corner is chosen so that `centre` stays inside the triangle, seen from above.  `t`
 // and `centre` are in a frame with the z axis up.  R converts vectors from the base frame B, the
-// frame of `hull`, to this frame.  REQUIRES: `centre` lies over `t`.
+// frame of `hull`, to this frame.  REQUIRES: seen from above, `centre` is inside `t`.
 void SinkToSupport(const Hull& hull, const Matrix3d& R, const Vector3d& centre, Triangle* t) {
   // Limit of the number of passes, each of which replaces one corner of the triangle by a lower
   // point of the hull.  The hulls of our robot models need far fewer passes.
@@ -79,10 +79,10 @@ void SinkToSupport(const Hull& hull, const Matrix3d& R, const Vector3d& centre, 
     for (int k = 0; k < 3; ++k) {  // index of the corner that the lower point p replaces
       next = *t;
       next[k] = p;
-      if (Under(next, centre)) break;
+      if (IsInsideFromAbove(next, centre)) break;
     }
-    // Ends the search for a lower triangle if the point p of the hull lies in line with an edge of
-    // the triangle, because the new triangle then has no area.
+    // Ends the search if `next` has no area when it is seen from above: the new corner p is then in
+    // line with the two other corners.
     if (Cross2(next[0], next[1], next[2]) < 1e-12) return;
     *t = next;
   }
@@ -141,10 +141,10 @@ Vector3d StiffRobot::CentreOfMass() const {
   return sum / mass_kg_;
 }
 
-// Returns the centre of mass.  PlaceOnFloor() looks for a support below this point: the triangle of
-// points on which the robot rests.  A robot whose centre of mass is not above its support tips
-// over.  For a model without boxes or without masses, whose centre of mass is not known, returns
-// the middle of the paws, because a robot stands on its paws.
+// Returns the point below which PlaceOnFloor() looks for the support, the triangle of points on
+// which the robot rests.  This is the centre of mass, because a robot tips over if its centre of
+// mass is not above its support.  For a model without boxes or without masses, the centre of mass
+// is not known.  Then returns the middle of the paws, because a robot stands on its paws.
 Vector3d StiffRobot::SupportedPoint() const {
   if (model_.bodies[0].has_box && mass_kg_ > 0) return CentreOfMass();
   Vector3d sum = Vector3d::Zero();
@@ -169,7 +169,7 @@ void StiffRobot::PlaceOnFloor(RestingPose* pose) const {
         LevelRotation(R.transpose() * Vector3d(-plane.a, -plane.b, 1).normalized());
     for (Vector3d& corner : support) corner = levelled * (R.transpose() * corner);
     R = levelled;
-    if (!Under(support, R * centre_B)) support = HugeTriangleOver(R * centre_B);
+    if (!IsInsideFromAbove(support, R * centre_B)) support = HugeTriangleOver(R * centre_B);
   }
   pose->X_WB = Isometry3d::Identity();
   pose->X_WB.linear() = R;

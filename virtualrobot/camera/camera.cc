@@ -143,7 +143,7 @@ size_t CameraDevice::DataBytes() const {
 }
 
 RCRegion* CameraDevice::FreeVector() {
-  if (RCRegion* const free = pool_.Free()) return free;
+  if (RCRegion* const free = pool_.FindFree()) return free;
   RCRegion* const region = NewVectorRegion(odataFBKIMAGE_VECTOR, sizeof(OFbkImageInfo),
                                            ofbkimageNUM_LAYERS, DataBytes());
   pool_.Add(region);
@@ -229,8 +229,8 @@ const std::array<uint8_t, 3>& CameraDevice::ColourOfChannel(int channel) {
 }
 
 void CameraDevice::SwitchOff(int64_t frame) {
-  // Adds the images of this boot to those of earlier boots, because the frame number begins at 0 in
-  // the next boot, but the source of pictures goes on with its next picture.
+  // Adds the number of images of this boot to the number of earlier images, because frames count
+  // from 0 again after the next boot, but the source of pictures goes on with its next picture.
   earlier_images_ += ImagesBefore(frame);
   settings_ = {};
   tables_ = {};

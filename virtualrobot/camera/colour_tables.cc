@@ -8,12 +8,12 @@ namespace openr_host {
 namespace {
 
 // Sets one bit in the elements `min` to `max` of `bits`, and clears this bit in all other elements.
-// `bit` is a mask in which only this bit is set.
-void Mark(std::array<uint8_t, 256>* bits, uint8_t bit, longword min, longword max) {
+// In `mask`, only this bit is set.
+void Mark(std::array<uint8_t, 256>* bits, uint8_t mask, longword min, longword max) {
   for (longword value = 0; value < 256; ++value) {
     uint8_t& channels = (*bits)[value];
     channels =
-        static_cast<uint8_t>(min <= value && value <= max ? channels | bit : channels & ~bit);
+        static_cast<uint8_t>(min <= value && value <= max ? channels | mask : channels & ~mask);
   }
 }
 
@@ -21,17 +21,17 @@ void Mark(std::array<uint8_t, 256>* bits, uint8_t bit, longword min, longword ma
 
 bool ColourTables::Set(const OCdtInfo& info) {
   if (!std::has_single_bit(info.channel) || info.channel > ocdtCHANNEL7) return false;
-  const auto bit = static_cast<uint8_t>(info.channel);
+  const auto mask = static_cast<uint8_t>(info.channel);
   for (size_t segment = 0; segment < ocdtMAX_Y_SEGMENT; ++segment) {
     const longword packed = info.table[segment];
     // Replaces ocdtINIT, which means that the segment of a colour table detects no colour, by the
     // empty range from 1 to 0, because ocdtINIT, read as a rectangle of Cr and Cb, would detect
     // neutral grey.
     const bool unused = packed == ocdtINIT;
-    Mark(&cr_[segment], bit, unused ? 1 : packed & 0xff, unused ? 0 : packed >> 8 & 0xff);
-    Mark(&cb_[segment], bit, unused ? 1 : packed >> 16 & 0xff, unused ? 0 : packed >> 24);
+    Mark(&cr_[segment], mask, unused ? 1 : packed & 0xff, unused ? 0 : packed >> 8 & 0xff);
+    Mark(&cb_[segment], mask, unused ? 1 : packed >> 16 & 0xff, unused ? 0 : packed >> 24);
   }
-  used_ |= bit;
+  used_ |= mask;
   return true;
 }
 

@@ -32,9 +32,9 @@ std::string PlayProblem(const OSoundInfo& info, const Primitive* primitive) {
 // speaker's settings; otherwise "".
 std::string FormatWarning(const OSoundInfo& info, const SoundType& type) {
   // Gives no warning about a field that is 0, because 0 means that the program did not set it.
-  const auto says = [](word said, int set) { return said != 0 && said != set; };
-  if (!says(info.samplingRate, type.rate_hz()) &&
-      !says(info.bitsPerSample, 8 * type.bytes_per_sample) && !says(info.channel, 1))
+  const auto differs = [](word named, int set) { return named != 0 && named != set; };
+  if (!differs(info.samplingRate, type.rate_hz()) &&
+      !differs(info.bitsPerSample, 8 * type.bytes_per_sample) && !differs(info.channel, 1))
     return "";
   return fmt::format(
       "says {} Hz, {} bits, {} channels; the speaker is set to {} Hz, {} bits, mono and plays it "
@@ -111,9 +111,10 @@ void SoundQueue::Start(int64_t frame, bool behind_another, std::vector<SoundProb
   const SentVector vector = ReadSentVector(playing_.region.get(), sizeof(OSoundInfo),
                                            "sound vector", robot_.system, &found);
   const int64_t wait = WaitOf(vector, &found);
-  // A sound vector without a delay begins in `frame`.  If another vector ended in the middle of
-  // this frame, the sound vector begins directly after that vector.  A delay counts whole frames:
-  // from `frame` on, or from the next frame on if another vector was played in a part of `frame`.
+  // Without a delay, the sound vector begins in `frame`: at the beginning of this frame, or
+  // directly after another vector that has ended in the middle of it.  With a delay, the sound
+  // vector waits `wait` whole frames.  The first of these is `frame`, or the next frame if another
+  // vector was played in `frame`.
   start_ = wait == 0 ? frame : frame + (behind_another ? 1 : 0) + wait;
   if (vector.header != nullptr && !NamesItsMemory(vector, robot_.system)) {
     found.push_back(fmt::format(

@@ -30,8 +30,8 @@ const slongword kJumpUrad = static_cast<slongword>(Radians(30) / kRadPerUrad);
 // The unit of set points is the microradian.  If the set points of a joint are 1 to 10, positive or
 // negative, for 32 frames (a quarter of a second), we assume that the program sends radians by
 // mistake, because so few microradians hardly move a joint.  The numbers are our choice.
-constexpr slongword kTinyUrad = 10;
-constexpr int kTinyFrames = 32;
+constexpr slongword kRadianLikeUrad = 10;
+constexpr int kRadianLikeFrames = 32;
 constexpr double kLoad = 0.78 * kDriveFull;
 constexpr int kLoadFrames = 30 * 125;
 
@@ -62,15 +62,15 @@ void JointWatch::ServosChanged(const BodyState& body, bool motor_power,
     joints_[j].acted = acts;
     const bool has_sunk = HasSunk(joints_[j], devices_.joints[j].target_urad * kRadPerUrad);
     joints_[j].has_acted = joints_[j].has_acted || acts;
-    if (!begins || joints_[j].told_start) continue;
-    // Does not report a servo that begins to act near a set point that an object has sent, because
-    // the joint does not jump.  Does not report a limp joint that has only sunk from its set point,
-    // because this is no mistake of the program.
+    if (!begins || joints_[j].reported_start) continue;
+    // Reports nothing in two cases, if an object has sent a set point.  The joint is near the set
+    // point, so it does not jump.  Or the joint was limp and has only sunk from the set point,
+    // which is no mistake of the program.
     const JointDevice& device = devices_.joints[j];
     const double measured = body.joints[j].angle_rad;
     const double target = device.target_urad * kRadPerUrad;
     if (device.commanded && (std::fabs(target - measured) <= kFar_rad || has_sunk)) continue;
-    joints_[j].told_start = true;
+    joints_[j].reported_start = true;
     problems->push_back(fmt::format(
         "{}: its gains take effect {}; the joint is at {:.1f} degrees and goes to {:.1f} at full "
         "power (send a vector with the position of GetJointValue() first)",
@@ -102,10 +102,10 @@ void JointWatch::CheckForJump(size_t joint, const CommandElement& element, doubl
   const JointDevice& device = devices_.joints[joint];
   int64_t before =
       device.commanded ? device.target_urad : static_cast<int64_t>(measured_rad / kRadPerUrad);
-  for (int i = 0; i < element.frames && !joints_[joint].told_jump; ++i) {
+  for (int i = 0; i < element.frames && !joints_[joint].reported_jump; ++i) {
     const int64_t urad = element.Urad(i);
     if (std::llabs(urad - before) > kJumpUrad) {
-      joints_[joint].told_jump = true;
+      joints_[joint].reported_jump = true;
       problems->push_back(fmt::format(
           "{}: set point jumps from {:.1f} to {:.1f} degrees in one frame; nothing ramps it, the "
           "joint goes there at full power (interpolate, 8 ms a frame)",
@@ -121,18 +121,21 @@ void JointWatch::CheckForRadians(size_t joint, const CommandElement& element,
   Joint& watched = joints_[joint];
   for (int i = 0; i < element.frames; ++i) {
     const slongword urad = element.Urad(i);
-    const bool tiny = urad != 0 && urad >= -kTinyUrad && urad <= kTinyUrad;
-    watched.tiny_frames = tiny ? watched.tiny_frames + 1 : 0;
-    // Notes whether a set point is larger than kTinyUrad.  No joint can turn by so many radians, so
-    // a program that sends such a set point uses microradians.
-    watched.was_in_urad = watched.was_in_urad || urad < -kTinyUrad || urad > kTinyUrad;
+    const bool looks_like_radians =
+        urad != 0 && urad >= -kRadianLikeUrad && urad <= kRadianLikeUrad;
+    watched.radian_like_frames = looks_like_radians ? watched.radian_like_frames + 1 : 0;
+    // Notes whether a set point is larger than kRadianLikeUrad.  No joint can turn by so many
+    // radians, so a program that sends such a set point uses microradians.
+    watched.was_in_urad = watched.was_in_urad || urad < -kRadianLikeUrad || urad > kRadianLikeUrad;
   }
-  if (watched.tiny_frames < kTinyFrames || watched.told_radians || watched.was_in_urad) return;
-  watched.told_radians = true;
+  if (watched.radian_like_frames < kRadianLikeFrames || watched.reported_radians ||
+      watched.was_in_urad)
+    return;
+  watched.reported_radians = true;
   problems->push_back(
       fmt::format("{}: set points within +-{} are micro-radians and as good as 0; radians are "
                   "multiplied by 1,000,000 (oradians() takes degrees)",
-                  model_.joints[joint].locator, kTinyUrad));
+                  model_.joints[joint].locator, kRadianLikeUrad));
 }
 
 void JointWatch::CheckShifts(std::vector<std::string>* problems) {
@@ -172,10 +175,10 @@ void JointWatch::VectorStarts(const std::vector<CommandElement>& elements, const
       continue;
     }
     const double goal = element.Urad(element.frames - 1) * kRadPerUrad;
-    if (joints_[j].told_effect || motor_power_cut || std::fabs(goal - measured) <= kFar_rad ||
-        HasSunk(joints_[j], goal))
+    if (joints_[j].reported_no_effect || motor_power_cut ||
+        std::fabs(goal - measured) <= kFar_rad || HasSunk(joints_[j], goal))
       continue;
-    joints_[j].told_effect = true;
+    joints_[j].reported_no_effect = true;
     (motor_power ? without_gain : without_power).push_back(element.primitive->locator);
   }
   if (!without_power.empty()) {

@@ -40,10 +40,10 @@ class JointWatch {
   void VectorStarts(const std::vector<CommandElement>& elements, const BodyState& body,
                     bool motor_power, bool motor_power_cut, std::vector<std::string>* problems);
 
-  // Records the drives and angles of the joints after a frame.  Returns the indices of the motors
-  // whose drive has now been 78 % of its limit or more for exactly 30 s without a break.  The
-  // limits are from Sony's support (BBS 1735); how the robot averages the drive is not known.
-  // Called after every frame.
+  // Records the drives and angles of the joints.  Called after every frame.  Returns the indices of
+  // the motors whose drive has been 78 % of its limit or more in all frames of the last 30 s; a
+  // longer overload is returned only once.  The limits are from Sony's support (BBS 1735); how the
+  // robot averages the drive is not known.
   std::vector<int> NoteFrame(const BodyState& body);
 
   // Forgets all that was recorded about the joints and which mistakes were reported, because the
@@ -60,28 +60,24 @@ class JointWatch {
   struct Joint {
     bool acted = false;  // whether the servo had power and a P gain at the last ServosChanged()
     // Each of the next four members says whether a mistake of the program has been reported for
-    // this joint already, because each mistake is reported only once: a servo that begins to act
-    // far from its set point (told_start), set points that jump (told_jump), set points that have
-    // no effect (told_effect), and set points in radians instead of microradians (told_radians).
-    bool told_start = false;
-    bool told_jump = false;
-    bool told_effect = false;
-    bool told_radians = false;
-    bool was_in_urad = false;  // whether a set point was too large to be an angle in radians
-    int tiny_frames = 0;       // number of successive set points that look like radians
+    // this joint already, because each mistake is reported only once.
+    bool reported_start = false;      // a servo begins to act far from its set point
+    bool reported_jump = false;       // set points jump
+    bool reported_no_effect = false;  // set points have no effect
+    bool reported_radians = false;    // set points are in radians instead of microradians
+    bool was_in_urad = false;         // whether a set point was too large to be an angle in radians
+    int radian_like_frames = 0;       // number of successive set points that look like radians
     int loaded_frames = 0;
     // Whether the servo has acted since boot, that is, has had motor power and a P gain.  Until
-    // then, `now` and `before` have the range of the joint's positions in the present half second
-    // and in the half second before.  From these ranges, HasSunk() finds out whether a limp joint
-    // was near its set point a moment ago and has only sunk, which is no mistake.
+    // then, NoteLimpJoints() records the range of the joint's positions for HasSunk(): half a
+    // second is recorded in `now`, then this range becomes `before`, and `now` begins anew.
     bool has_acted = false;
     Range_rad now, before;
   };
 
-  // Returns whether the servo of `joint` has not acted since boot (had no motor power or no P gain)
-  // and the joint was near `goal_rad` in the last second.  In this case the joint was at its goal
-  // and has only sunk, because it is limp, so a start far from the goal is no mistake of the
-  // program.
+  // Returns whether `joint`, while limp, was near `goal_rad` in the last second.  Such a joint has
+  // only sunk away from its goal, so it is no mistake of the program if the joint is far from the
+  // goal now.  Returns false if the servo has acted since boot (has had motor power and a P gain).
   static bool HasSunk(const Joint& joint, double goal_rad);
   // Records the positions of the joints whose servos have not acted since boot (had no motor power
   // or no P gain).
@@ -102,7 +98,7 @@ class JointWatch {
   const Devices& devices_;
   std::vector<Joint> joints_;
   bool has_reported_shifts_ = false;  // whether CheckShifts() has reported the mistake
-  int limp_frames_ = 0;  // number of frames of the present half second that have passed
+  int limp_frames_ = 0;               // number of frames since NoteLimpJoints() began Joint::now
 };
 
 }  // namespace openr_host

@@ -27,9 +27,10 @@ constexpr double kLightMinPerM2 = 0.18 / (0.8 * 0.8);
 // Time for which an ERS-7 measures one of its two distance sensors in the head before it changes to
 // the other distance sensor (field-notes.md 8.5).
 constexpr int64_t kTurnUs = 50'000;
-// Values of the field `signal` in the sample of a distance sensor of an ERS-7, which measures its
-// two distance sensors in the head in turn: the value of this sample is new, or it was kept while
-// the other sensor was measured.  No document gives these numbers, so they are our choice.
+// Values of the field `signal` in the sample of a distance sensor.  An ERS-7 measures its two
+// distance sensors in the head in turn.  kFreshSignal: the value is new.  kKeptSignal: the value
+// was kept while the other sensor was measured.  No document gives these numbers, so they are our
+// choice.
 constexpr word kFreshSignal = 1, kKeptSignal = 0;
 
 int TurnOf(int64_t frame) { return static_cast<int>(frame * kFrameUs / kTurnUs % 2); }
@@ -174,9 +175,9 @@ void SensorSource::SampleTurn(int turn, const Body& body, const Devices& devices
       SampleJoint(i, sensor.joint, state, devices);
       continue;
     }
-    // Computes the value even when it is not used, because an input sets the value of the sensor
-    // (held_) or it is not the sensor's turn.  The computation takes random numbers, and without it
-    // the noise of the other sensors would change.
+    // Always computes the value, because the computation takes random numbers: without it, the
+    // noise of the other sensors would change.  The value is not used if an input sets the value of
+    // the sensor (held_), or if it is not the sensor's turn.
     const slongword value = ValueOf(sensor, body);
     const slongword before = latest_[i].value;
     const bool is_kept = sensor.turn >= 0 && turn != kAllTurns && turn != sensor.turn;
@@ -239,7 +240,7 @@ bool SensorSource::Sample(int64_t frame, const Body& body, const Devices& device
 }
 
 RCRegion* SensorSource::FreeVector() {
-  if (RCRegion* const free = pool_.Free()) return free;
+  if (RCRegion* const free = pool_.FindFree()) return free;
   const size_t count = latest_.size();
   constexpr size_t kInfo = sizeof(OSensorFrameInfo);
   constexpr size_t kData = sizeof(OSensorFrameData);

@@ -96,9 +96,9 @@ double OverlapAlongAxis(const Vector3d& centre, const Matrix3d& R, const Vector3
 }
 
 // Adds points of the side of the cylinder `thing` that are inside the box.  Tests the side at three
-// heights: at the middle and at the two ends of the cylinder.  Leaves out a point that is deeper
-// than the overlap along the axis of the cylinder, because the box then touches an end of the
-// cylinder and not its side.
+// heights: at the middle and at the two ends of the cylinder.  Leaves out a point whose depth is
+// greater than OverlapAlongAxis(), because the box then touches an end of the cylinder and not its
+// side.
 void TouchByFaces(const Vector3d& centre, const Matrix3d& R, const Vector3d& half,
                   const WorldThing& thing, std::vector<TouchPoint>* points) {
   const double radius_m = thing.size_m.x() / 2;
@@ -136,31 +136,32 @@ void TouchByRims(const Vector3d& centre, const Matrix3d& R, const Vector3d& half
   }
 }
 
-// Adds the points of `cylinder` that are in the cylinder `thing`.  Tests points on the rims of the
-// ends of `cylinder`, and points on the straight line of its side that is nearest to `thing`.
-// Tests no point of this line near its ends.  Such a point may also be near an end of `thing`, and
-// its shortest way out of `thing` would then lead along the axis of `thing` and not sideways.
-// `sign` is 1 if normals are to point out of `thing`, and -1 if normals are to point into `thing`.
-void TouchByRimsAndSide(const WorldThing& cylinder, const WorldThing& thing, double sign,
+// Adds the points of the cylinder `tested` that are in the cylinder `other`.  Tests points on the
+// rims of the ends of `tested`, and points on the straight line of its side that is nearest to
+// `other`.  Tests no point of this line near its ends.  Such a point may also be near an end of
+// `other`, and its shortest way out of `other` would then lead along the axis of `other` and not
+// sideways.
+// `sign` is 1 if normals are to point out of `other`, and -1 if normals are to point into `other`.
+void TouchByRimsAndSide(const WorldThing& tested, const WorldThing& other, double sign,
                         std::vector<TouchPoint>* points) {
   const auto test = [&](const Vector3d& p) {
-    const Vector3d p_W = cylinder.centre_m + cylinder.R_WT * p;
+    const Vector3d p_W = tested.centre_m + tested.R_WT * p;
     const SurfaceDistance found =
-        DistanceTo(thing.shape, thing.size_m, thing.R_WT.transpose() * (p_W - thing.centre_m));
+        DistanceTo(other.shape, other.size_m, other.R_WT.transpose() * (p_W - other.centre_m));
     if (found.distance_m < 0)
-      points->push_back({p_W, sign * (thing.R_WT * found.out), -found.distance_m});
+      points->push_back({p_W, sign * (other.R_WT * found.out), -found.distance_m});
   };
   for (const double end : {-0.5, 0.5}) {
-    for (int i = 0; i < kRimPoints; ++i) test(RimPoint(cylinder.size_m, end, i));
+    for (int i = 0; i < kRimPoints; ++i) test(RimPoint(tested.size_m, end, i));
   }
-  const Vector3d way = cylinder.R_WT.transpose() * (thing.centre_m - cylinder.centre_m);
+  const Vector3d way = tested.R_WT.transpose() * (other.centre_m - tested.centre_m);
   const double length = std::sqrt(way.x() * way.x() + way.y() * way.y());
-  // Tests no points on the side of `cylinder` if the centre of `thing` is on the axis of
-  // `cylinder`, because all lines of the side are then equally near to this centre.
+  // Tests no points on the side of `tested` if the centre of `other` is on the axis of `tested`,
+  // because all lines of the side are then equally near to this centre.
   if (length == 0) return;
-  const double scale = cylinder.size_m.x() / 2 / length;
+  const double scale = tested.size_m.x() / 2 / length;
   for (const double height : {-0.4, 0.0, 0.4})
-    test(Vector3d(way.x() * scale, way.y() * scale, height * cylinder.size_m.z()));
+    test(Vector3d(way.x() * scale, way.y() * scale, height * tested.size_m.z()));
 }
 
 // Sorts `points` by depth, the deepest first, and keeps only the first kBoxPointsMax points.

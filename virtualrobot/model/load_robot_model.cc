@@ -105,8 +105,8 @@ void ReadJoint(const JsonReader& row, RobotModel* model) {
   if (child.joint >= 0) row.At("child").Fail("'{}' already hangs on a joint", child.name);
   child.joint = static_cast<int>(model->joints.size());
   joint.axis = row.At("axis").Vector();
-  // Accepts only the axes x, y and z, in both directions.  Only for these axes, both numbers are 1:
-  // the sum of the absolute values of the coordinates, and the length of the vector.
+  // Accepts only the axes x, y and z, in both directions.  Recognises them by two numbers: the sum
+  // of the absolute values of the coordinates, and the length.  Both are 1 only for these axes.
   if (joint.axis.cwiseAbs().sum() != 1 || joint.axis.norm() != 1) {
     row.At("axis").Fail("must be one of the axes of B, as [0, -1, 0]");
   }
@@ -350,9 +350,9 @@ void ReadPostures(const JsonReader& root, RobotModel* model) {
 
 }  // namespace
 
-RobotModel ParseRobotModel(const std::string& text, const std::string& name) {
-  const nlohmann::json json = JsonReader::ParseText(text, name);
-  const JsonReader root(json, name);
+RobotModel ParseRobotModel(const std::string& text, const std::string& file_name) {
+  const nlohmann::json json = JsonReader::ParseText(text, file_name);
+  const JsonReader root(json, file_name);
   if (root.At("schema").Text() != "openr-host robot model 1") {
     root.At("schema").Fail("is '{}', this program reads 'openr-host robot model 1'",
                            root.At("schema").Text());

@@ -198,7 +198,7 @@ struct RobotModel {
 // file cannot be read or describes an impossible robot.
 RobotModel LoadRobotModel(const std::string& path);
 
-// Reads a model from `text`, the text of a model file.  Error messages call this file `name`.
-RobotModel ParseRobotModel(const std::string& text, const std::string& name);
+// Reads a model from `text`, the text of a model file.  Error messages call this file `file_name`.
+RobotModel ParseRobotModel(const std::string& text, const std::string& file_name);
 
 }  // namespace openr_host

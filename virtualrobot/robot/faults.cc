@@ -76,7 +76,7 @@ void Faults::AddInputs() {
       &Faults::ReadDraw);
 }
 
-std::string Faults::FindParts(const std::string& name, std::vector<int>* sensors) const {
+std::string Faults::FindSensors(const std::string& name, std::vector<int>* sensors) const {
   const RobotModel& model = robot_.model;
   *sensors = model.SensorsNamed(name);
   if (!sensors->empty()) return "";
@@ -96,7 +96,7 @@ std::string Faults::FindPrimitives(const std::string& name, std::vector<OPrimiti
     return "";
   }
   std::vector<int> sensors;
-  std::string problem = FindParts(name, &sensors);
+  std::string problem = FindSensors(name, &sensors);
   for (const int sensor : sensors) ids->push_back(robot_.primitives.IdOfSensor(sensor));
   return problem;
 }
@@ -135,7 +135,7 @@ std::string Faults::ReadBreak(std::string_view rest, Inputs::Action* action) {
       return problem;
   }
   std::vector<int> sensors;
-  if (std::string problem = FindParts(words[0], &sensors); !problem.empty()) return problem;
+  if (std::string problem = FindSensors(words[0], &sensors); !problem.empty()) return problem;
   std::vector<Place> places;
   for (const int sensor : sensors) {
     const std::optional<Place> place = PlaceOf(fault.kind, sensor);

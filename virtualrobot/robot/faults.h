@@ -83,7 +83,7 @@ class Faults {
 
   // Finds the sensors and joints with the name `name`.  Writes the indices of the sensors to
   // `sensors`; for a joint, this is the index of its sensor.  Returns "" or the error.
-  std::string FindParts(const std::string& name, std::vector<int>* sensors) const;
+  std::string FindSensors(const std::string& name, std::vector<int>* sensors) const;
   // Finds the primitives with the name or locator `name`, and writes their ids to `ids`.  Lights
   // and other primitives without a sensor have only locators.  Returns "" or the error.
   std::string FindPrimitives(const std::string& name, std::vector<OPrimitiveID>* ids) const;

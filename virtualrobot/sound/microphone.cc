@@ -15,7 +15,7 @@ Microphone::Microphone(std::unique_ptr<SoundSource> source, OPrimitiveID id, int
 }
 
 RCRegion* Microphone::FreeVector() {
-  if (RCRegion* const free = pool_.Free()) return free;
+  if (RCRegion* const free = pool_.FindFree()) return free;
   const size_t bytes = sizeof(OSoundSampleStereo16) * kSoundSamplesPerFrame *
                        static_cast<size_t>(frames_per_vector_);
   RCRegion* const region = NewVectorRegion(odataSOUND_VECTOR, sizeof(OSoundInfo), 1, bytes);
@@ -39,7 +39,7 @@ RCRegion* Microphone::MakeVector(int64_t frame) {
   auto* const vector = reinterpret_cast<OSoundVectorData*>(region->Base());
   const int64_t first = frame - frames_per_vector_;
   vector->GetInfo(0)->frameNumber = FrameNumber(first);
-  source_->Read((first_frame_ + first) * kSoundSamplesPerFrame,
+  source_->Read((frames_before_boot_ + first) * kSoundSamplesPerFrame,
                 reinterpret_cast<OSoundSampleStereo16*>(vector->GetData(0)),
                 frames_per_vector_ * kSoundSamplesPerFrame);
   return region;
@@ -47,7 +47,7 @@ RCRegion* Microphone::MakeVector(int64_t frame) {
 
 void Microphone::SwitchOff(int64_t frame) {
   settings_ = {};
-  first_frame_ += frame;
+  frames_before_boot_ += frame;
   pool_.Clear();
 }
 

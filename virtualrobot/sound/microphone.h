@@ -55,7 +55,7 @@ class Microphone {
   const OPrimitiveID id_;
   const int frames_per_vector_;
   Settings settings_;
-  int64_t first_frame_ = 0;  // number of the source's frame for frame 0 after the last boot
+  int64_t frames_before_boot_ = 0;  // number of frames of the source before the last boot
   VectorPool pool_;
 };
 

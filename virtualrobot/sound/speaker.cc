@@ -64,7 +64,7 @@ std::string Speaker::Play(int64_t frame, const SoundFrame& samples, bool motor_p
                                                int64_t{INT16_MIN}, int64_t{INT16_MAX}));
     }
   }
-  newest_.frame = first_frame_ + frame;
+  newest_.frame = frames_before_boot_ + frame;
   return sink_ == nullptr ? "" : sink_->Play(newest_.frame, out);
 }
 

@@ -62,7 +62,7 @@ class Speaker {
   // their count.
   void SwitchOff(int64_t frame) {
     settings_ = {};
-    first_frame_ += frame;
+    frames_before_boot_ += frame;
   }
 
   // Closes the sink after the last sound.  Returns "", or the reason why some of the sound could
@@ -85,7 +85,7 @@ class Speaker {
   std::unique_ptr<SoundSink> sink_;
   Settings settings_;
   Sound newest_;
-  int64_t first_frame_ = 0;  // number of the sink's frame for frame 0 after the last boot
+  int64_t frames_before_boot_ = 0;  // number of frames of the sink before the last boot
 };
 
 }  // namespace openr_host

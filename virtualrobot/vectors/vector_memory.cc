@@ -90,7 +90,7 @@ int64_t WaitOf(const SentVector& vector, std::vector<std::string>* problems) {
   return wait;
 }
 
-RCRegion* VectorPool::Free() const {
+RCRegion* VectorPool::FindFree() const {
   for (RCRegion* region : regions_) {
     if (region->NumberOfReference() == 1) return region;  // free: only the pool refers to it
   }

@@ -35,10 +35,10 @@ SentVector ReadSentVector(RCRegion* region, size_t info_size, const char* kind, 
                           std::vector<std::string>* problems);
 
 // Returns whether the header of the vector has the id of the memory in which the vector came.  The
-// robot finds a vector by this id, and answers a wrong id with oINVALID_DATA_VECTOR_ID.  If a
-// system object made the memory, returns true for any id, because of the system object TCPGateway:
-// it copies vectors of other machines into its own memory, and their headers still have the ids of
-// those machines.
+// robot finds a vector by this id, and answers a wrong id with oINVALID_DATA_VECTOR_ID.  Also
+// returns true for a wrong id if a system object made the memory.  The reason is the system object
+// TCPGateway: it copies vectors of other machines into its own memory, but their headers still have
+// the ids of those machines.
 bool NamesItsMemory(const SentVector& vector, System& system);
 
 // Returns the synchronisation key of the vector in `region`; ovrsynckeyUNDEF when the region is too
@@ -55,7 +55,7 @@ class VectorPool {
  public:
   // Returns a region of the pool that is free.  Returns null when all regions of the pool are in
   // use; then the caller makes a new region and calls Add().
-  RCRegion* Free() const;
+  RCRegion* FindFree() const;
 
   // Adds `region` to the pool.  The caller must hold the only reference to the region; the pool
   // takes this reference over.  Adds a finding when objects keep very many regions.  REQUIRES: a

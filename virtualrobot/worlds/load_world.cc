@@ -327,9 +327,9 @@ void ReadThings(const JsonReader& list, std::vector<WorldThing>* things) {
 
 }  // namespace
 
-World ParseWorld(const std::string& text, const std::string& name) {
-  const nlohmann::json json = JsonReader::ParseText(text, name);
-  const JsonReader root(json, name);
+World ParseWorld(const std::string& text, const std::string& file_name) {
+  const nlohmann::json json = JsonReader::ParseText(text, file_name);
+  const JsonReader root(json, file_name);
   const std::string schema = root.At("schema").Text();
   World world;
   if (schema == "openr-host world 1") {

@@ -64,8 +64,8 @@ StartPlace StartOf(const World& world, int robot);
 // cannot be read or has a mistake.
 World LoadWorld(const std::string& path);
 
-// Reads a world from `text`, the text of a world file.  Error messages call this file `name`.
-World ParseWorld(const std::string& text, const std::string& name);
+// Reads a world from `text`, the text of a world file.  Error messages call this file `file_name`.
+World ParseWorld(const std::string& text, const std::string& file_name);
 
 void HashWorld(const World& world, Hasher* hasher);
 

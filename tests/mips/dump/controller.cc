@@ -46,7 +46,7 @@ class Robot : public ControllerPort {
   virtual void Remark(const char* text) { printf("remark %s\n", text); }
   virtual void Print(const char* text) { printf("print %s\n", text); }
   virtual void RunLoop(void (*body)(void*), void* argument) { body(argument); }
-  virtual bool LeaveLoop() { return false; }
+  virtual bool SuspendLoop() { return false; }
   virtual void ContinueLoop() {}
   virtual void EndLoop() {}
   virtual void EnableCamera(bool) {}

@@ -244,7 +244,7 @@ class Wrapper : public ControllerPort {
   virtual void Remark(const char*) {}
   virtual void Print(const char*) {}
   virtual void RunLoop(void (*body)(void*), void* argument) { body(argument); }
-  virtual bool LeaveLoop() { return false; }
+  virtual bool SuspendLoop() { return false; }
   virtual void ContinueLoop() {}
   virtual void EndLoop() {}
   virtual void EnableCamera(bool) {}
