@@ -101,14 +101,14 @@ ProcessResult RunProcess(const std::vector<std::string>& arguments, const Proces
   Pipe in, out;
   const bool captures = options.captures_error || options.captures_out;
   if ((captures && !out.Open()) || (options.input && !in.Open())) {
-    result.not_found = std::strerror(errno);
+    result.start_error = std::strerror(errno);
     return result;
   }
   pid_t child = 0;
   const int error = Spawn(arguments, options, in, out, &child);
   if (error != 0) {
     result.status = 127;
-    result.not_found = fmt::format("{}: {}", arguments[0], std::strerror(error));
+    result.start_error = fmt::format("{}: {}", arguments[0], std::strerror(error));
     return result;
   }
   // Closes this process's copies of the two descriptors that the child uses.  Then, if the child

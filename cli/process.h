@@ -21,16 +21,16 @@ struct ProcessOptions {
   // A function that is called about every 200 ms while RunProcess() waits for captured output of
   // the child; may be null.
   std::function<void()> while_waiting = {};
-  // Text for the standard input of the child.  RunProcess() writes the whole text before it reads
-  // output of the child, so the child must read the text before it writes more than a pipe holds
-  // (64 KiB).
+  // Text for the standard input of the child.  RunProcess() reads output of the child only after it
+  // has written the whole text.  So the child must read the whole text before it writes more than a
+  // pipe holds (64 KiB); otherwise both would wait for ever.
   std::optional<std::string> input = {};
 };
 
 struct ProcessResult {
-  int status = -1;        // exit status; 128 + n after signal n; 127: the program did not start
-  std::string output;     // text that the child wrote to captured streams
-  std::string not_found;  // reason why the program was not started; "" if it was started
+  int status = -1;          // exit status; 128 + n after signal n; 127: the program did not start
+  std::string output;       // text that the child wrote to captured streams
+  std::string start_error;  // reason why the program was not started; "" if it was started
   bool good() const { return status == 0; }
 };
 

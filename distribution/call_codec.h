@@ -169,12 +169,12 @@ struct Parameter<const RunEnd&> : InputParameter {
   RunEnd value;
 };
 
-// Converts a TimeEvents::Letter, the message that TimeEvents posts at a certain time or when a
-// reply arrives.  The member `owner` is not sent, because it is the calling object, which the
+// Converts a TimeEvents::EventMessage, the message that TimeEvents posts at a certain time or when
+// a reply arrives.  The member `owner` is not sent, because it is the calling object, which the
 // master knows.
 template <>
-struct Parameter<const TimeEvents::Letter&> : InputParameter {
-  static void Put(const TimeEvents::Letter& value, CallArguments* to) {
+struct Parameter<const TimeEvents::EventMessage&> : InputParameter {
+  static void Put(const TimeEvents::EventMessage& value, CallArguments* to) {
     to->numbers.push_back(static_cast<uint64_t>(value.target));
     to->numbers.push_back(value.selector);
     to->bytes.assign(value.bytes.begin(), value.bytes.end());
@@ -185,9 +185,9 @@ struct Parameter<const TimeEvents::Letter&> : InputParameter {
     const size_t size = std::min(from.bytes.size(), Message::kPayloadMax);
     value.bytes.assign(from.bytes.begin(), from.bytes.begin() + static_cast<ptrdiff_t>(size));
   }
-  const TimeEvents::Letter& argument() const { return value; }
+  const TimeEvents::EventMessage& argument() const { return value; }
 
-  TimeEvents::Letter value;
+  TimeEvents::EventMessage value;
 };
 
 template <>

@@ -16,9 +16,10 @@
 namespace openr_host {
 namespace {
 
-// Longest time in microseconds that a worker may send.  Programs give times as RelativeTime, with
-// 32 bits for seconds and 32 bits for milliseconds, and the longest RelativeTime is shorter than
-// this limit.  So a time above the limit is an error of the worker and is refused.
+// Largest value of a time, in microseconds, that the master accepts from a worker.  Programs give
+// times as RelativeTime, with 32 bits for seconds and 32 bits for milliseconds, and the longest
+// RelativeTime is shorter than this limit.  So a value above the limit is an error of the worker
+// and is refused.
 constexpr int64_t kTimeMaxUs = int64_t{1} << 53;
 
 // Largest number of bytes that the master returns for a ControlPrimitive() request.  A faulty
@@ -27,22 +28,22 @@ constexpr uint64_t kResultMax = 1024;
 
 bool IsTime(int64_t time_us) { return time_us >= 0 && time_us <= kTimeMaxUs; }
 
-TimeEvents::Letter LetterOfCaller(const TimeEvents::Letter& letter) {
-  TimeEvents::Letter own = letter;
+TimeEvents::EventMessage MessageOfCaller(const TimeEvents::EventMessage& message) {
+  TimeEvents::EventMessage own = message;
   own.owner = t_current.object->id;
   return own;
 }
 
 }  // namespace
 
-uint32_t CheckedCalls::AddTimedEvent(const TimeEvents::Letter& letter, int64_t first_us,
+uint32_t CheckedCalls::AddTimedEvent(const TimeEvents::EventMessage& message, int64_t first_us,
                                      int64_t period_us) {
   if (!IsTime(first_us) || !IsTime(period_us)) return 0;
-  return LocalCalls::AddTimedEvent(LetterOfCaller(letter), first_us, period_us);
+  return LocalCalls::AddTimedEvent(MessageOfCaller(message), first_us, period_us);
 }
 
-uint32_t CheckedCalls::AddReplyEvent(const TimeEvents::Letter& letter, uint64_t box) {
-  return LocalCalls::AddReplyEvent(LetterOfCaller(letter), box);
+uint32_t CheckedCalls::AddReplyEvent(const TimeEvents::EventMessage& message, uint64_t box) {
+  return LocalCalls::AddReplyEvent(MessageOfCaller(message), box);
 }
 
 int32_t CheckedCalls::RegisterName(ObjectId object, std::string_view name) {

@@ -27,9 +27,9 @@ class CheckedCalls : public LocalCalls {
   CheckedCalls(System* system, IsOwn is_own, Refuse refuse)
       : LocalCalls(system), is_own_(std::move(is_own)), refuse_(std::move(refuse)) {}
 
-  uint32_t AddTimedEvent(const TimeEvents::Letter& letter, int64_t first_us,
+  uint32_t AddTimedEvent(const TimeEvents::EventMessage& message, int64_t first_us,
                          int64_t period_us) override;
-  uint32_t AddReplyEvent(const TimeEvents::Letter& letter, uint64_t box) override;
+  uint32_t AddReplyEvent(const TimeEvents::EventMessage& message, uint64_t box) override;
   int32_t RegisterName(ObjectId object, std::string_view name) override;
   OStatus RegisterService(ObjectId object, uint32_t selector, std::string_view name) override;
   uint32_t NewRegion(size_t size, ObjectId owner) override;
@@ -53,8 +53,8 @@ class CheckedCalls : public LocalCalls {
   // RobotServices::SetCdtVectorData().
   OStatus SetCdtVectorData(uint32_t region, const std::string& bytes);
 
-  // Returns whether an object of the worker owns the region or has made it.  Tests both owner and
-  // maker, because an object may make a region and give it to an object in another process.
+  // Returns whether an object of the worker owns the region or has made it.  The maker counts, too:
+  // its process keeps the bytes of the region, even if another object owns the region now.
   bool HasRegion(uint32_t region) const;
 
   // Removes all pins of the worker's objects after the worker was lost.  A pin keeps the memory of

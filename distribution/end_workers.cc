@@ -18,13 +18,13 @@ class Deadline {
         is_interrupted_(is_interrupted),
         now_ms_(now_ms) {}
 
-  // Calls the function `wait` once, and then again until the function returns true or no time is
-  // left.  Each call gets the time that it may last, at most kEndSliceMs.  Returns whether the
-  // function has returned true.
-  bool Wait(const std::function<bool(int64_t limit_ms)>& wait) {
+  // Calls the function `wait_slice` once, and then again until the function returns true or no
+  // time is left.  Each call gets the time that it may last, at most kEndSliceMs.  Returns whether
+  // the function has returned true.
+  bool Wait(const std::function<bool(int64_t limit_ms)>& wait_slice) {
     int64_t left_ms = LeftMs();
     do {
-      if (wait(std::min(left_ms, kEndSliceMs))) return true;
+      if (wait_slice(std::min(left_ms, kEndSliceMs))) return true;
       left_ms = LeftMs();
     } while (left_ms > 0);
     return false;
@@ -34,8 +34,8 @@ class Deadline {
   // Returns the time until the deadline.  First checks whether the user has interrupted the wait;
   // if so, makes the deadline earlier.
   int64_t LeftMs() {
-    if (!is_shortened_ && is_interrupted_()) {
-      is_shortened_ = true;
+    if (!has_seen_interrupt_ && is_interrupted_()) {
+      has_seen_interrupt_ = true;
       end_ms_ = std::min(end_ms_, now_ms_() + interrupted_ms_);
     }
     return std::max<int64_t>(0, end_ms_ - now_ms_());
@@ -45,7 +45,8 @@ class Deadline {
   const int64_t interrupted_ms_;
   const std::function<bool()>& is_interrupted_;
   const std::function<int64_t()>& now_ms_;
-  bool is_shortened_ = false;  // whether the user has interrupted the wait and so moved end_ms_
+  // Whether the user has interrupted the wait and so moved end_ms_.
+  bool has_seen_interrupt_ = false;
 };
 
 }  // namespace

@@ -137,9 +137,9 @@ void ProcessSlot::AnswerJoinRequest(const openr_wire_JoinRequest& request) {
   } else if (is_closed_) {
     answer.refusal = arena.Text(fmt::format("the run goes on without process '{}'", process_));
   } else if (has_joined_ && requester_id_ != id) {
-    // Gives no answer now if the joined process has ended.  A refusal would be wrong, because the
-    // slot is no longer in use, but the master will give the slot away only when it notices that
-    // end.  The requester repeats its request until it gets an answer.
+    // Gives no answer now if the joined process has ended.  The requester then repeats its request
+    // until the master has noticed the end.  A refusal could make the requester give up, although
+    // the slot is about to become free.
     if (liveness_.HasEnded()) return;
     answer.session = arena.Text(kTakenSession);
     answer.refusal = arena.Text(fmt::format("the run has its process '{}' already: pid {} on {}",
@@ -162,7 +162,7 @@ void ProcessSlot::AnswerJoinRequest(const openr_wire_JoinRequest& request) {
   join_channel_->Send(answer);
 }
 
-void ProcessSlot::RefuseOtherRequests() {
+void ProcessSlot::AnswerPendingRequests() {
   if (join_channel_ == nullptr) return;
   NotifyAbandoned();
   while (const auto request = join_channel_->Receive(0)) AnswerJoinRequest(*request);
@@ -195,7 +195,7 @@ bool ProcessSlot::AwaitJoin(int timeout_ms) {
   if (join_channel_ != nullptr) {
     if (const auto request = join_channel_->Receive(channel_ == nullptr ? timeout_ms : 0))
       AnswerJoinRequest(*request);
-    RefuseOtherRequests();
+    AnswerPendingRequests();
   }
   if (channel_ == nullptr) return false;
   if (identity_.pid == 0 && !ReceiveHello(timeout_ms)) return false;

@@ -68,12 +68,13 @@ class ProcessSlot {
   // Answers the join requests that have arrived.  Refuses them while a worker has the slot, and
   // after Close(); otherwise the first requester gets a session.  Also tells abandoned workers that
   // they were given up.
-  void RefuseOtherRequests();
+  void AnswerPendingRequests();
   // Closes the slot: all later join requests are refused.
   void Close() { is_closed_ = true; }
 
-  // Gives up the joined worker.  If this is an external worker that cannot be reached now, the
-  // master tells the worker later, as soon as it can be reached again, that it was given up.
+  // Gives up the joined worker.  If this is an external worker that cannot be reached now,
+  // AnswerPendingRequests() tells the worker about this later, when the worker can be reached
+  // again.
   void Abandon();
 
   // The channel to the worker that has joined or is joining; null if there is no such worker.
@@ -84,7 +85,7 @@ class ProcessSlot {
   const Identity& last_identity() const { return identity_.pid == 0 ? previous_ : identity_; }
 
  private:
-  // The next three functions are steps of AwaitJoin() and RefuseOtherRequests().
+  // The next three functions are steps of AwaitJoin() and AnswerPendingRequests().
   bool ReceiveHello(int timeout_ms);
   void NotifyAbandoned();
   void AnswerJoinRequest(const openr_wire_JoinRequest& request);

@@ -140,8 +140,9 @@ bool RemoteEffects::Answers(const Message& message, const Object* self) {
 }
 
 // Refuses a message if its sender, or the object of its subject or observer, is not `self`.  If
-// `self` is null, any object of this worker may be the sender.  A request that the handler forwards
-// keeps the name of its original sender, so that name is accepted, too.
+// `self` is null, accepts any object of this worker in place of `self`.  If the handler of `self`
+// forwards a request, accepts the sender of this request, because a forwarded request keeps its
+// sender.
 void RemoteEffects::CheckEnds(const openr_wire_Message& in, const Object* self) {
   const auto is_own = [&](ObjectId id) {
     return self == nullptr ? id == kNoObject || resources_->objects().contains(id) : id == self->id;
@@ -153,12 +154,12 @@ void RemoteEffects::CheckEnds(const openr_wire_Message& in, const Object* self) 
     connection_->Refuse("a message in the name of another object");
   // Accepts an id that no object has.  Such an id is sent by a subject or an observer for which the
   // program has set no entry (SetReadyEntry(), SetNotifyEntry()).
-  const auto is_others = [&](ObjectId id) {
+  const auto belongs_to_other = [&](ObjectId id) {
     return !is_own(id) && resources_->system()->object(id) != nullptr;
   };
-  if (in.payload._d == openr_wire_PAYLOAD_NOTIFY && is_others(in.payload._u.notify.subject))
+  if (in.payload._d == openr_wire_PAYLOAD_NOTIFY && belongs_to_other(in.payload._u.notify.subject))
     connection_->Refuse("a notification of another object's subject");
-  if (in.payload._d == openr_wire_PAYLOAD_READY && is_others(in.payload._u.ready.observer))
+  if (in.payload._d == openr_wire_PAYLOAD_READY && belongs_to_other(in.payload._u.ready.observer))
     connection_->Refuse("a ready of another object's observer");
 }
 
@@ -179,10 +180,10 @@ int32_t RemoteEffects::Post(const openr_wire_PostedMessage& posted, Object* self
   const CurrentScope scope(resources_->system(), self);
   OwnedMessage message =
       resources_->system()->NewMessage(posted.message.target, posted.message.selector);
-  // Keeps two members that NewMessage() has set: the message's class (messages that are due at the
-  // same time are delivered in the order of their classes) and its cause (the number of the message
-  // whose handler sends this message).  They must be the same as in a run with one process, and not
-  // the worker's values that Decode() may store.
+  // Saves the message's class and cause, which NewMessage() has set, because Decode() may replace
+  // members of the message by the worker's values.  The class decides the order of messages that
+  // are due at the same time.  The cause is the number of the message whose handler sends this
+  // message.
   const MessageClass message_class = message->message_class;
   const uint64_t cause = message->cause;
   const std::string problem = resources_->marshaller()->Decode(posted.message, message.get());

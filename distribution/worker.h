@@ -35,7 +35,7 @@ struct WorkerOptions {
   std::string stick;    // folder of the Memory Stick on this host; "" to use the master's path
   int64_t master_wait_ms = 60'000;     // time limit for finding the master, in ms of the wall clock
   bool waits_for_predecessor = false;  // whether to wait until an earlier process of this name ends
-  std::function<bool()> is_ended;      // whether the user has told this process to end; or null
+  std::function<bool()> is_end_requested;  // whether the user has told this process to end; or null
   std::function<void(const std::string& line)> say;  // prints a line for the user
   // Returns a local folder to use as the Memory Stick when the run's folder is not on this host, or
   // "".  The worker uses the folder only if its files are the same as in the run's folder.  The
@@ -47,7 +47,7 @@ struct WorkerOptions {
   std::function<std::string(const std::string& stick)> find_stick_problem;
   // A function that is called once, with the folder of the Memory Stick, before objects are loaded;
   // may be null.  With this folder, openr join chooses the file for crash records.
-  std::function<void(const std::string& stick)> begins;
+  std::function<void(const std::string& stick)> before_loading;
 };
 
 class Worker : public MasterLink {
@@ -90,7 +90,7 @@ class Worker : public MasterLink {
   // Joins the run: gets a session, sends Hello and receives Welcome.  Returns "" or an error.
   std::string Join();
   std::string RequestSession();
-  bool IsEndRequested() const { return options_.is_ended && options_.is_ended(); }
+  bool IsEndRequested() const { return options_.is_end_requested && options_.is_end_requested(); }
   void SayGoodbye(const std::string& text);
   bool WaitFor(const ChannelBase& channel) const;
   std::string NoRunFound() const;
@@ -141,7 +141,7 @@ class Worker : public MasterLink {
   std::string session_;
   bool is_refused_ = false;
   std::string stick_;                       // folder of the Memory Stick in use
-  bool has_called_begins_ = false;          // whether WorkerOptions::begins was called
+  bool has_checked_stick_ = false;          // whether LoadObjects() has checked the stick
   std::set<std::string> own_object_names_;  // names of this worker's objects
   bool has_reported_joined_ = false;
   // For each robot, the number of heap bytes used in other processes.

@@ -55,13 +55,13 @@ void WorkerCalls::SetQueueMax(int32_t messages) {
   TellMaster<&SystemCalls::SetQueueMax>(master_, messages);
 }
 
-uint32_t WorkerCalls::AddTimedEvent(const TimeEvents::Letter& letter, int64_t first_us,
+uint32_t WorkerCalls::AddTimedEvent(const TimeEvents::EventMessage& message, int64_t first_us,
                                     int64_t period_us) {
-  return AskMaster<&SystemCalls::AddTimedEvent>(master_, letter, first_us, period_us);
+  return AskMaster<&SystemCalls::AddTimedEvent>(master_, message, first_us, period_us);
 }
 
-uint32_t WorkerCalls::AddReplyEvent(const TimeEvents::Letter& letter, uint64_t box) {
-  return AskMaster<&SystemCalls::AddReplyEvent>(master_, letter, box);
+uint32_t WorkerCalls::AddReplyEvent(const TimeEvents::EventMessage& message, uint64_t box) {
+  return AskMaster<&SystemCalls::AddReplyEvent>(master_, message, box);
 }
 
 bool WorkerCalls::CancelEvent(uint32_t event) {

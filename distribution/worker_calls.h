@@ -19,9 +19,9 @@ class WorkerCalls : public LocalCalls {
   const Message* BeginWait(uint64_t box, int64_t timeout_us, std::string_view why) override;
   size_t ReadLine(char* buffer, size_t size) override;
   void SetQueueMax(int32_t messages) override;
-  uint32_t AddTimedEvent(const TimeEvents::Letter& letter, int64_t first_us,
+  uint32_t AddTimedEvent(const TimeEvents::EventMessage& message, int64_t first_us,
                          int64_t period_us) override;
-  uint32_t AddReplyEvent(const TimeEvents::Letter& letter, uint64_t box) override;
+  uint32_t AddReplyEvent(const TimeEvents::EventMessage& message, uint64_t box) override;
   bool CancelEvent(uint32_t event) override;
   int CountEvents() override;
   int32_t RegisterName(ObjectId object, std::string_view name) override;

@@ -249,10 +249,10 @@ void WorkerGroup::WaitForAnotherWorker(Member* member, const std::string& why) {
   member->robots_sent = member->objects_sent = 0;
 }
 
-// Handles the loss of a worker.  After a crash the run goes on without the worker.  A handler
-// crashes at the same message in every run, so all runs go on in the same way.  After any other
-// loss, a run in lockstep (the master waits for each handler) stops, unless the worker may be
-// restarted, because the run would wait for the worker for ever.
+// Handles the loss of a worker.  After a crash the run goes on: the handler crashes at the same
+// message in every run, so all runs go on in the same way.  After any other loss, a run in lockstep
+// (the master waits for each handler) would wait for the worker for ever.  So such a run stops,
+// unless the worker may be restarted.
 void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
                              const std::string& why) {
   RemoteProcess& process = *about->process();
@@ -304,8 +304,8 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
   system_->AddFindingAbout(about, Severity::kError, text);
   process.ReleaseAll();
   CleanUp(member);
-  if (!crash_listener_) return;
-  for (const auto& [id, object] : member->objects) crash_listener_(object);
+  if (!object_loss_listener_) return;
+  for (const auto& [id, object] : member->objects) object_loss_listener_(object);
 }
 
 void WorkerGroup::StopRun(const RunEnd& why) {
@@ -387,7 +387,7 @@ std::vector<WorkerGroup::ProcessFacts> WorkerGroup::Describe() const {
                        {},
                        member.lost,
                        member.losses,
-                       member.returns};
+                       member.restarts_done};
     const Latency& latency = member.process->handlers().latency();
     facts.handlers = latency.count();
     facts.median_us = latency.PercentileUs(0.5);

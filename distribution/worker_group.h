@@ -72,9 +72,9 @@ class WorkerGroup {
     std::string host;
     int64_t pid = 0;
     std::vector<std::string> objects;
-    std::string lost;  // the reason of the loss, "" while the worker runs
-    int losses = 0;    // number of times that the worker was lost
-    int returns = 0;   // number of times that the worker was restarted
+    std::string lost;       // the reason of the loss, "" while the worker runs
+    int losses = 0;         // number of times that the worker was lost
+    int restarts_done = 0;  // number of times that the worker was restarted
     // Number of times that the worker has run a handler.  The three times below are the median, the
     // 99th percentile and the maximum of the time from sending a message to the worker until the
     // master knows that the message's handler is done.
@@ -90,9 +90,13 @@ class WorkerGroup {
 
   // Sets a listener that is called for each object of a worker when the worker is lost while the
   // run goes on.
-  void OnCrash(std::function<void(Object*)> listener) { crash_listener_ = std::move(listener); }
+  void OnObjectLoss(std::function<void(Object*)> listener) {
+    object_loss_listener_ = std::move(listener);
+  }
   // Sets a listener that is called for each object of a worker when the worker has been restarted.
-  void OnReturn(std::function<void(Object*)> listener) { return_listener_ = std::move(listener); }
+  void OnObjectRestart(std::function<void(Object*)> listener) {
+    object_restart_listener_ = std::move(listener);
+  }
 
   // Sets a listener that is called with the name of a worker when the master notices that the
   // worker is lost.
@@ -155,7 +159,7 @@ class WorkerGroup {
     bool is_reported = false;     // whether the user was told that the stage takes long
     int restarts_left = 0;
     int losses = 0;
-    int returns = 0;
+    int restarts_done = 0;
     uint64_t undelivered_before = 0;  // number of undelivered messages of all earlier losses
     // Owns the master's new stand-ins for the objects of a restarted worker, until the object table
     // takes them to replace the old stand-ins.
@@ -207,8 +211,8 @@ class WorkerGroup {
   int64_t next_check_ns_ = 0;  // time of the next check of the workers in a free run
   std::string problem_;        // the first problem of a worker before Boot(); "" if there is none
   std::function<void(const std::string&)> loss_listener_;
-  std::function<void(Object*)> crash_listener_;
-  std::function<void(Object*)> return_listener_;
+  std::function<void(Object*)> object_loss_listener_;
+  std::function<void(Object*)> object_restart_listener_;
   std::vector<std::string> placed_;  // names of objects that are in OBJECT.CFG and run in workers
 };
 

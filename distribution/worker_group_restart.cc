@@ -19,12 +19,12 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kCrashRecordMs = 5'000;   // time for a crashed process to write its crash record
-constexpr int64_t kRetryPauseMs = 1'000;    // pause after a failed restart
-constexpr int64_t kReturnNoticeMs = 2'000;  // time in one stage after which the user is told
+constexpr int64_t kCrashRecordMs = 5'000;  // time for a crashed process to write its crash record
+constexpr int64_t kRetryPauseMs = 1'000;   // pause after a failed restart
+constexpr int64_t kSlowStageMs = 2'000;    // time in one stage after which the user is told
 // The pause between two steps of restarts in lockstep (the master waits for each handler).  It is
 // short, because the run stands still until the restarts are complete.
-constexpr int kReturnPollUs = 1'000;
+constexpr int kRestartPollUs = 1'000;
 
 }  // namespace
 
@@ -79,7 +79,7 @@ void WorkerGroup::AdvanceRestart(Member* member, bool may_load) {
     switch (member->stage) {
       case Stage::kRunning:
       case Stage::kNotRestarted:
-        process.connection().slot().RefuseOtherRequests();
+        process.connection().slot().AnswerPendingRequests();
         return;
       case Stage::kCleaningUp:
         Restart(member);
@@ -112,12 +112,12 @@ void WorkerGroup::CheckRestart(Member* member) {
   if (waited_ms > options_.wait_ms)
     throw ProcessLost(fmt::format("process '{}' did not come back within {} s", member->name,
                                   options_.wait_ms / 1000));
-  if (member->is_reported || waited_ms < kReturnNoticeMs) return;
+  if (member->is_reported || waited_ms < kSlowStageMs) return;
   member->is_reported = true;
   options_.say(
       fmt::format("process '{}' has not come back for {} s: not started, stopped, or busy; it has "
                   "{} s (--join-wait)",
-                  member->name, kReturnNoticeMs / 1000, options_.wait_ms / 1000));
+                  member->name, kSlowStageMs / 1000, options_.wait_ms / 1000));
 }
 
 // Gives up this attempt to restart the worker, because of `why`.  Goes back to stage kCleaningUp,
@@ -203,22 +203,22 @@ void WorkerGroup::OnReplaced(ObjectId id) {
   }
   for (auto& [name, member] : members_) {
     if (member.stage != Stage::kReplacing || !member.successors.contains(id)) {
-      // Removes the readies of the replaced object from all stand-ins in the master, because the
-      // new object asserts ready anew.  Does so also for old stand-ins that will be replaced
-      // themselves, because the new stand-ins get the readies of the old ones.
+      // Removes the readies of the replaced object from the stand-ins of this member, because the
+      // new object asserts ready anew.  Does so also if these stand-ins will be replaced later,
+      // because their successors get their readies.
       for (const auto& [other, object] : member.objects) object->ForgetObserver(id);
       continue;
     }
-    // This member is the restarted worker of object `id`.  We do not remove the readies of the old
-    // object `id` from the stand-ins of this worker (ForgetObserver()), because these readies have
+    // This member is the restarted worker of object `id`.  Its stand-ins may have readies of the
+    // old object `id`.  We do not call ForgetObserver() to remove these readies, because they have
     // no effect: ObjectManager::ReplaceAndBoot() does not send a ready again if both its sender and
-    // its receiver are replaced.  Also, ForgetObserver() must not be called for the old stand-ins
-    // with ids below `id`.  They are destroyed already, because objects are replaced in the order
-    // of their ids.
+    // its receiver are replaced.  ForgetObserver() must not be called for old stand-ins with ids
+    // below `id` anyway: they are destroyed already, because objects are replaced in the order of
+    // their ids.
     //
-    // Copies the count of undelivered messages from the master's old stand-in for the object to the
-    // new one.  NewInstance() has copied it already, but messages may have come for the old
-    // stand-in since then.
+    // Copies the count of undelivered messages once more from the old stand-in of object `id` to
+    // the new stand-in, because messages may have come for the old stand-in since NewInstance()
+    // copied the count.
     member.successors[id]->undelivered_count = member.objects[id]->undelivered_count;
     // Finishes the restart only when `id` was the last object of the worker.  Objects are replaced
     // in the order of their ids, so the last object has the largest id.
@@ -228,15 +228,15 @@ void WorkerGroup::OnReplaced(ObjectId id) {
     member.objects = member.successors;
     member.process->Rejoin(member.objects);
     member.lost.clear();
-    ++member.returns;
+    ++member.restarts_done;
     EnterStage(&member, Stage::kRunning);
     const ProcessSlot::Identity& identity = member.process->connection().identity();
     options_.say(
         fmt::format("process '{}' is back (pid {} on {}); {} messages came meanwhile and "
                     "were not heard",
                     name, identity.pid, identity.host, undelivered - member.undelivered_before));
-    if (!return_listener_) continue;
-    for (const auto& [new_id, object] : member.objects) return_listener_(object);
+    if (!object_restart_listener_) continue;
+    for (const auto& [new_id, object] : member.objects) object_restart_listener_(object);
   }
 }
 
@@ -263,7 +263,7 @@ bool WorkerGroup::AdvanceRestarts() {
 // up.  Sleeps between two steps and does not wait for DDS samples.  Samples of running workers stay
 // unread in this loop, so a wait for samples would end at once each time.
 void WorkerGroup::WaitForRestarts() {
-  while (system_->booted() && !IsEnding() && AdvanceRestarts()) usleep(kReturnPollUs);
+  while (system_->booted() && !IsEnding() && AdvanceRestarts()) usleep(kRestartPollUs);
   for (const auto& [name, member] : members_) {
     if (member.stage != Stage::kNotRestarted || member.crashed || system_->powered_off()) continue;
     system_->AddFindingAbout(member.objects.begin()->second, Severity::kError,

@@ -47,12 +47,12 @@ std::string Worker::LoadObjects(const openr_wire_Load& load) {
     CheckRobot(static_cast<int>(i));
     SetHeapOfOtherProcesses(static_cast<int>(i), load.heap_elsewhere._buffer[i]);
   }
-  if (!std::exchange(has_called_begins_, true)) {
+  if (!std::exchange(has_checked_stick_, true)) {
     const std::string problem =
         options_.find_stick_problem ? options_.find_stick_problem(stick_) : "";
     is_refused_ = !problem.empty();
     if (is_refused_) return problem;
-    if (options_.begins) options_.begins(stick_);
+    if (options_.before_loading) options_.before_loading(stick_);
   }
   for (uint32_t i = 0; i < load.designs._length; ++i) {
     const openr_wire_DesignEntry& entry = load.designs._buffer[i];

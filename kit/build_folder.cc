@@ -323,7 +323,7 @@ void FolderBuild::TryConvention(const std::vector<ObjectFolder>& objects, const 
   ShowBuildProgress(
       &make_, [&] { return CountByConvention(project_, objects); },
       [&] { problems = BuildByConvention(project_, objects, plan, work_ / "build", make_); });
-  outcome_.hurdles.insert(outcome_.hurdles.end(), problems.begin(), problems.end());
+  outcome_.start_problems.insert(outcome_.start_problems.end(), problems.begin(), problems.end());
 }
 
 void FolderBuild::Deliver() {

@@ -30,7 +30,7 @@ BuildReport::BuildReport(const Project& project, const WorkCopy& copy, fs::path 
 // failures of files in the objects' folders count, because the program may not need other files.
 bool BuildReport::HasFailed(const BuildOutcome& outcome) const {
   const std::vector<KitLog::Failure> failures = ReadKitLog(log_).failures;
-  return !outcome.hurdles.empty() ||
+  return !outcome.start_problems.empty() ||
          std::any_of(failures.begin(), failures.end(), [&](const KitLog::Failure& failure) {
            return !outcome.is_made || !ObjectOf(failure.file).empty();
          });
@@ -51,7 +51,7 @@ void BuildReport::AddFailures(BuildOutcome* outcome) const {
     // Reports a source once, because several objects may fail to compile it.
     if (std::find(where->begin(), where->end(), text) == where->end()) where->push_back(text);
   }
-  where->insert(where->end(), outcome->hurdles.begin(), outcome->hurdles.end());
+  where->insert(where->end(), outcome->start_problems.begin(), outcome->start_problems.end());
   outcome->problems.insert(outcome->problems.end(), outcome->missing.begin(),
                            outcome->missing.end());
   if (is_complete) {
@@ -59,7 +59,7 @@ void BuildReport::AddFailures(BuildOutcome* outcome) const {
       outcome->notes.push_back("make failed: " + outcome->make_cause);
     return;
   }
-  const std::vector<std::string> libraries = LeftOutAndMissed();
+  const std::vector<std::string> libraries = NeededForeignFiles();
   outcome->problems.insert(outcome->problems.end(), libraries.begin(), libraries.end());
   // Adds the reason why make has failed.  If the log has failures of the compiler or linker, leaves
   // out a reason that only names the failed rule, because those failures say more and are already
@@ -70,10 +70,10 @@ void BuildReport::AddFailures(BuildOutcome* outcome) const {
     outcome->problems.push_back("make failed: " + outcome->make_cause);
 }
 
-// Returns an error message for each object file or library for another processor, if a Makefile
-// names the file and the build has not made it anew.  The private copy has no files for another
-// processor, because the host cannot use them.
-std::vector<std::string> BuildReport::LeftOutAndMissed() const {
+// Returns an error message for each object file or library that the build lacks because the user's
+// file is for another processor.  The private copy leaves out such files, because the host cannot
+// use them.  The build lacks a file if a Makefile names it and the build has not made it anew.
+std::vector<std::string> BuildReport::NeededForeignFiles() const {
   std::string makefiles;
   for (const fs::path& file : project_.makefiles) makefiles += ReadText(file).value_or("");
   std::vector<std::string> lines;

@@ -12,12 +12,12 @@
 namespace openr_host {
 
 struct BuildOutcome {
-  bool is_made = false;               // true: all runs of make have succeeded
-  std::string make_cause;             // the reason why make failed; "": unknown
-  bool wants_all = false;             // true: no stick has an OBJECT.CFG; all images are wanted
-  std::vector<std::string> hurdles;   // reasons why the build of some objects could not begin
-  std::vector<std::string> missing;   // images that OBJECT.CFG names and that were not made
-  std::vector<std::string> problems;  // errors
+  bool is_made = false;    // true: all runs of make have succeeded
+  std::string make_cause;  // the reason why make failed; "": unknown
+  bool wants_all = false;  // true: no stick has an OBJECT.CFG; all images are wanted
+  std::vector<std::string> start_problems;  // reasons why the build of some objects could not begin
+  std::vector<std::string> missing;         // images that OBJECT.CFG names and that were not made
+  std::vector<std::string> problems;        // errors
   std::vector<std::string> notes;
   std::vector<std::string> sticks;  // folders of the finished sticks
 };
@@ -38,7 +38,7 @@ class BuildReport {
   void AddFailures(BuildOutcome* outcome) const;
 
  private:
-  std::vector<std::string> LeftOutAndMissed() const;
+  std::vector<std::string> NeededForeignFiles() const;
   std::string ObjectOf(const std::filesystem::path& file) const;
   std::string Described(const KitLog::Failure& failure) const;
 

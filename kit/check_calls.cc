@@ -58,7 +58,7 @@ bool MayDefine(const std::string& code, const std::string& word) {
 // Returns the names of the indices that stubgen2 makes for `services`, such as "sbjMove".
 std::vector<std::string> IndicesOf(const char* prefix, const std::vector<StubService>& services) {
   std::vector<std::string> names;
-  for (const StubService& service : services) names.push_back(prefix + service.name.service);
+  for (const StubService& service : services) names.push_back(prefix + service.name.short_name);
   return names;
 }
 
@@ -149,9 +149,9 @@ class CallCheck {
 
   // Finds calls such as OSYSPRINT("text"), which lack the second pair of brackets of
   // OSYSPRINT(("text")).  The compiler complains about the code to which the macro expands, and
-  // such a message does not lead a beginner to the missing brackets.  OSYSDEBUG and OSYSLOG may be
-  // switched off: then a single text in brackets does no harm, so only calls with a comma count as
-  // mistakes.
+  // such a message does not lead a beginner to the missing brackets.  OSYSDEBUG and OSYSLOG can be
+  // switched off.  Then the compiler accepts OSYSDEBUG("text"), but no call with a comma, so only
+  // their calls with a comma count as mistakes.
   void CheckBrackets() {
     static const std::regex kMacro("\\b(OSYSPRINT|OSYSDEBUG|OSYSLOG[1-4])[ \t]*\\(");
     for (std::sregex_iterator it(code_.begin(), code_.end(), kMacro), end; it != end; ++it) {

@@ -84,31 +84,31 @@ const StructLayout::Member* FindMember(const StructLayout& layout, const std::st
 // Compares how two objects lay out a struct.  Returns a text for the user about the first
 // difference that makes `receiver` read other data than `sender` has sent; "" if there is none.
 std::string DifferenceOf(const End& sender, const End& receiver) {
-  for (const StructLayout::Member& theirs : receiver.layout.members) {
+  for (const StructLayout::Member& received : receiver.layout.members) {
     // Skips a member that no source of the receiver names, because nothing reads it.
-    if (!HasWord(receiver.code.sources, theirs.name)) continue;
-    const StructLayout::Member* const ours = FindMember(sender.layout, theirs.name);
-    if (ours == nullptr) {
-      const bool is_behind = theirs.begin >= sender.layout.bytes;
-      // Skips a member that only the receiver's struct has, unless the member begins behind the end
-      // of the sent data.  Skips such a member, too, if the receiver asks for the size of the data,
-      // because the receiver may then read the member only if it was sent.
-      if (!is_behind || theirs.bytes == 0 || AsksForSize(receiver.code)) continue;
+    if (!HasWord(receiver.code.sources, received.name)) continue;
+    const StructLayout::Member* const sent = FindMember(sender.layout, received.name);
+    if (sent == nullptr) {
+      const bool is_behind = received.begin >= sender.layout.bytes;
+      // Only the receiver's struct has this member.  The member is reported only if it begins
+      // behind the end of the sent data.  It is not reported if the receiver asks for the size of
+      // the data, because the receiver may then read the member only if it was sent.
+      if (!is_behind || received.bytes == 0 || AsksForSize(receiver.code)) continue;
       return fmt::format("{} reads '{}' at byte {}, and {} sends {} bytes", receiver.object,
-                         theirs.name, theirs.begin, sender.object, sender.layout.bytes);
+                         received.name, received.begin, sender.object, sender.layout.bytes);
     }
     // Skips a member that no source of the sender names, because nothing sets it.
-    if (!HasWord(sender.code.sources, theirs.name)) continue;
-    if (ours->begin != theirs.begin) {
-      return fmt::format("'{}' begins at byte {} in {}, at byte {} in {}", theirs.name, ours->begin,
-                         sender.object, theirs.begin, receiver.object);
+    if (!HasWord(sender.code.sources, received.name)) continue;
+    if (sent->begin != received.begin) {
+      return fmt::format("'{}' begins at byte {} in {}, at byte {} in {}", received.name,
+                         sent->begin, sender.object, received.begin, receiver.object);
     }
-    const bool is_variable = ours->is_array && theirs.is_array &&
-                             theirs == receiver.layout.members.back() &&
-                             *ours == sender.layout.members.back();
-    if (ours->bytes != theirs.bytes && !is_variable) {
-      return fmt::format("'{}' has {} bytes in {}, {} in {}", theirs.name, ours->bytes,
-                         sender.object, theirs.bytes, receiver.object);
+    const bool is_variable = sent->is_array && received.is_array &&
+                             received == receiver.layout.members.back() &&
+                             *sent == sender.layout.members.back();
+    if (sent->bytes != received.bytes && !is_variable) {
+      return fmt::format("'{}' has {} bytes in {}, {} in {}", received.name, sent->bytes,
+                         sender.object, received.bytes, receiver.object);
     }
   }
   return "";
@@ -160,13 +160,13 @@ class LayoutCheck {
     // expressions of Sends() and Receives() are slow.
     if (!HasWord(sending.all, type) || !HasWord(receiving.sources, type)) return;
     if (!Sends(sending, type) || !Receives(receiving, type)) return;
-    const auto ours = LayoutIn(subject->image, type), theirs = LayoutIn(observer->image, type);
-    if (!ours || !theirs) return;
-    NoteWideMember(record, *ours);
-    if (*ours == *theirs) return;
+    const auto sent = LayoutIn(subject->image, type), received = LayoutIn(observer->image, type);
+    if (!sent || !received) return;
+    NoteWideMember(record, *sent);
+    if (*sent == *received) return;
     const std::string difference =
-        DifferenceOf({subject->folder->folder.filename(), sending, *ours},
-                     {observer->folder->folder.filename(), receiving, *theirs});
+        DifferenceOf({subject->folder->folder.filename(), sending, *sent},
+                     {observer->folder->folder.filename(), receiving, *received});
     if (difference.empty()) return;
     remarks_->AddConsequence(
         Remark::Kind::kWarning, record.observer_place, "layout " + type,

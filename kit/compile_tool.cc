@@ -186,7 +186,7 @@ int CompileRun::Run() {
     return result.status;
   }
   ProcessResult result = TryKnownFlags({});
-  if (!result.good() && result.not_found.empty()) {
+  if (!result.good() && result.start_error.empty()) {
     UsePreludeIfItHelps(&result);
     if (!result.good()) RepairIfItHelps(&result);
   }
@@ -199,7 +199,7 @@ int CompileRun::Run() {
   }
   if (!result.good() || !command_.is_quiet)
     std::fputs(InTermsOfOriginals(WithoutFlagNotes(result.output), SourceCopies()).c_str(), stderr);
-  if (!result.not_found.empty()) std::fprintf(stderr, "%s\n", result.not_found.c_str());
+  if (!result.start_error.empty()) std::fprintf(stderr, "%s\n", result.start_error.c_str());
   Log(result.good());
   return result.status;
 }

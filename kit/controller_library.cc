@@ -71,7 +71,7 @@ bool BuildControllerLibrary(const ControllerLibraryOptions& options) {
   link.insert(link.end(),
               {object, options.device_library, "-lm", "-Wl,-Bsymbolic", "-Wl,--no-undefined"});
   const ProcessResult linked = RunProcess(link);
-  if (!linked.not_found.empty()) fmt::print(stderr, "{}: {}\n", link[0], linked.not_found);
+  if (!linked.start_error.empty()) fmt::print(stderr, "{}: {}\n", link[0], linked.start_error);
   return linked.good();
 }
 

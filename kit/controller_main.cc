@@ -64,7 +64,7 @@ ControllerMain FindControllerMain(const std::string& nm,
   command.insert(command.end(), objects.begin(), objects.end());
   const ProcessResult listed =
       RunProcess(command, {.captures_error = true, .captures_out = true, .has_no_input = true});
-  if (!listed.not_found.empty()) return {"", fmt::format("{}: {}", nm, listed.not_found)};
+  if (!listed.start_error.empty()) return {"", fmt::format("{}: {}", nm, listed.start_error)};
   if (!listed.good()) return {"", fmt::format("{} fails: {}", nm, listed.output)};
   const Form* form = nullptr;
   int count = 0;

@@ -180,7 +180,7 @@ class ConventionBuild {
     if (Make(has_more ? MakeOptions::PrintOutput::kIfGood : MakeOptions::PrintOutput::kAlways) ||
         !has_more)
       return "";
-    if (LinksOnly()) {
+    if (HasOnlyUndefinedNames()) {
       LinkWithAll(included);
     } else {
       Make(MakeOptions::PrintOutput::kAlways);
@@ -199,7 +199,7 @@ class ConventionBuild {
 
   // Returns whether all failures of the last build are undefined names.  If so, linking more
   // sources may help.
-  bool LinksOnly() const {
+  bool HasOnlyUndefinedNames() const {
     const std::vector<KitLog::Failure> failures = log().failures;
     return !failures.empty() &&
            std::all_of(failures.begin(), failures.end(), [](const KitLog::Failure& failure) {

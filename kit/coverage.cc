@@ -37,7 +37,7 @@ LineCounts ReadCounts(const std::vector<fs::path>& files, const fs::path& work) 
   for (const fs::path& file : files) command.push_back(file);
   const ProcessResult result =
       RunProcess(command, {.environment = {{"LC_ALL", "C"}}, .folder = work, .captures_out = true});
-  if (!result.not_found.empty()) throw std::runtime_error(result.not_found);
+  if (!result.start_error.empty()) throw std::runtime_error(result.start_error);
   if (!result.good()) throw std::runtime_error("gcov cannot read the counts; it says why above");
   LineCounts counts;
   AddGcovCounts(result.output, &counts);
@@ -45,10 +45,10 @@ LineCounts ReadCounts(const std::vector<fs::path>& files, const fs::path& work) 
 }
 
 // Returns the counts of executed lines of the user's own sources in `folder`.  The build has
-// compiled private copies of these sources, which are below `work`.  The key of a source in
-// `counts` is the path of the copy or, if the compile command had an absolute path, the path of the
-// original (-ffile-prefix-map), so the function looks up both paths.  Leaves out the headers of the
-// SDK and of the C++ library, and the stubs, which openr build makes.
+// compiled private copies of these sources, which are below `work`.  So `counts` has a source under
+// the path of its copy.  If the compile command had an absolute path, `counts` has the source under
+// its own path (-ffile-prefix-map).  Looks up both paths.  Leaves out the headers of the SDK and of
+// the C++ library, and the stubs, which openr build makes.
 LineCounts OfOriginals(const LineCounts& counts, const fs::path& folder, const fs::path& work) {
   const WorkCopy copy(work, SdkRoot());
   LineCounts own;

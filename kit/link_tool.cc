@@ -32,9 +32,9 @@ int Refuse(const std::string& why) {
 }
 
 // Returns whether `command` links an object file or a library for another processor, and reports
-// the first such file.  make takes an object file from an earlier build for the robot as up to
-// date, so the error tells the user to remove the file.  A library for the robot must be built
-// again from its sources.
+// the first such file.  An object file for the robot comes from an earlier build.  make takes it
+// for up to date and does not make it again, so the error tells the user to remove the file.  A
+// library for the robot must be built again from its sources.
 bool HasForeignCode(const LinkCommand& command) {
   for (const std::string& file : command.objects) {
     const std::string processor = ForeignProcessorOf(file);
@@ -79,7 +79,7 @@ std::string CompileImageInfo(const LinkCommand& command, const std::string& ocf_
   const ProcessResult result = RunProcess(compile);
   std::error_code ignored;
   fs::remove(source, ignored);
-  if (!result.not_found.empty()) Refuse(result.not_found);
+  if (!result.start_error.empty()) Refuse(result.start_error);
   return result.good() ? object : "";
 }
 
@@ -182,7 +182,7 @@ int RunMkbin(const Arguments& arguments) {
       RunProcess(link, {.environment = {{"LC_ALL", "C"}}, .captures_error = true});
   std::fputs(WithoutDangerWarnings(result.output).c_str(), stderr);
   if (!result.good()) {
-    if (!result.not_found.empty()) Refuse(result.not_found);
+    if (!result.start_error.empty()) Refuse(result.start_error);
     LogFailure({command.output, Summarise(result.output), command.output});
     return result.status;
   }

@@ -47,8 +47,8 @@ Environment MakeEnvironment(const MakeOptions& options) {
     environment.emplace_back(name, "");
   }
   // Gives ccache no base folder.  With a base folder, ccache would write relative paths into the
-  // lists of headers.  These lists are rules for make, and their targets must have the absolute
-  // paths that the rules of the kit use; otherwise make would not notice a changed header.
+  // lists of headers, which are rules for make.  The rules of the kit have absolute paths.  make
+  // would take both paths for different files, and would not notice a changed header.
   environment.emplace_back("CCACHE_BASEDIR", "");
   return environment;
 }
@@ -302,8 +302,8 @@ MakeOutcome RunMakeIn(const fs::path& folder, const std::vector<std::string>& ar
     WriteKitLog(options.log, after);
   }
   const ProcessResult result = Make(folder, arguments, 1, true, options);
-  if (!result.not_found.empty())
-    std::fprintf(stderr, "openr build: %s (Debian package make)\n", result.not_found.c_str());
+  if (!result.start_error.empty())
+    std::fprintf(stderr, "openr build: %s (Debian package make)\n", result.start_error.c_str());
   return {result.good(), result.output};
 }
 

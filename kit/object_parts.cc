@@ -74,7 +74,7 @@ const std::string& ObjectParts::TextOf(const fs::path& file) const {
 // example, Cat/src/Tail.cc belongs to Cat and not to Dog.  A folder that contains the folder of
 // `object` does not count, because its files may belong to both objects: if P and P/Dog are
 // objects, P/Tail.cc may be part of Dog.
-bool ObjectParts::BelongsToOther(const fs::path& file, const ObjectFolder& object) const {
+bool ObjectParts::BelongsToOtherThan(const fs::path& file, const ObjectFolder& object) const {
   for (fs::path folder = file.parent_path(); folder.has_relative_path();
        folder = folder.parent_path()) {
     if (folder == object.folder) return false;
@@ -88,11 +88,11 @@ bool ObjectParts::BelongsToOther(const fs::path& file, const ObjectFolder& objec
 std::vector<fs::path> ObjectParts::MakefilesOf(const ObjectFolder& object) const {
   Paths found;
   for (const fs::path& file : makefiles_) {
-    if (IsBelow(file, object.folder) && !BelongsToOther(file, object)) {
+    if (IsBelow(file, object.folder) && !BelongsToOtherThan(file, object)) {
       found.push_back(file);
       continue;
     }
-    if (BelongsToOther(file, object)) continue;
+    if (BelongsToOtherThan(file, object)) continue;
     std::set<fs::path> named;
     for (const std::string& path : PathsIn(TextOf(file))) {
       // Adds a slash and removes it again, so that "Dog" and "Dog/" become the same path.
@@ -134,7 +134,7 @@ std::vector<fs::path> ObjectParts::FindCode(const ObjectFolder& object) const {
   };
   for (const fs::path& file : NamedBy(MakefilesOf(object))) add(file);
   for (const fs::path& file : all_) {
-    if (BelongsToOther(file, object)) continue;
+    if (BelongsToOtherThan(file, object)) continue;
     const bool is_own = IsBelow(file, object.folder);
     const bool is_of_class = !is_own && !object.class_name.empty() && IsCode(file) &&
                              HasWord(TextOf(file), object.class_name);
@@ -148,7 +148,7 @@ std::vector<fs::path> ObjectParts::FindCode(const ObjectFolder& object) const {
     for (const std::string& name : IncludedNames(TextOf(file))) {
       const auto add_all = [&](const auto& range) {
         for (auto it = range.first; it != range.second; ++it) {
-          if (!BelongsToOther(it->second, object)) add(it->second);
+          if (!BelongsToOtherThan(it->second, object)) add(it->second);
         }
       };
       add_all(by_name_.equal_range(name));

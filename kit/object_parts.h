@@ -62,7 +62,7 @@ class ObjectParts {
   using Paths = std::vector<std::filesystem::path>;
 
   void AddFile(const std::filesystem::path& file);
-  bool BelongsToOther(const std::filesystem::path& file, const ObjectFolder& object) const;
+  bool BelongsToOtherThan(const std::filesystem::path& file, const ObjectFolder& object) const;
   Paths FindCode(const ObjectFolder& object) const;
   Paths MakefilesOf(const ObjectFolder& object) const;
   Paths NamedBy(const Paths& makefiles) const;

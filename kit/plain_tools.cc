@@ -112,7 +112,7 @@ int RunHostTool(const std::string& tool, const Arguments& arguments) {
     if (!is_processor && !is_processor_pair) all.push_back(word);
   }
   const ProcessResult result = RunProcess(all);
-  if (!result.not_found.empty()) std::fprintf(stderr, "%s\n", result.not_found.c_str());
+  if (!result.start_error.empty()) std::fprintf(stderr, "%s\n", result.start_error.c_str());
   return result.status;
 }
 

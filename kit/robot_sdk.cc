@@ -131,8 +131,8 @@ void RobotSdk::Run(const std::vector<std::string>& arguments, const fs::path& fo
                            path == nullptr ? "/usr/bin:/bin" : path)}};
   const ProcessResult result = RunProcess(arguments, options);
   if (result.good()) return;
-  if (!result.not_found.empty()) {
-    throw std::runtime_error(fmt::format("{}: {}", arguments[0], result.not_found));
+  if (!result.start_error.empty()) {
+    throw std::runtime_error(fmt::format("{}: {}", arguments[0], result.start_error));
   }
   throw std::runtime_error(
       fmt::format("{}: {} ended with status {}", what, arguments[0], result.status));

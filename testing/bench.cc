@@ -112,7 +112,7 @@ Bench::~Bench() {
 void Bench::OnCopied() {
   stick_->MoveToCopy();
   command_ = CommandOf(options_.seed);
-  story_teller_->OnCopied();
+  story_teller_->WatchRunningTest();
 }
 
 void Bench::AddDog() {

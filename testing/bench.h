@@ -290,8 +290,8 @@ class Bench {
 
   int64_t now_us() const { return system_->now_us(); }
   const std::string& console() const { return console_; }  // text that objects have printed
-  // Returns the object's state: the text after "state: " in the last INFO line (OSYSLOG1) of the
-  // object that begins with "state: ".  Returns "" when the object has printed no such line.
+  // Returns the object's state.  An object reports its state by an INFO line (OSYSLOG1) that begins
+  // with "state: ".  The result is the rest of the last such line; "" if there is none.
   const std::string& state(const std::string& object) const;
 
   // Return the state of a device.  `name` is the name of the device ("RF_j1", "chin", "head_led")
@@ -399,12 +399,12 @@ class Bench {
   // sockets, because a run with threads or sockets cannot be repeated.  Reports each refusal, and
   // each error that the runtime has found in an object, as a failure.  Returns false if there were
   // such failures.
-  bool Control(const Place& place, const std::function<void()>& run);
+  bool RunControlled(const Place& place, const std::function<void()>& run);
   bool ReportFindings(const Place& place);
-  void AllowFinding(size_t index) { told_.insert(index); }
+  void AllowFinding(size_t index) { thrown_findings_.insert(index); }
   // Reports the failure `what` at the line `place`, with the last messages and the states of the
   // objects (Story()).  Always returns false, so that a caller can return this result.
-  bool Miss(const Place& place, const std::string& what);
+  bool ReportFailure(const Place& place, const std::string& what);
   // Returns whether Boot() was called; if not, reports a failure.
   bool IsRunning(const Place& place);
   void HandleMessage(const openr_host::Message& message);
@@ -469,8 +469,8 @@ class Bench {
   std::deque<ExpectedFinding> expected_findings_;
   bool findings_allowed_ = false;
   size_t findings_seen_ = 0;
-  std::set<size_t> told_;  // indices of findings that an exception has reported
-  std::string command_;    // command that runs the test again
+  std::set<size_t> thrown_findings_;  // indices of findings that an exception has reported
+  std::string command_;               // command that runs the test again
   // Must be the last member, because its destructor uses the other members.
   std::unique_ptr<StoryTeller> story_teller_;
 };

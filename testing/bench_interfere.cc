@@ -73,7 +73,7 @@ bool Bench::PostBytes(const MessageSpec& spec, std::string_view bytes, const Cal
 }
 
 bool Bench::MissPost(const Caller& caller, const std::string& problem) {
-  return Miss(caller.place, fmt::format("{}: {}", caller.function, problem));
+  return ReportFailure(caller.place, fmt::format("{}: {}", caller.function, problem));
 }
 
 bool Bench::PostNotify(const MessageSpec& spec, std::string_view bytes, const Caller& caller) {
@@ -119,7 +119,7 @@ bool Bench::PostEntry(const MessageSpec& spec, std::string_view bytes, const Cal
 
 bool Bench::Do(std::string_view input, Place place) {
   const std::string problem = system_->inputs().Add(0, input);
-  return problem.empty() || Miss(place, "Input refused: " + problem);
+  return problem.empty() || ReportFailure(place, "Input refused: " + problem);
 }
 
 bool Bench::Press(std::string_view sensor, Duration duration, Place place) {

@@ -22,8 +22,9 @@ StoryTeller* g_newest = nullptr;
 // a call that asks GoogleTest for the running test would then wait for ever.
 const ::testing::TestInfo* g_test = nullptr;
 
-// Prints the story of the running test's bench after the first failure of the test.  Later failures
-// of the same test get no story, because it would be almost the same text.
+// After the first failure of a test, prints the story: a text about what happened on the bench of
+// the test (story_teller.h).  Later failures of the same test get no story, because it would be
+// almost the same text.
 class Listener : public ::testing::EmptyTestEventListener {
  public:
   void OnTestStart(const ::testing::TestInfo& test) override {
@@ -77,7 +78,7 @@ StoryTeller::StoryTeller(std::function<std::string()> story, int64_t handler_lim
       handler_limit_us_(handler_limit_us),
       outer_(std::exchange(g_newest, this)) {
   Listen();
-  OnCopied();
+  WatchRunningTest();
 }
 
 // Removes this StoryTeller from the list that begins with `g_newest`.  A test may destroy its
@@ -90,7 +91,7 @@ StoryTeller::~StoryTeller() {
   if (g_newest != nullptr) Guards::now = std::make_unique<Guards>(g_newest->handler_limit_us_);
 }
 
-void StoryTeller::OnCopied() {
+void StoryTeller::WatchRunningTest() {
   test_ = g_test;
   Guards::now.reset();
   Guards::now = std::make_unique<Guards>(handler_limit_us_);

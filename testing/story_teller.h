@@ -28,7 +28,7 @@ class StoryTeller {
   // Restarts the timer that ends a handler at its limit of processor time, and notes the running
   // test.  Called in a copy of the process (made by fork(), see snapshot.h), because a copy
   // inherits no timer and may run another test.
-  void OnCopied();
+  void WatchRunningTest();
 
   // Returns `failure`, the text of a failure, followed by the story of the running test's newest
   // bench.  Returns `failure` unchanged if it has a story already, or if the test has no bench.  In

@@ -75,7 +75,7 @@ Ros2Reader::~Ros2Reader() {
   Dds().dds_delete(topic_);
 }
 
-bool Ros2Reader::HasMisfit() const {
+bool Ros2Reader::HasIncompatibleWriter() const {
   dds_requested_incompatible_qos_status_t status;
   return Dds().dds_get_requested_incompatible_qos_status(reader_, &status) == DDS_RETCODE_OK &&
          status.total_count > 0;

@@ -49,7 +49,7 @@ class Ros2Reader {
 
   // Returns whether there is a best-effort writer of this topic, whose samples this reader cannot
   // receive because it is reliable.
-  bool HasMisfit() const;
+  bool HasIncompatibleWriter() const;
 
   // Returns the next sample, or null if there is none.  The caller gives the sample back with
   // Return().

@@ -193,7 +193,7 @@ class Ros2Texts {
   static constexpr size_t kTextMax = 65536;
 
   Ros2Texts(Bus* bus, const std::string& topic);
-  bool HasMisfit() const { return reader_.HasMisfit(); }
+  bool HasIncompatibleWriter() const { return reader_.HasIncompatibleWriter(); }
   // Returns the next text that was received on the ROS 2 topic; nullopt when there is none.
   std::optional<std::string> Take();
 
@@ -220,7 +220,7 @@ class Ros2JointCommands {
   static constexpr size_t kNameMax = 256;
 
   Ros2JointCommands(Bus* bus, const std::string& topic);
-  bool HasMisfit() const { return reader_.HasMisfit(); }
+  bool HasIncompatibleWriter() const { return reader_.HasIncompatibleWriter(); }
   // Returns the next command that was received on the ROS 2 topic; nullopt when there is none.
   std::optional<Ros2JointCommand> Take();
 

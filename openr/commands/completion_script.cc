@@ -71,7 +71,7 @@ void AddPaths(const CommandInfo& command, std::vector<std::string>* patterns) {
 // Returns the argument of _openr_files, the function of the bash script that completes names of
 // files, for an option whose value has the kind `value`: "-d" for a folder, "-f" for a file or a
 // world.  Returns "" for all other kinds, because their values are not names of files.
-const char* KindOf(Value value) {
+const char* FileKindOf(Value value) {
   if (value == Value::kFolder) return "-d";
   return value == Value::kFile || value == Value::kWorld ? "-f" : "";
 }
@@ -96,8 +96,8 @@ void AddValues(const CommandInfo& command, const DataNames& names, std::string* 
     if (const std::vector<std::string> words = WordsFor(option, names); !words.empty()) {
       action = fmt::format("COMPREPLY=($(compgen -W '{}' -- \"$cur\")); ", fmt::join(words, " "));
     }
-    if (*KindOf(option.value) != '\0')
-      action += fmt::format("_openr_files {}; ", KindOf(option.value));
+    if (*FileKindOf(option.value) != '\0')
+      action += fmt::format("_openr_files {}; ", FileKindOf(option.value));
     *script += fmt::format("    {}) {}return ;;\n", fmt::join(patterns, "|"), action);
   }
   for (const CommandInfo& below : command.commands) AddValues(below, names, script);
@@ -127,7 +127,7 @@ void AddWords(const CommandInfo& command, const DataNames& names, std::string* s
   std::string kind;
   for (const OptionInfo& positional : command.positionals) {
     for (std::string& word : WordsFor(positional, names)) words.push_back(std::move(word));
-    if (kind.empty()) kind = KindOf(positional.value);
+    if (kind.empty()) kind = FileKindOf(positional.value);
   }
   for (const OptionInfo& option : command.options)
     flags.insert(flags.end(), option.names.begin(), option.names.end());

@@ -86,9 +86,9 @@ class ContinuedRun {
     simulation->host_network = true;
     simulation->network_filter = [this, recorded = simulation->network_filter](
                                      int robot, std::unique_ptr<Network> inner) {
-      const std::shared_ptr<Network> says = recorded(robot, nullptr);
+      const std::shared_ptr<Network> replayed = recorded(robot, nullptr);
       auto network = std::make_unique<BranchNetwork>(std::move(inner), robot, &log_);
-      network->RepeatFrom([says] { return says->Poll(); });
+      network->RepeatFrom([replayed] { return replayed->Poll(); });
       networks_.push_back(network.get());
       return network;
     };

@@ -25,7 +25,7 @@ nlohmann::ordered_json DescribeProcesses(const WorkerGroup& workers) {
          {"objects", facts.objects},
          {"lost", facts.lost},
          {"losses", facts.losses},
-         {"returns", facts.returns},
+         {"returns", facts.restarts_done},
          {"handlers", facts.handlers},
          {"handler_us",
           {{"median", facts.median_us}, {"p99", facts.p99_us}, {"max", facts.max_us}}}});
@@ -78,8 +78,9 @@ bool DistributedRun::Connect(Simulation* simulation) {
   const auto robot_of = [simulation](const Object& object) {
     return simulation->robots()[static_cast<size_t>(object.robot)];
   };
-  workers_->OnCrash([robot_of](Object* object) { robot_of(*object)->OnCommanderLost(object->id); });
-  workers_->OnReturn(
+  workers_->OnObjectLoss(
+      [robot_of](Object* object) { robot_of(*object)->OnCommanderLost(object->id); });
+  workers_->OnObjectRestart(
       [robot_of](Object* object) { robot_of(*object)->OnCommanderBack(object->id); });
   return true;
 }

@@ -145,12 +145,11 @@ std::vector<std::string> WordsOf(const std::string& text) {
 }
 
 // Returns the lease of the workers that this run starts: the seconds without a sign of life after
-// which a worker counts as dead.  The lease is the value of --dds-lease.  Without this flag the
-// lease is long.  With --restart it is shorter, because DDS keeps data for a dead worker until the
-// lease of this worker is over, and these data slow down the restart (bus.h).  A worker under a
-// debugger (--wrap) keeps the long lease even with --restart, because the user may stop the worker
-// for long.
-int WatchedLease(const PlacementFlags& flags) {
+// which a worker counts as dead.  This is the value of --dds-lease or, without this flag, a long
+// time.  With --restart the time is shorter, because DDS keeps data for a dead worker until its
+// lease is over, and these data slow down the restart (bus.h).  But workers under a debugger
+// (--wrap) keep the long time, because the user may stop a worker for long.
+int OwnWorkerLease(const PlacementFlags& flags) {
   if (flags.bus.lease_s != 0) return flags.bus.lease_s;
   return flags.restarts > 0 && flags.wrapper.empty() ? kReturningLease_s : kWatchedLease_s;
 }
@@ -174,12 +173,13 @@ std::unique_ptr<WorkerGroup> MakeWorkerGroup(const PlacementFlags& flags, const 
   // start `openr join` with the same name.
   if (options.bus.run.empty())
     options.bus.run = options.placement.host_of.empty() ? UniqueRunName() : "openr";
-  const int watched_s = WatchedLease(flags);
-  // Gives this process the lease `watched_s` only if this run starts all workers, because these
-  // workers end together with this process (--child-of).  A worker on another host notices a crash
-  // of this process only when the lease of this process is over.  So with such a worker, the lease
-  // is the value of --dds-lease, which is short by default.
-  if (options.placement.host_of.empty()) options.bus.lease_s = watched_s;
+  const int own_worker_lease_s = OwnWorkerLease(flags);
+  // If this run starts all workers, gives this process the lease `own_worker_lease_s`, too.  A long
+  // lease does no harm then, because these workers end together with this process (--child-of).
+  // But a worker on another host notices a crash of this process only when the lease of this
+  // process is over.  So with such a worker, this process keeps the value of --dds-lease, which is
+  // short by default.
+  if (options.placement.host_of.empty()) options.bus.lease_s = own_worker_lease_s;
   for (const auto& [process, host] : options.placement.host_of) options.bus.peers.push_back(host);
   options.stick = std::filesystem::absolute(stick.folder()).lexically_normal();
   options.wait_ms = flags.wait_us / 1000;
@@ -192,7 +192,7 @@ std::unique_ptr<WorkerGroup> MakeWorkerGroup(const PlacementFlags& flags, const 
                      "--run-name",      options.bus.run,
                      "--dds-domain",    std::to_string(options.bus.domain),
                      "--dds-address",   options.bus.address,
-                     "--dds-lease",     std::to_string(watched_s),
+                     "--dds-lease",     std::to_string(own_worker_lease_s),
                      "--handler-limit", fmt::format("{}us", handler_limit_us)};
   if (!stick.crash_log().empty())
     options.command.insert(options.command.end(), {"--crash-log", stick.crash_log()});

@@ -67,10 +67,10 @@ void BecomeChild(pid_t parent) {
 volatile sig_atomic_t g_ended_by = 0;
 volatile sig_atomic_t g_child = 0;  // process id of the worker that --restart runs; 0: none
 
-// Handles SIGINT, SIGTERM and SIGHUP.  After the first signal, the worker finishes the handler that
-// runs, tells the run that it leaves, and ends.  With --restart the worker is a child process: at
-// the first signal this function sends SIGTERM to the child, and at the second signal it kills the
-// child.
+// Handles SIGINT, SIGTERM and SIGHUP.  After the first signal, a worker finishes the handler that
+// runs, tells the run that it leaves, and ends.  With --restart, this process is the parent of the
+// worker: it sends SIGTERM to the worker at the first signal, and kills the worker at the second
+// signal.
 void OnEndSignal(int signal) {
   const int child = g_child;
   if (child > 0) kill(child, g_ended_by == 0 ? SIGTERM : SIGKILL);
@@ -173,10 +173,10 @@ class JoinedWorker {
   JoinedWorker& operator=(const JoinedWorker&) = delete;
 
   // Runs the worker until the run or the user ends it.  Returns the exit code.  If `is_known`,
-  // discards the errors that DDS prints while the worker is made (Work()).  If the run's objects
-  // need the library of AddressSanitizer, which this process lacks, starts this program again.  But
-  // if the caller gives `sanitized_stick`, sets `*sanitized_stick` to the path of the run's stick
-  // instead, and returns kNeedsSanitizer.
+  // discards the errors that DDS prints while the worker is made (Work()).  If the objects need the
+  // library of AddressSanitizer and this process lacks the library, sets `*sanitized_stick` to the
+  // path of their stick and returns kNeedsSanitizer.  If `sanitized_stick` is null, starts this
+  // program again instead, with the library.
   int Run(bool is_known = false, std::string* sanitized_stick = nullptr);
 
  private:
@@ -199,7 +199,7 @@ JoinedWorker::JoinedWorker(JoinFlags flags) : flags_(std::move(flags)) {
     BecomeChild(flags_.parent);
   } else {
     HandleEndSignals(static_cast<int>(SA_RESETHAND));
-    worker.is_ended = [] { return g_ended_by != 0; };
+    worker.is_end_requested = [] { return g_ended_by != 0; };
     worker.find_stick_problem = [this](const std::string& stick) { return StickProblem(stick); };
     worker.own_stick = [this] { return OwnStick(&own_stick_); };
   }
@@ -207,7 +207,7 @@ JoinedWorker::JoinedWorker(JoinFlags flags) : flags_(std::move(flags)) {
   worker.say = [name = worker.process](const std::string& line) {
     fmt::print(stderr, "openr: process '{}': {}\n", name, line);
   };
-  worker.begins = [this](const std::string& stick) { Begin(stick); };
+  worker.before_loading = [this](const std::string& stick) { Begin(stick); };
 }
 
 int JoinedWorker::Run(bool is_known, std::string* sanitized_stick) {
@@ -258,7 +258,8 @@ void JoinedWorker::Begin(const std::string& stick) {
 // Runs a worker in this process, which is a child process of `openr join --restart`.  Returns the
 // exit code, which is kOffline if the worker throws an exception.  With `is_known`, does not print
 // the error of this exception, because an earlier worker has printed the same error.  If the exit
-// code is kNeedsSanitizer, writes the path of the stick to the pipe `stick_pipe`.
+// code is kNeedsSanitizer, writes to the pipe `stick_pipe` the path of the stick whose images need
+// the library of AddressSanitizer.
 int JoinInThisProcess(const JoinFlags& flags, bool is_known, int stick_pipe) {
   try {
     std::string stick;

@@ -101,7 +101,7 @@ int Finish(Replayer* replayer, const ReplayFlags& flags) {
   const char* const result = replayer->answer_differences().empty() ? "equal" : "replayed";
   fmt::print(stderr, "openr: {} {}, {:.3f} s of virtual time{}\n",
              Counted(replayer->count(), "message"), result, time_s, how_far);
-  const auto& [ended_by, why] = replayer->reader().ended();
+  const auto& [ended_by, why] = replayer->reader().why_ended();
   if (!ended_by.empty() && replayer->at_end())
     fmt::print(stderr, "openr: the recorded run was ended by {}: {}\n", ended_by, why);
   if (flags.json) {

@@ -40,7 +40,7 @@ PreparedRun PrepareSimulation(SimulationOptions options) {
   options.host_network = false;
   options.writable_stick = false;
   // An exploration writes no report, so handler times and stacks are not measured.
-  options.measures = false;
+  options.measures_handlers = false;
   const auto simulation = std::make_shared<Simulation>(options);
   prepared.simulation = simulation.get();
   prepared.system = &simulation->system();

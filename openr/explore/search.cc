@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 // A choice in the last run: the candidates (objects that could get the next message), and which of
 // them have been explored.
-struct Frame {
+struct Choice {
   std::vector<ObjectId> candidates;
   SleepSet sleep;  // deliveries that sleep at this choice, so the search need not try them
   SleepSet done;   // explored candidates; value: the objects that the candidate's delivery concerns
@@ -47,7 +47,7 @@ class Search {
  private:
   Json NextPlan() const {
     Json choices = Json::array();
-    for (const Frame& frame : stack_) choices.push_back(frame.current);
+    for (const Choice& choice : stack_) choices.push_back(choice.current);
     SleepSet sleep;
     if (!stack_.empty() && plan_.reduce) {
       sleep = stack_.back().sleep;
@@ -74,11 +74,11 @@ class Search {
     choices_max_ = std::max(choices_max_, nodes.size());
     for (size_t i = 0; i < nodes.size(); ++i) {
       if (i == stack_.size()) {
-        Frame frame;
-        frame.candidates = nodes[i]["candidates"].get<std::vector<ObjectId>>();
-        frame.sleep = SleepFromJson(nodes[i]["sleep"]);
-        frame.current = nodes[i]["chosen"].get<size_t>();
-        stack_.push_back(std::move(frame));
+        Choice choice;
+        choice.candidates = nodes[i]["candidates"].get<std::vector<ObjectId>>();
+        choice.sleep = SleepFromJson(nodes[i]["sleep"]);
+        choice.current = nodes[i]["chosen"].get<size_t>();
+        stack_.push_back(std::move(choice));
       }
       stack_[i].used = UsedObjectsFromJson(nodes[i]["touched"]);
     }
@@ -96,12 +96,12 @@ class Search {
   // left.
   bool Backtrack() {
     while (!stack_.empty()) {
-      Frame& frame = stack_.back();
-      frame.done[frame.candidates[frame.current]] = frame.used;
-      for (size_t i = 0; i < frame.candidates.size(); ++i) {
-        const ObjectId candidate = frame.candidates[i];
-        if (frame.done.contains(candidate) || frame.sleep.contains(candidate)) continue;
-        frame.current = i;
+      Choice& choice = stack_.back();
+      choice.done[choice.candidates[choice.current]] = choice.used;
+      for (size_t i = 0; i < choice.candidates.size(); ++i) {
+        const ObjectId candidate = choice.candidates[i];
+        if (choice.done.contains(candidate) || choice.sleep.contains(candidate)) continue;
+        choice.current = i;
         return true;
       }
       stack_.pop_back();
@@ -114,10 +114,10 @@ class Search {
   double Covered() const {
     if (stopped_.empty()) return 1;
     double covered = 0, weight = 1;
-    for (const Frame& frame : stack_) {
-      weight /= static_cast<double>(frame.candidates.size());
-      for (const ObjectId candidate : frame.candidates) {
-        if (frame.done.contains(candidate) || frame.sleep.contains(candidate)) covered += weight;
+    for (const Choice& choice : stack_) {
+      weight /= static_cast<double>(choice.candidates.size());
+      for (const ObjectId candidate : choice.candidates) {
+        if (choice.done.contains(candidate) || choice.sleep.contains(candidate)) covered += weight;
       }
     }
     return covered;
@@ -135,7 +135,7 @@ class Search {
 
   const ExplorePlan& plan_;
   ExplorerProcesses& pool_;
-  std::vector<Frame> stack_;
+  std::vector<Choice> stack_;
   uint64_t runs_ = 0, orders_ = 0, cut_ = 0, broken_ = 0;
   // The number of orders for each reason of the run's end, such as "time"; the key is the reason.
   std::map<std::string, uint64_t> ended_by_;

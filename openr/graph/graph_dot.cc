@@ -40,7 +40,7 @@ std::string Escaped(const std::string& text) {
 // its services, and the type of the data (MoveCommand) beside the connection.
 std::string ShortName(const std::string& service) {
   const std::optional<ServiceName> name = ParseServiceName(service, nullptr);
-  return name ? name->service : service;
+  return name ? name->short_name : service;
 }
 
 std::string TypeOf(const std::string& service) {

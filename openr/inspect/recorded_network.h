@@ -31,11 +31,11 @@ class RecordingNetwork : public PassingNetwork {
 };
 
 // The network of a replay.  All commands are ignored, because a replay sends nothing.  Poll() calls
-// the function `say`, which returns the next recorded events.
+// the function `next_events`, which returns the next recorded events.
 class ReplayedNetwork : public Network {
  public:
-  using Say = std::function<std::vector<NetworkEvent>()>;
-  explicit ReplayedNetwork(Say say) : say_(std::move(say)) {}
+  using NextEvents = std::function<std::vector<NetworkEvent>()>;
+  explicit ReplayedNetwork(NextEvents next_events) : next_events_(std::move(next_events)) {}
 
   void Attach(uint32_t) override {}
   void SelectAddress(NetHandle, uint32_t) override {}
@@ -51,11 +51,11 @@ class ReplayedNetwork : public Network {
   void Resolve(NetHandle, const std::string&) override {}
   void ResolveAddress(NetHandle, uint32_t) override {}
   void Drop(NetHandle, bool) override {}
-  std::vector<NetworkEvent> Poll() override { return say_(); }
+  std::vector<NetworkEvent> Poll() override { return next_events_(); }
   uint16_t HostPort(NetProtocol, uint16_t) const override { return 0; }
 
  private:
-  const Say say_;
+  const NextEvents next_events_;
 };
 
 }  // namespace openr_host

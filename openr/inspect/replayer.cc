@@ -148,7 +148,7 @@ Replayer::Replayer(const ReplayOptions& replay) : file_(replay.file), reader_(re
     options.stick = RestoreStick(stick, changes);
   }
   options.network_filter = [this](int robot, std::unique_ptr<Network>) {
-    return std::make_unique<ReplayedNetwork>([this, robot] { return SayNetwork(robot); });
+    return std::make_unique<ReplayedNetwork>([this, robot] { return NextNetworkEvents(robot); });
   };
   if (replay.prepare) replay.prepare(&options);
   MakeRun(options);
@@ -197,7 +197,7 @@ void Replayer::SkipNames() {
   }
 }
 
-std::vector<NetworkEvent> Replayer::SayNetwork(int robot) {
+std::vector<NetworkEvent> Replayer::NextNetworkEvents(int robot) {
   const TraceEntry* const next = reader_.Peek();
   if (next == nullptr || next->kind != Kind::kNetwork || next->robot != robot) return {};
   return reader_.Take().events;
@@ -240,9 +240,9 @@ void Replayer::CompareFields(const TraceEntry& recorded, const TraceRecord& now,
     Differ(recorded,
            fmt::format("is caused by message {} now, by {} when recorded", now.cause, then.cause));
   } else if (now.size != then.size) {
-    // Compares the sizes of messages of the object `only_`, too, although the content of these
-    // messages may differ from the recording.  For the other objects the recorded bytes replace
-    // this content, so both must have the same size.
+    // Compares the sizes of messages of the object `only_`, too, although their content may differ
+    // from the recording.  The replay gives such a message the recorded bytes, for which it must
+    // have the recorded size.
     Differ(recorded, fmt::format("has {} bytes now, {} when recorded", now.size, then.size));
   }
 }
@@ -388,7 +388,7 @@ bool Replayer::ApplyInput() {
     return false;
   }
   // Leaves messages and network input to other functions: Compare() handles a message when it is
-  // delivered, SayNetwork() handles network input when a robot polls its network.
+  // delivered, NextNetworkEvents() handles network input when a robot polls its network.
   if (next->kind == Kind::kMessage || next->kind == Kind::kNetwork) return false;
   if (next->time_us > system().now_us()) return false;
   if (next->kind == Kind::kLoss) {

@@ -103,7 +103,7 @@ class Replayer : public KnownRun {
  private:
   static SimulationOptions OptionsOf(const TraceHeader& header, const ReplayOptions& options);
   std::string RestoreStick(const std::string& now, const std::vector<TraceEntry>& changes);
-  std::vector<NetworkEvent> SayNetwork(int robot);
+  std::vector<NetworkEvent> NextNetworkEvents(int robot);
   void SkipNames();
   void Compare(const TraceRecord& record, const Message& message);
   // Returns the name of the entry (handler) that gets the recorded message `message`.

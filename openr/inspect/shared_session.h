@@ -9,16 +9,17 @@
 
 namespace openr_host {
 
-// Data that the processes of openr replay --step share.  When the user goes back, the process that
-// ends leaves here what the waiting process of an earlier snapshot must do next.
+// Data that the processes of openr replay --step share.  When the user goes back, the present
+// process ends.  Before this, it writes here what must be done next by the process of an earlier
+// snapshot, which has waited until then.
 struct SharedSession {
-  bool went_back;    // true: a process has ended because the user goes back
+  bool went_back;    // true: the last process has ended because the user goes back
   uint64_t target;   // number of messages after which going back ends
   int64_t until_us;  // virtual time up to which the session runs after going back; 0: none
   // True while a process of openr replay --step carries out the user's commands.  A process that
-  // ends as it should sets `runs` to false.  If `runs` is still true when the process has ended,
-  // the run has crashed.
-  bool runs;
+  // ends as it should sets `is_running` to false.  If `is_running` is still true when the process
+  // has ended, the run has crashed.
+  bool is_running;
   bool ends;  // true: openr replay --step must end
   bool differs;
   bool is_text_lost;  // true: a process could not write some text to standard output

@@ -109,9 +109,9 @@ class Stepper {
   }
 
   // Adds this process, which now keeps the state of the replay, to the list of snapshots.  Ends the
-  // processes of snapshots that are no longer needed.  The child of an ended process becomes a
-  // child of the nearest earlier snapshot, because each snapshot is a "subreaper" (prctl(2)).  So
-  // the earlier snapshot then waits for this child.
+  // processes of snapshots that are no longer needed.  When such a process ends, its child becomes
+  // a child of the process of the nearest earlier snapshot, which then waits for this child.  Each
+  // process of a snapshot is a "subreaper" for this reason (prctl(2)).
   void AddToSnapshots(uint64_t here) {
     prctl(PR_SET_CHILD_SUBREAPER, 1);
     for (const pid_t process :
@@ -123,7 +123,7 @@ class Stepper {
   // the waiting process that keeps the state after `here` messages.
   void BeginCopy(uint64_t here) {
     is_copy_ = true;
-    shared_->runs = true;
+    shared_->is_running = true;
     shared_->snapshots.RemoveAfter(here);
     last_snapshot_ = here;
     breaks_.Load(shared_->breaks);
@@ -137,7 +137,7 @@ class Stepper {
   // its own child process then becomes a child of this process.
   void WaitForCopies() {
     WaitForAllCopies();
-    if (shared_->runs)
+    if (shared_->is_running)
       EndSession("the replay has ended here, as the run did; start again to step up to it");
   }
 
@@ -147,7 +147,7 @@ class Stepper {
     fmt::print("{}\n", why);
     shared_->FlushText();
     shared_->ends = shared_->differs = true;
-    shared_->runs = false;
+    shared_->is_running = false;
   }
 
   // Runs this process to the message to which the user goes back.  This process is a new copy
@@ -161,7 +161,7 @@ class Stepper {
 
   [[noreturn]] void EndProcess() {
     shared_->ends = true;
-    shared_->runs = false;
+    shared_->is_running = false;
     shared_->differs = !replayer_->difference().empty();
     shared_->FlushText();
     _exit(0);
@@ -194,9 +194,9 @@ class Stepper {
       view_.Sample();
       if (replayer_->count() - last_snapshot_ >= kSnapshotMessages) {
         if (!Snapshot()) _exit(0);
-        // Stops here if this process is a new copy, which was made because the user goes back to a
-        // snapshot.  The new copy also returns from Snapshot(), but the command that called
-        // Forward() at the time of the snapshot is over.
+        // Stops here in a new copy of the process, which was made because the user goes back.  This
+        // copy comes from Snapshot() in the middle of an earlier command, and must not carry out
+        // the rest of that command.
         if (went_back_) return false;
       }
     }
@@ -223,7 +223,7 @@ class Stepper {
     shared_->target = target;
     shared_->until_us = until_us;
     shared_->went_back = true;
-    shared_->runs = false;
+    shared_->is_running = false;
     shared_->FlushText();
     _exit(0);
   }

@@ -116,8 +116,8 @@ class TraceCoder {
   uint32_t LinkOf(const TraceRecord& record);
 
   // Writes a message as a TraceEntry of the kind kMessage.  `number_of_link` is the number of the
-  // message's link.  REQUIRES: `number_of_link` is LinkOf(record), and a message of every link with
-  // a smaller number has been written before.
+  // message's link.  REQUIRES: `number_of_link` is LinkOf(record); each link with a smaller number
+  // is the link of a message that was written before.
   void WriteMessage(const TraceRecord& record, std::string_view payload, uint32_t number_of_link,
                     ByteWriter* out);
 
@@ -203,10 +203,10 @@ class TraceWriter {
   std::string Finish(System* system);
 
  private:
-  // A link is a path from one sender to one entry of one receiver.  For each link: how often these
-  // two objects had been replaced (Object::predecessors) when their names were last written to the
-  // trace file; -1: there is no such object.  If a number has changed since then, an object was
-  // replaced, and its names may have to be written again.
+  // For one link, which is the path from one sender to one entry of one receiver: how often the
+  // sender and the receiver had been replaced (Object::predecessors) when their names were last
+  // written to the trace file; -1: there is no such object.  If a number has changed since then, an
+  // object was replaced, and its names may have to be written again.
   struct ReplacementCounts {
     int sender = -2;
     int target = -2;
@@ -268,7 +268,7 @@ class TraceReader {
   int RobotOf(int32_t id) const;
   // Returns how the run ended, as a word of EndName() and a text with the reason.  Both are empty
   // if the recording does not say how the run ended, or if its end has not been read so far.
-  const std::pair<std::string, std::string>& ended() const { return why_ended_; }
+  const std::pair<std::string, std::string>& why_ended() const { return why_ended_; }
   // Returns an error that explains why no message matches a filter, such as "there is no object
   // 'JointMvoer'; did you mean ...".  Returns "" if the recording has the object and the service.
   // An empty name is no filter.  Called at the end of the file, when all names have been read.

@@ -24,24 +24,6 @@ constexpr size_t kNameMax = 40;
 
 bool IsRunning(int process) { return kill(process, 0) == 0 || errno == EPERM; }
 
-// Returns whether a process, such as the run that made the socket, has the socket at `path` open.
-// Tries to connect a socket of another type, because this attempt always fails: with EPROTOTYPE if
-// the socket is open, with ECONNREFUSED if it is not (man 7 unix).  So this function does not wait
-// for the run, and does not take the place of a client.
-bool IsOpen(const std::string& path) {
-  sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  if (path.size() >= sizeof address.sun_path) return false;
-  std::memcpy(address.sun_path, path.c_str(), path.size() + 1);
-  const int descriptor = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-  if (descriptor < 0) return true;  // the socket counts as open, because its run may go on
-  const bool is_refused =
-      connect(descriptor, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 &&
-      (errno == ECONNREFUSED || errno == ENOENT);
-  close(descriptor);
-  return !is_refused;
-}
-
 std::string Describe(const std::vector<LiveRun>& runs) {
   if (runs.empty()) return "no run of this user goes on";
   std::string text;
@@ -82,6 +64,23 @@ std::string LiveSocketPath(const std::string& name) {
   return fmt::format("{}/{}.{}", LiveFolder(), file, getpid());
 }
 
+bool IsLiveSocketOpen(const std::string& path) {
+  // Tries to connect a socket of another type, because this attempt always fails: with EPROTOTYPE
+  // if the socket at `path` is open, with ECONNREFUSED if it is not (man 7 unix).  So this function
+  // does not wait for the run, and does not take the place of a client.
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  if (path.size() >= sizeof address.sun_path) return false;
+  std::memcpy(address.sun_path, path.c_str(), path.size() + 1);
+  const int descriptor = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  if (descriptor < 0) return true;  // the socket counts as open, because its run may go on
+  const bool is_refused =
+      connect(descriptor, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 &&
+      (errno == ECONNREFUSED || errno == ENOENT);
+  close(descriptor);
+  return !is_refused;
+}
+
 std::vector<LiveRun> LiveRuns() {
   std::vector<LiveRun> runs;
   std::error_code error;
@@ -96,7 +95,7 @@ std::vector<LiveRun> LiveRuns() {
     // Lists a run if its socket is open, even if its process is not found: the process may be in
     // another container that shares this folder.  The process id alone would not prove that the run
     // goes on, because the id may now belong to another process.
-    if (IsOpen(run.socket)) {
+    if (IsLiveSocketOpen(run.socket)) {
       runs.push_back(std::move(run));
     } else if (!IsRunning(run.process)) {
       // Removes the socket of a process that was killed and could not remove it.  Keeps a socket

@@ -23,6 +23,10 @@ std::string LiveFolder();
 // because the path of a socket can have at most 107 characters.
 std::string LiveSocketPath(const std::string& name);
 
+// Returns whether a process, such as the run that made the socket, has the socket at `path` open.
+// Also returns true if no descriptor is left with which to find this out.
+bool IsLiveSocketOpen(const std::string& path);
+
 // Returns the runs of this user that go on, sorted by name.  Removes the sockets that no process
 // has open and whose processes have ended, because a killed process could not remove its own
 // socket.  Does not wait for any run.

@@ -38,26 +38,36 @@ LiveServer::LiveServer(const std::string& name, Answer answer, LiveEvents* event
 }
 
 void LiveServer::Open() {
-  process_ = getpid();
-  path_ = LiveSocketPath(name_);
+  const std::string path = LiveSocketPath(name_);
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
-  const auto fail = [this](const std::string& why) {
+  const auto fail = [&](const std::string& why) {
     if (listener_ >= 0) close(std::exchange(listener_, -1));
-    throw std::runtime_error(fmt::format("{}: cannot listen: {}", path_, why));
+    throw std::runtime_error(fmt::format("{}: cannot listen: {}", path, why));
   };
-  if (path_.size() >= sizeof address.sun_path) fail("the path is too long for a socket");
-  std::memcpy(address.sun_path, path_.c_str(), path_.size() + 1);
-  unlink(path_.c_str());  // removes a socket that an earlier process with the same id may have left
+  if (path.size() >= sizeof address.sun_path) fail("the path is too long for a socket");
+  std::memcpy(address.sun_path, path.c_str(), path.size() + 1);
   listener_ = socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
-  if (listener_ < 0 ||
-      bind(listener_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0)
-    fail(std::strerror(errno));
+  if (listener_ < 0) fail(std::strerror(errno));
+  const auto is_bound = [&] {
+    return bind(listener_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+  };
+  if (!is_bound()) {
+    if (errno != EADDRINUSE) fail(std::strerror(errno));
+    // Removes a socket that an earlier process with the same id has left.  Keeps an open socket,
+    // because it belongs to a run in another container: process ids there may be the same as here.
+    if (IsLiveSocketOpen(path))
+      fail("another run has this socket open; give this run another name with --run-name");
+    unlink(path.c_str());
+    if (!is_bound()) fail(std::strerror(errno));
+  }
   if (listen(listener_, kClientsMax) != 0) {
     const int error = errno;
-    unlink(path_.c_str());
+    unlink(path.c_str());
     fail(std::strerror(error));
   }
+  path_ = path;
+  process_ = getpid();
 }
 
 void LiveServer::Forget() {

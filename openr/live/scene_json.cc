@@ -108,7 +108,7 @@ const char* UnitOf(SensorKind kind) {
 }
 
 // Returns whether the input "press" can press `sensor`.
-bool IsPressed(const Sensor& sensor) {
+bool CanBePressed(const Sensor& sensor) {
   return sensor.kind == SensorKind::kSwitch || sensor.kind == SensorKind::kForce ||
          sensor.kind == SensorKind::kRaw;
 }
@@ -117,9 +117,9 @@ Json SensorsJson(const RobotModel& model) {
   Json sensors = Json::array();
   for (const Sensor& sensor : model.sensors) {
     if (sensor.joint >= 0) continue;
-    Json each = {{"name", sensor.short_name},  {"long_name", sensor.name},
-                 {"locator", sensor.locator},  {"unit", UnitOf(sensor.kind)},
-                 {"press", IsPressed(sensor)}, {"settable", true}};
+    Json each = {{"name", sensor.short_name},     {"long_name", sensor.name},
+                 {"locator", sensor.locator},     {"unit", UnitOf(sensor.kind)},
+                 {"press", CanBePressed(sensor)}, {"settable", true}};
     if (sensor.has_range) {
       each["min"] = sensor.min;
       each["max"] = sensor.max;

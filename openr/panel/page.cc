@@ -99,7 +99,7 @@ void Page::Drop(size_t size, bool is_last) {
 void Page::Queue(std::string text) {
   if (is_closing_) return;
   if (queue_.Add(std::move(text))) {
-    connection_->WantSend();
+    connection_->WantWrite();
   } else {
     // Closes the socket at once, without a reason.  Too many messages wait, because the page does
     // not read them, and the page would not read the reason either.

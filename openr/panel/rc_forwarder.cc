@@ -114,8 +114,8 @@ class Forwarding {
   RcFramer requests_, answers_;
   // Header of the first packet that the client of the remote control has sent.
   RcHeader first_ = {RC_HEADER_SIZE, RC_VERSION_FILES, 0, 0};
-  bool is_client_there_ = true;  // false: the client sends no more, but still reads answers
-  int unanswered_ = 0;           // number of requests that the robot has not answered yet
+  bool is_client_sending_ = true;  // false: the client sends no more, but still reads answers
+  int unanswered_ = 0;             // number of requests that the robot has not answered yet
   // An answer that waits until the robot has answered all earlier requests, because answers come in
   // the order of the requests.  No request is read meanwhile.
   std::optional<OwnAnswer> delayed_;
@@ -223,7 +223,7 @@ bool Forwarding::ReceiveRequests() {
     case Received::kBytes:
       return ForwardRequests();
     case Received::kEnd:
-      is_client_there_ = false;
+      is_client_sending_ = false;
       shutdown(robot_, SHUT_WR);  // the robot answers all requests, and then closes the connection
       return true;
     case Received::kLost:
@@ -257,7 +257,7 @@ void Forwarding::Forward() {
   Answer({first_, rcOK, "", false});
   if (!ForwardRequests()) return EndStream();
   for (;;) {
-    const bool is_reading = is_client_there_ && !delayed_;
+    const bool is_reading = is_client_sending_ && !delayed_;
     // Passes the client's socket to poll() even while nothing is read from it (no POLLIN), because
     // poll() still tells when the client has closed its connection.
     pollfd both[2] = {{client_, static_cast<short>(is_reading ? POLLIN : 0), 0},

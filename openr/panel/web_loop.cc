@@ -36,20 +36,20 @@ class LwsConnection : public WebConnection {
  public:
   explicit LwsConnection(lws* wsi) : wsi_(wsi) {}
 
-  void WantSend() override { lws_callback_on_writable(wsi_); }
+  void WantWrite() override { lws_callback_on_writable(wsi_); }
   void CloseWhenSent(int code, const std::string& why) override {
     if (!close_code_) close_code_ = code;
     close_why_ = why;
-    WantSend();
+    WantWrite();
   }
   void Abort() override {
     lws_set_timeout(wsi_, PENDING_TIMEOUT_KILLED_BY_PARENT, LWS_TO_KILL_ASYNC);
   }
   void SetReading(bool is_on) override {
-    // Begins or stops reading from the page at once (PROCESS_NOW), because reading is switched on
-    // in a callback of another connection, when the run has taken requests.  Without PROCESS_NOW,
-    // libwebsockets may leave the change to the next callback of this connection, which never comes
-    // if the page waits for the answer to a request that was not read yet.
+    // Begins or stops reading from the page at once (PROCESS_NOW).  Without PROCESS_NOW,
+    // libwebsockets may do so only in the next callback of this connection.  This callback may
+    // never come: reading is switched on in a callback of another connection, when the run has
+    // taken requests, and the page may then wait for the answer to a request that was not read yet.
     constexpr int kOn = LWS_RXFLOW_REASON_USER_BOOL | LWS_RXFLOW_REASON_APPLIES_ENABLE |
                         LWS_RXFLOW_REASON_FLAG_PROCESS_NOW;
     lws_rx_flow_control(wsi_, is_on ? kOn : 0);
@@ -63,7 +63,7 @@ class LwsConnection : public WebConnection {
       buffer_.resize(LWS_PRE + text.size());
       std::memcpy(buffer_.data() + LWS_PRE, text.data(), text.size());
       if (lws_write(wsi_, buffer_.data() + LWS_PRE, text.size(), LWS_WRITE_TEXT) < 0) return -1;
-      WantSend();
+      WantWrite();
       return 0;
     }
     if (!close_code_) return 0;

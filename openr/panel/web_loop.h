@@ -40,7 +40,7 @@ struct WebAnswer {
 class WebConnection {
  public:
   // Makes the event loop call WebPage::Next() as soon as the socket can take bytes.
-  virtual void WantSend() = 0;
+  virtual void WantWrite() = 0;
   // Closes the WebSocket with `code` and `why` (RFC 6455, section 7.4) as soon as WebPage::Next()
   // returns "", so that waiting messages are sent before.
   virtual void CloseWhenSent(int code, const std::string& why) = 0;

@@ -11,14 +11,14 @@ void BranchNetwork::Repeat(std::deque<LoggedInput> inputs) {
   inputs_ = std::move(inputs);
 }
 
-void BranchNetwork::RepeatFrom(std::function<std::vector<NetworkEvent>()> say) {
+void BranchNetwork::RepeatFrom(std::function<std::vector<NetworkEvent>()> next_events) {
   repeats_ = true;
-  say_ = std::move(say);
+  next_events_ = std::move(next_events);
 }
 
 void BranchNetwork::GoOn() {
   repeats_ = false;
-  say_ = nullptr;
+  next_events_ = nullptr;
   inputs_.clear();
   for (const auto& [handle, socket] : sockets_) OpenAgain(handle, socket);
 }
@@ -139,9 +139,9 @@ void BranchNetwork::Follow(const NetworkEvent& event) {
     case NetworkEvent::Kind::kResolved:
     case NetworkEvent::Kind::kFailed:
     case NetworkEvent::Kind::kClosed:
-      // Marks the socket as unused, so that GoOn() does not open it again.  The robot can only drop
-      // a socket after its connection has ended, after an error, or after its name look-up was
-      // answered.
+      // Marks the socket as unused, so that GoOn() does not open it again: its connection has
+      // ended, an error has come, or its name look-up was answered.  The robot can then only drop
+      // the socket.
       sockets_[event.handle].kind = Socket::Kind::kNew;
       break;
     default:
@@ -152,8 +152,8 @@ void BranchNetwork::Follow(const NetworkEvent& event) {
 std::vector<NetworkEvent> BranchNetwork::Poll() {
   ++poll_;
   std::vector<NetworkEvent> events;
-  if (repeats_ && say_) {
-    events = say_();
+  if (repeats_ && next_events_) {
+    events = next_events_();
   } else if (repeats_) {
     if (!inputs_.empty() && inputs_.front().poll == poll_) {
       events = std::move(inputs_.front().events);

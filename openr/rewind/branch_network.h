@@ -31,9 +31,9 @@ class BranchNetwork : public PassingNetwork {
   // call with the same number returned in the original run.  From now on nothing is sent.
   // REQUIRES: Forget() was called.
   void Repeat(std::deque<LoggedInput> inputs);
-  // Repeats events: each call of Poll() calls `say` and returns the events that `say` returns, such
-  // as the events of a recording.
-  void RepeatFrom(std::function<std::vector<NetworkEvent>()> say);
+  // Repeats events: each call of Poll() calls `next_events` and returns the events that
+  // `next_events` returns, such as the events of a recording.
+  void RepeatFrom(std::function<std::vector<NetworkEvent>()> next_events);
   // Goes on with the real network after Repeat() or RepeatFrom(), or after Forget() if nothing was
   // repeated.  Drops the inputs that Poll() has not returned yet, and opens the ports of the robot
   // again.
@@ -77,7 +77,7 @@ class BranchNetwork : public PassingNetwork {
   uint64_t poll_ = 0;  // number of calls of Poll()
   // The function from which Poll() takes its events, set by RepeatFrom(); null: Poll() does not
   // call a function for its events.
-  std::function<std::vector<NetworkEvent>()> say_;
+  std::function<std::vector<NetworkEvent>()> next_events_;
   bool repeats_ = false;  // true: Poll() returns logged inputs, and nothing is sent
   // Inputs that Poll() has still to return, in the order of the calls of Poll() that returned them
   // in the original run.

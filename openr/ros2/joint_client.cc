@@ -56,7 +56,7 @@ void JointClient::Accept(NetHandle listener, NetHandle handle) {
 
 void JointClient::Send(NetHandle handle, const void* data, size_t size) {
   if (handle != handle_) return PassingNetwork::Send(handle, data, size);
-  taken_ += size;
+  unconfirmed_bytes_ += size;
   const auto* bytes = static_cast<const Uint8*>(data);
   while (size > 0 && !is_broken_) {
     const size_t count = std::min(size, static_cast<size_t>(framer_.Room()));
@@ -111,7 +111,7 @@ void JointClient::EndConnection() {
   handle_ = 0;
   out_.clear();
   unanswered_ = 0;
-  taken_ = 0;
+  unconfirmed_bytes_ = 0;
   wants_ = 0;
   is_closing_ = false;
   is_broken_ = false;
@@ -164,9 +164,9 @@ std::vector<NetworkEvent> JointClient::Poll() {
   // Connects to the robot's remote control only when there is a first joint target, so that a run
   // without commands from ROS 2 has no connection.
   if (handle_ == 0 && (wanted_.empty() || !AnswerAccept(&events))) return events;
-  if (taken_ > 0) {
+  if (unconfirmed_bytes_ > 0) {
     events.push_back(EventOf(NetworkEvent::Kind::kSent, handle_));
-    events.back().count = std::exchange(taken_, 0);
+    events.back().count = std::exchange(unconfirmed_bytes_, 0);
   }
   if (is_closing_) {
     events.push_back(EventOf(NetworkEvent::Kind::kClosed, handle_));

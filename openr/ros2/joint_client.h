@@ -68,7 +68,8 @@ class JointClient : public PassingNetwork {
   NetHandle handle_ = 0;  // the robot's end of the connection; 0: no connection
   std::string out_;       // requests that the robot has not received yet
   int unanswered_ = 0;
-  uint64_t taken_ = 0;  // number of bytes that the robot has sent; the next Poll() confirms them
+  // Number of bytes that the robot has sent; the next Poll() confirms them.
+  uint64_t unconfirmed_bytes_ = 0;
   // The largest number of bytes that the remote control accepts in its present call of Receive();
   // 0: no call of Receive() waits for bytes.
   size_t wants_ = 0;

@@ -84,7 +84,7 @@ void Ros2Link::AfterFrame() {
 
 void Ros2Link::ApplyCommands(Robot* robot) {
   const std::string topic = robot->space + kCommandTopic;
-  if (robot->commands->HasMisfit()) {
+  if (robot->commands->HasIncompatibleWriter()) {
     robot->problems->Add(
         topic +
         ": a publisher does not match and is not heard; it has to be reliable and to speak "
@@ -117,7 +117,7 @@ void Ros2Link::ApplyCommands(Robot* robot) {
 // inputs take effect at the present frame boundary.
 void Ros2Link::ApplyInputs(Robot* robot) {
   const std::string topic = robot->space + kInputTopic;
-  if (robot->inputs->HasMisfit()) {
+  if (robot->inputs->HasIncompatibleWriter()) {
     robot->problems->Add(topic +
                          ": a publisher does not match and is not heard; it has to be "
                          "reliable, which is the default of ROS 2");

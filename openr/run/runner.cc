@@ -61,8 +61,8 @@ std::optional<RunEnd> Runner::EndOfRun() const {
     return RunEnd{EndKind::kSignal, "Ctrl-C or SIGTERM came again; no object was told"};
   if (plan_.rewind != nullptr && plan_.rewind->has_branched())
     return RunEnd{EndKind::kBranch, "a copy of the run goes on from an earlier moment"};
-  if (paused_us_ >= 0) {
-    if (now_us - paused_us_ < kPauseUs + kShutdownMaxUs) return {};
+  if (pause_pressed_us_ >= 0) {
+    if (now_us - pause_pressed_us_ < kPauseUs + kShutdownMaxUs) return {};
     return RunEnd{EndKind::kPause, "the shutdown after the pause button took more than 60 s"};
   }
   if (plan_.for_us && now_us >= *plan_.for_us)
@@ -88,7 +88,7 @@ void Runner::AddInputToAll(std::string_view line) {
 }
 
 void Runner::PressPause() {
-  paused_us_ = simulation_->system().now_us();
+  pause_pressed_us_ = simulation_->system().now_us();
   plan_.say("pause button pressed; again to end at once");
   AddInputToAll("press pause");
 }
@@ -178,8 +178,9 @@ void Runner::AfterFrame() {
 // down within kPauseUs, shuts all of them down.
 void Runner::HandleInterrupt() {
   System& system = simulation_->system();
-  if (interrupts_->count() == 1 && paused_us_ < 0) PressPause();
-  if (paused_us_ >= 0 && !shutdown_posted_ && system.now_us() - paused_us_ >= kPauseUs) {
+  if (interrupts_->count() == 1 && pause_pressed_us_ < 0) PressPause();
+  if (pause_pressed_us_ >= 0 && !shutdown_posted_ &&
+      system.now_us() - pause_pressed_us_ >= kPauseUs) {
     shutdown_posted_ = true;
     plan_.say("no object handles the pause button; shutting down");
     for (int robot = 0; robot < system.robot_count(); ++robot) {
@@ -218,7 +219,7 @@ void Runner::RunFreely(int64_t stop_us, Pacer* pacer) {
 // request.  Returns false if the run is not paused.  After the pause button of the robot was
 // pressed, the run is never paused, because the user wants it to end.
 bool Runner::WaitWhilePaused(Pacer* pacer) {
-  if (plan_.clock == nullptr || !plan_.clock->paused() || paused_us_ >= 0) return false;
+  if (plan_.clock == nullptr || !plan_.clock->paused() || pause_pressed_us_ >= 0) return false;
   constexpr int kWaitMs = 50;  // longest time for which Ctrl-C and typed text may go unnoticed
   const RunClock::Step step = plan_.clock->TakeStep();
   if (step == RunClock::Step::kNone) {
@@ -240,7 +241,7 @@ void Runner::GoOn(Pacer* pacer) {
   if (plan_.pump) return RunFreely(stop_us, pacer);
   // Does not wait for the clock after the pause button was pressed, because the user wants the run
   // to end.
-  if (paused_us_ < 0) pacer->WaitFor(stop_us);
+  if (pause_pressed_us_ < 0) pacer->WaitFor(stop_us);
   simulation_->system().RunUntil(stop_us);
 }
 

@@ -120,7 +120,8 @@ class Runner {
   std::vector<PrintedFacts> announced_;
   int activity_sink_ = 0;
   int64_t last_activity_us_ = 0;
-  int64_t paused_us_ = -1;  // virtual time when the pause button was pressed; -1: not pressed
+  // Virtual time when the pause button was pressed; -1: not pressed.
+  int64_t pause_pressed_us_ = -1;
   bool shutdown_posted_ = false;
   bool is_new_branch_ = false;  // true: this process has just become a run of its own (Rewind)
   bool good_ = true;

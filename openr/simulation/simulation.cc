@@ -51,8 +51,8 @@ std::unique_ptr<System> MakeSystem(const SimulationOptions& options,
   system_options.console = options.console;
   system_options.log_level = options.log_level;
   system_options.say = &DecodeHandled;
-  if (options.measures) system_options.wall_clock_ns = &WallClockNs;
-  system_options.measure_stacks = options.measures;
+  if (options.measures_handlers) system_options.wall_clock_ns = &WallClockNs;
+  system_options.measure_stacks = options.measures_handlers;
   system_options.guard_regions = options.guard_regions;
   system_options.cost = cost == nullptr ? options.cost : std::move(cost);
   return std::make_unique<System>(std::move(system_options));

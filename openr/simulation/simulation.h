@@ -54,7 +54,7 @@ struct SimulationOptions {
   // True: objects may write to the stick.  Has no effect if there are several robots, because their
   // objects must never write to the sticks.
   bool writable_stick = true;
-  bool measures = true;             // true: measures handler times and stack use for the report
+  bool measures_handlers = true;    // true: measures handler times and stack use for the report
   bool guard_regions = false;       // see SystemOptions::guard_regions
   std::string cost_file;            // name of a cost file; see LoadCostFile()
   std::shared_ptr<CostModel> cost;  // costs to use instead of cost_file; null: cost_file is used

@@ -20,8 +20,9 @@ bool IsLeap(int64_t year) { return year % 4 == 0 && (year % 100 != 0 || year % 4
 // Returns the number of days from 2000-01-01 to January 1 of `year`: 365 for each year in between,
 // and one more for each leap year.  The number is negative before 2000.
 int64_t DaysToYear(int64_t year) {
-  const int64_t last = year - 1;  // the last full year before January 1 of `year`
-  const int64_t leap_years = FloorDiv(last, 4) - FloorDiv(last, 100) + FloorDiv(last, 400);
+  const int64_t year_before = year - 1;  // the last full year before January 1 of `year`
+  const int64_t leap_years =
+      FloorDiv(year_before, 4) - FloorDiv(year_before, 100) + FloorDiv(year_before, 400);
   constexpr int64_t kLeapYearsBefore2000 = 1999 / 4 - 1999 / 100 + 1999 / 400;
   return (year - 2000) * 365 + leap_years - kLeapYearsBefore2000;
 }
@@ -44,9 +45,9 @@ int64_t DaysToMonth(int64_t year, int64_t month) {
 
 CivilDate DateOfDay(int64_t days) {
   CivilDate date;
-  // Computes a first year that is not later than the year of `days`: the beginning of the period of
-  // 400 years, plus one year for every 366 days since then.  This year may be too early, because
-  // most years have 365 days, so the loop goes forward to the right year.
+  // Begins with a year that is not too late: the first year of the period of 400 years, plus one
+  // year for every 366 days since then.  Most years have 365 days, so this year may be too early.
+  // The loop then adds years until `days` lies in the year.
   date.year = 2000 + FloorDiv(days, kDaysIn400Years) * 400;
   date.year += (days - DaysToYear(date.year)) / 366;
   while (days >= DaysToYear(date.year + 1)) ++date.year;

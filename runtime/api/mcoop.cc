@@ -49,12 +49,12 @@ bool CanWait(const char* function) {
   return false;
 }
 
-// Adds `us` to the time that has passed in the running handler of `object`.  `waited_us` is equal
-// to `us` if Wait() adds this time, and 0 if GetSystemTime() adds it.
-void PassTime(openr_host::Object* object, uint64_t us, uint64_t waited_us) {
+// Adds `us` to the time that has passed in the running handler of `object`.  `wait_us` is the part
+// of `us` that counts as waiting: `us` if Wait() adds this time, and 0 if GetSystemTime() adds it.
+void PassTime(openr_host::Object* object, uint64_t us, uint64_t wait_us) {
   if (object->handler.passed_us == 0) object->waited_us = 0;
   object->handler.passed_us += us;
-  object->waited_us += waited_us;
+  object->waited_us += wait_us;
 }
 
 }  // namespace
@@ -170,9 +170,9 @@ sError Reply(void* msg, size_t size) {
   openr_host::Object* const object = t_current.object;
   if (object == nullptr) return sFAIL;
   if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;
-  // If the observer and the subject of a connection belong to one object, the object calls its own
-  // entry directly, without a request.  In this case the reply is copied to the memory that the
-  // caller of the entry has given.
+  // If an observer and a subject of the same object are connected, the object calls the entry of
+  // its subject directly and sends no request.  The reply is then copied to the memory that this
+  // call has given (self_reply).
   if (object->self_reply != nullptr) {
     std::memcpy(object->self_reply->data, msg, std::min(size, object->self_reply->size));
     return sSUCCESS;
@@ -194,8 +194,8 @@ sError Delegate(OID oid, Selector selector, void* msg, size_t size) {
   message->sender = ticket.to;
   message->reply_box = ticket.box;
   const sError error = t_current.system->Post(std::move(message));
-  // Lets the running handler reply again if the message to object `oid` was refused, so that this
-  // object can still answer the request.
+  // If the message to object `oid` was refused, gives the reply box back to the running handler, so
+  // that this object can still reply to the request itself.
   if (error != sSUCCESS) t_current.object->handler.running->reply_box = ticket.box;
   return error;
 }

@@ -10,10 +10,10 @@ using namespace openr_host;
 
 namespace {
 
-// Checks whether the current object may order one more event: a message of `size` bytes, called
-// letter, that is sent to object `oid` at a certain time or when a reply arrives.  Returns
-// sSUCCESS, or the error that the function of MCOOP.h returns to the program.
-sError CheckLetter(const OID& oid, size_t size) {
+// Checks whether the current object may order one more event: a message of `size` bytes that is
+// sent to object `oid` at a certain time or when a reply arrives.  Returns sSUCCESS, or the error
+// that the function of MCOOP.h returns to the program.
+sError CheckEventMessage(const OID& oid, size_t size) {
   if (t_current.object == nullptr) return sFAIL;
   if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;
   if (t_current.system->object(ObjectIdOf(oid)) == nullptr) return sINVALIDOID;
@@ -21,7 +21,8 @@ sError CheckLetter(const OID& oid, size_t size) {
   return sSUCCESS;
 }
 
-TimeEvents::Letter MakeLetter(const OID& oid, Selector selector, const void* msg, size_t size) {
+TimeEvents::EventMessage MakeEventMessage(const OID& oid, Selector selector, const void* msg,
+                                          size_t size) {
   const auto* const bytes = static_cast<const unsigned char*>(msg);
   return {t_current.object->id, ObjectIdOf(oid), selector, {bytes, bytes + size}};
 }
@@ -34,25 +35,25 @@ sError SetTimeEvent(TimeEventInfo* info, OID oid, Selector selector, void* msg, 
                     EventID* event) {
   const ApiScope scope;
   if (info == nullptr) return sINVALIDTEVENTINFO;
-  const sError error = CheckLetter(oid, size);
+  const sError error = CheckEventMessage(oid, size);
   if (error != sSUCCESS) return error;
-  const longword id = t_current.system->calls().AddTimedEvent(MakeLetter(oid, selector, msg, size),
-                                                              Microseconds(info->relativeTime),
-                                                              Microseconds(info->periodicTime));
+  const longword id = t_current.system->calls().AddTimedEvent(
+      MakeEventMessage(oid, selector, msg, size), Microseconds(info->relativeTime),
+      Microseconds(info->periodicTime));
   if (event != nullptr) event->value = id;
   return sSUCCESS;
 }
 
 sError SetReplyEvent(RID rbox, OID oid, Selector selector, void* msg, size_t size, EventID* event) {
   const ApiScope scope;
-  const sError error = CheckLetter(oid, size);
+  const sError error = CheckEventMessage(oid, size);
   if (error != sSUCCESS) return error;
   openr_host::Object* const self = t_current.object;
   if (!rbox.IsValid()) return sINVALIDRID;
   if (ObjectIdOf(rbox.GetMailer()) != self->id) return sRIDCANNOTBETREATED;
   if (!self->boxes.open.contains(rbox.GetValue())) return sRIDNOTFOUND;
-  const longword id = t_current.system->calls().AddReplyEvent(MakeLetter(oid, selector, msg, size),
-                                                              rbox.GetValue());
+  const longword id = t_current.system->calls().AddReplyEvent(
+      MakeEventMessage(oid, selector, msg, size), rbox.GetValue());
   if (event != nullptr) event->value = id;
   return sSUCCESS;
 }

@@ -64,11 +64,11 @@ std::optional<ServiceName> ParseServiceName(std::string_view text, ServiceNameFa
 }
 
 std::string Compose(const ServiceName& name) {
-  return fmt::format("{}.{}.{}.{}", name.object, name.service, name.data, name.direction);
+  return fmt::format("{}.{}.{}.{}", name.object, name.short_name, name.data, name.direction);
 }
 
 bool DifferInDataOnly(const ServiceName& one, const ServiceName& other) {
-  return one.object == other.object && one.service == other.service &&
+  return one.object == other.object && one.short_name == other.short_name &&
          one.direction == other.direction && one.data != other.data;
 }
 

@@ -15,9 +15,10 @@ namespace {
 // The data that the parser of a stub.cfg collects about the object's subjects, or about its
 // observers: the declared number, and the services of the Service lines that were read so far.
 struct Side {
-  const char* noun;        // "subject" or "observer"
-  const char* count_word;  // keyword in its usual spelling: "NumOfOSubject" or "NumOfOObserver"
-  const char* dummy;       // end of a dummy service's name, such as ".DummySubject.DoNotConnect.S"
+  const char* noun;           // "subject" or "observer"
+  const char* count_keyword;  // keyword in its usual spelling: "NumOfOSubject" or "NumOfOObserver"
+  // End of a dummy service's name, such as ".DummySubject.DoNotConnect.S".
+  const char* dummy_suffix;
   std::vector<StubService>* services;
 
   bool has_count = false;
@@ -138,11 +139,11 @@ void StubParser::ReadService(const StubLine& line) {
   const bool is_subject = service->name.is_subject();
   const Side& side = is_subject ? subjects_ : observers_;
   for (const StubService& other : *side.services) {
-    if (other.name.service != service->name.service) continue;
+    if (other.name.short_name != service->name.short_name) continue;
     Error(service->place, fmt::format("a second {} '{}', after line {}: both would be {}{}; rename "
                                       "one",
-                                      side.noun, service->name.service, other.place.line,
-                                      is_subject ? "sbj" : "obs", service->name.service));
+                                      side.noun, service->name.short_name, other.place.line,
+                                      is_subject ? "sbj" : "obs", service->name.short_name));
     break;
   }
   side.services->push_back(*service);
@@ -186,10 +187,10 @@ void StubParser::CheckCount(const std::string& file, const Side& side) {
                 : fmt::format(
                       "; every object needs at least one {}, add: Service : \"{}{}\", "
                       "null, null",
-                      side.noun, object.empty() ? "Object" : object, side.dummy);
+                      side.noun, object.empty() ? "Object" : object, side.dummy_suffix);
   if (!side.has_count) {
     Error(FilePosition{file, 0, 0, ""},
-          fmt::format("no {0} line; add: {0} : {1}{2}", side.count_word, found == 0 ? 1 : found,
+          fmt::format("no {0} line; add: {0} : {1}{2}", side.count_keyword, found == 0 ? 1 : found,
                       dummy));
     return;
   }

@@ -49,7 +49,7 @@ void AppendServiceNames(const char* array, const char* count,
 void AppendIndices(const char* prefix, const std::vector<StubService>& services,
                    std::string* text) {
   for (size_t i = 0; i < services.size(); ++i) {
-    Append(text, fmt::format("const int {}{} = {};", prefix, services[i].name.service, i));
+    Append(text, fmt::format("const int {}{} = {};", prefix, services[i].name.short_name, i));
   }
 }
 
@@ -169,10 +169,10 @@ std::vector<EntryPoint> ListEntries(const StubConfig& config) {
 }
 
 // Returns the definition of openr_extra_names, the array with the names of the extra entries, which
-// the host reads from the image.  The generated text declares the array before it defines it, for
-// two reasons.  Without a declaration with `extern`, a const array is visible only in its own file,
-// even in extern "C".  And g++ takes the visibility outside of the image (OPENR_HOST_EXPORT) only
-// from the first declaration.
+// the host reads from the image.  The generated text first declares the array, for two reasons.
+// Without a declaration with `extern`, other files could not see a const array, even in extern "C".
+// And g++ makes the array visible outside of the image only if its first declaration has
+// OPENR_HOST_EXPORT.
 std::string MakeExtraNames(const StubConfig& config) {
   std::string names;
   for (const StubExtra& extra : config.extras) names += fmt::format("\"{}\", ", extra.function);

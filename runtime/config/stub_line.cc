@@ -152,13 +152,14 @@ std::optional<ServiceName> ParseQuotedName(Piece* rest, Reporter* reporter) {
   }
   // Allows only characters of C++ names in the second part of a service name, because the generated
   // def.h has a constant that is named after this part: sbjMove for the part Move.
-  const bool makes_names = std::all_of(name->service.begin(), name->service.end(), IsNameCharacter);
+  const bool makes_names =
+      std::all_of(name->short_name.begin(), name->short_name.end(), IsNameCharacter);
   if (!makes_names) {
     const char* const prefix = name->is_subject() ? "sbj" : "obs";
     reporter->Error(column + static_cast<int>(name->object.size()) + 1,
                     fmt::format("'{0}' cannot be part of the C++ name {1}{0}; use letters, digits "
                                 "and '_' only",
-                                name->service, prefix));
+                                name->short_name, prefix));
   }
   return name;
 }

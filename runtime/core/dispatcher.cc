@@ -21,7 +21,7 @@ thread_local constinit Current t_current;
 Dispatcher::Dispatcher(System* system)
     : system_(system),
       free_deliveries_(static_cast<uint64_t>(system->options().free_deliveries)),
-      many_at_(free_deliveries_) {
+      crowded_at_(free_deliveries_) {
   ASSERT(system->options().free_deliveries >= 1, "free_deliveries={}",
          system->options().free_deliveries);
 }
@@ -39,7 +39,8 @@ uint64_t Dispatcher::Run(const Limits& limits) {
   stop_at_ =
       limits.until != nullptr ? 0 : delivered_ + std::min(limits.messages, UINT64_MAX - delivered_);
   if (system_->powered_off()) Stop();
-  // Takes the fiber before t_current changes, because TakeIdleFiber() may throw an exception.
+  // Takes the fiber before t_current changes, so that t_current keeps its value if TakeIdleFiber()
+  // throws an exception.
   Fiber* const fiber = TakeIdleFiber();
   const Current saved = t_current;
   t_current.system = system_;
@@ -53,8 +54,8 @@ uint64_t Dispatcher::Run(const Limits& limits) {
 
 // Takes a fiber (stack) out of idle_, or makes a new fiber if idle_ is empty.  If there is no
 // memory for the stack of a new fiber, ends the run as a crash of the current object, or throws an
-// exception if no object is current.  So WaitFor() and Abandon() call this function while the
-// object of the handler is still the current object, and before they change the object's state.
+// exception if no object is current.  So WaitFor() and Abandon() call this function first: the
+// object of the handler must still be the current object, and its state must be unchanged.
 Fiber* Dispatcher::TakeIdleFiber() {
   if (idle_.empty()) {
     // Reserves room for all fibers in idle_, so that push_back() takes no memory in functions that
@@ -185,12 +186,12 @@ void Dispatcher::RunMeasured(Object* object) {
 [[gnu::always_inline]] inline void Dispatcher::BeginDelivery(Object* object, Message* message) {
   --object->waiting;
   ASSERT(object->waiting >= 0, "{} gets a message, none was counted as waiting", object->name);
-  if (++delivered_ >= many_at_) [[unlikely]]
+  if (++delivered_ >= crowded_at_) [[unlikely]]
     NoteManyDeliveries(object);
   ASSERT(object->handler.running == nullptr, "{} runs one handler at a time", object->name);
-  // The message belongs to the object's state and not to a local variable, because the running
-  // stack, with its local variables, is given up if the handler is abandoned.  The object gets the
-  // message before the trace, which may throw an exception.
+  // The object owns the message.  A local variable would be lost with the running stack if the
+  // handler is abandoned.  The object gets the message before Deliver() is called, because
+  // Deliver() may throw an exception.
   object->handler.running.reset(message);
   system_->trace().Deliver(*message, system_->now_us());
   ++object->message_count;
@@ -240,9 +241,10 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
   return message;
 }
 
-// Delivers `message` to `object` in all cases in which more than a call of the handler may be
-// needed: asks Admit() whether the object can handle the message now, tells the object manager that
-// a DoInit begins, and measures the handler (RunMeasured()).
+// Delivers `message` to `object` when a plain call of the handler may not be enough.  Asks Admit()
+// whether the object can handle the message now, and does nothing more if the object cannot.
+// Otherwise tells the object manager if a DoInit begins, and then runs and measures the handler
+// (RunMeasured()).
 [[gnu::noinline]] void Dispatcher::DeliverChecked(Object* object, OwnedMessage message) {
   message = Admit(object, std::move(message));
   if (message == nullptr) return;
@@ -267,9 +269,8 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
   CallEntry(object);
   t_current.object = nullptr;
   object->handler.running.reset();
-  // Object::is_plain may have become false while the handler ran, for example because messages to
-  // the object were held while the handler waited.  FinishHandler() then puts these messages back
-  // into the queue.
+  // Messages to the object may have been held while the handler waited.  In this case
+  // Object::is_plain is false, and FinishHandler() puts these messages back into the queue.
   if (!object->is_plain) [[unlikely]]
     FinishHandler(object);
 }
@@ -291,13 +292,13 @@ void Dispatcher::ReportException(const Object& object, const std::string& what) 
                       fmt::format("uncaught exception in {}{}; on the robot abort()", entry, what));
 }
 
-// Called when the number of messages at one instant of virtual time reaches
-// SystemOptions::free_deliveries, and for each later message until the clock moves by more than
-// 1 us at once.  The first call adds a finding.  The later calls set
-// MessagePoster::crowding_delay_us() to 1, so that each message that is posted from then on takes
-// 1 us.
+// Called when many messages were delivered at one instant of virtual time: when their number
+// reaches SystemOptions::free_deliveries, and for each message after that.  The first call adds a
+// finding.  Each later call sets MessagePoster::crowding_delay_us() to 1, so that each message that
+// is posted from then on takes 1 us.  The count begins anew when the clock moves by more than 1 us
+// at once (AdvanceTo()).
 void Dispatcher::NoteManyDeliveries(const Object* object) {
-  if (delivered_ > many_at_) {
+  if (delivered_ > crowded_at_) {
     system_->poster().set_crowding_delay_us(1);
     return;
   }
@@ -360,7 +361,7 @@ void Dispatcher::AdvanceTo(int64_t time_us) {
   // of objects that answer each other without waiting.  A reset would end this delay, although
   // these objects still answer each other.
   if (time_us > system_->now_us() + 1) {
-    many_at_ = delivered_ + free_deliveries_;
+    crowded_at_ = delivered_ + free_deliveries_;
     system_->poster().set_crowding_delay_us(0);
   }
   system_->queue().Advance(time_us);
@@ -380,7 +381,7 @@ bool Dispatcher::MayRun(Object* object, const Message& message) {
 
 void Dispatcher::DeliverReply(Object* object, OwnedMessage message) {
   ++delivered_;
-  ++many_at_;  // grows with delivered_, because NoteManyDeliveries() does not count replies
+  ++crowded_at_;  // raises the limit of NoteManyDeliveries(), so that this reply does not count
   system_->trace().Deliver(*message, system_->now_us());
   const uint64_t box = message->reply_box;
   // The reply box may have been closed since `message` was posted: by CleanRBox(), or because the
@@ -406,11 +407,11 @@ OwnedMessage Dispatcher::WaitFor(uint64_t box) {
   ASSERT(object != nullptr && running_ != nullptr, "only a handler can wait");
   if (!object->boxes.arrived.contains(box)) {
     Fiber* const next = TakeIdleFiber();
-    // Saves the current object, because other objects become current while this handler waits.  The
-    // running fiber keeps the stack of this handler.  Another fiber continues Loop(), which
-    // delivers messages, until DeliverReply() switches back to this fiber.  Loop() must run
-    // without a current object.  Otherwise a time event that is due during the wait would count as
-    // posted by this handler, and could be kept in the outbox of `object`.
+    // Saves the current object, because Loop() must run without a current object.  While this
+    // handler waits on its fiber, Loop() delivers messages on another fiber, until DeliverReply()
+    // switches back to this fiber.  If `object` were still current in Loop(), a time event that is
+    // due during the wait would count as posted by this handler, and could be kept in the outbox of
+    // `object`.
     const Current saved = t_current;
     t_current = {system_, nullptr};
     object->delivery.set_blocked(running_);
@@ -429,8 +430,9 @@ OwnedMessage Dispatcher::WaitFor(uint64_t box) {
 void Dispatcher::Abandon() {
   ASSERT(running_ != nullptr && t_current.object != nullptr, "only a handler can be abandoned");
   Fiber* const next = TakeIdleFiber();
-  // The handler may be abandoned while its object calls an entry of its own directly.  Ends this
-  // call.  Otherwise later replies of the object would be written to the stack that is given up.
+  // If the object has called an entry of its own directly, self_reply points to a variable on the
+  // stack that is given up here.  Clears this pointer, because later replies of the object would be
+  // written to that variable.
   t_current.object->self_reply = nullptr;
   FinishHandler(t_current.object);
   // Does not prepare the running fiber (stack) for its next use here, because this code still runs

@@ -70,11 +70,11 @@ class Dispatcher {
     CheckDeliveries();
   }
   const Gate* gate() const { return gate_; }
-  // Makes the dispatcher call Admit() for every message, to find out whether the receiver can
-  // handle the message now.  Called when a gate is set, a robot is added, or the boot of objects
-  // begins, because a gate, the processor of a robot (cpu.h) or the boot may hold back messages to
-  // any object.  The calls of Admit() end when there is no gate and no processor, no object is in
-  // its boot, and the time of handlers is not measured (SystemOptions::wall_clock_ns).
+  // Makes the dispatcher ask Admit() for every message whether the receiver can handle the message
+  // now.  Called when messages to any object may have to be held back from now on: a gate was set,
+  // a robot was added, which may have a processor (cpu.h), or objects begin to boot.  The calls of
+  // Admit() end when there is no gate and no processor, no object is in its boot, and the time of
+  // handlers is not measured (SystemOptions::wall_clock_ns).
   void CheckDeliveries() { are_deliveries_free_ = false; }
 
  private:
@@ -122,7 +122,7 @@ class Dispatcher {
   const uint64_t free_deliveries_;
   // NoteManyDeliveries() is called for each message as soon as delivered_, the number of all
   // delivered messages, has this value.
-  uint64_t many_at_;
+  uint64_t crowded_at_;
   std::vector<std::unique_ptr<Cpu>> cpus_;  // by index of the robot; empty without a cost model
   std::exception_ptr failure_;  // an exception that has left Loop(); Run() throws it to its caller
 };

@@ -61,17 +61,17 @@ size_t LocalCalls::ReadLine(char* buffer, size_t size) {
 
 void LocalCalls::SetQueueMax(int32_t messages) { t_current.object->queue_max = messages; }
 
-uint32_t LocalCalls::AddTimedEvent(const TimeEvents::Letter& letter, int64_t first_us,
+uint32_t LocalCalls::AddTimedEvent(const TimeEvents::EventMessage& message, int64_t first_us,
                                    int64_t period_us) {
-  return system_->time_events().AddTimed(letter, first_us, period_us);
+  return system_->time_events().AddTimed(message, first_us, period_us);
 }
 
-uint32_t LocalCalls::AddReplyEvent(const TimeEvents::Letter& letter, uint64_t box) {
-  const uint32_t event = system_->time_events().AddReply(letter, box);
+uint32_t LocalCalls::AddReplyEvent(const TimeEvents::EventMessage& message, uint64_t box) {
+  const uint32_t event = system_->time_events().AddReply(message, box);
   Object* const self = t_current.object;
   self->boxes.with_event.insert(box);
-  // Posts the message of the reply event (`letter`) now if the reply has come already, because the
-  // arrival of a reply posts only messages that were ordered before it.
+  // If the reply is in its box already, posts `message` now.  Otherwise `message` would never be
+  // posted, because the reply does not arrive a second time.
   if (self->boxes.arrived.contains(box)) system_->time_events().ReplyArrived(self->id, box);
   return event;
 }

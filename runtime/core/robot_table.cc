@@ -38,19 +38,19 @@ void RobotTable::BeginShutdown(int index, const RunEnd& why) {
 
 void RobotTable::CutPower(int index, const RunEnd& why) {
   // True at the end of a shutdown, which has set Robot::end already; false if the power is cut.
-  const bool is_shutdown = why.kind == EndKind::kPowerOff;
+  const bool ends_shutdown = why.kind == EndKind::kPowerOff;
   const bool was_off = index < count() && Get(index).powered_off;
   // Records the cut of the power as the reason (Robot::end) why the robot goes off, even if a
   // shutdown has begun and has set another reason.  Keeps the reason of a robot that is off
   // already.
-  if (index < count() && !is_shutdown && !was_off) Get(index).end = why;
+  if (index < count() && !ends_shutdown && !was_off) Get(index).end = why;
   NoteEnd(index, why);
   SwitchObjectsOff(index);
   if (index >= count()) return NoteIfAllAreOff(why);
   Get(index).powered_off = true;
   off_robots_.Remove(index);
   // Starts no boot timer if the power was cut during the shutdown: then the robot stays off.
-  if (is_shutdown && !was_off) WaitForBoot(&Get(index));
+  if (ends_shutdown && !was_off) WaitForBoot(&Get(index));
   NoteIfAllAreOff(*Get(index).end);
 }
 

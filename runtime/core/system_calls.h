@@ -48,11 +48,11 @@ class SystemCalls {
   // checks the box when the reply is posted.
   virtual bool AcceptsReply(ObjectId asker, uint64_t box) const = 0;
 
-  // Prepares a wait of the caller for the reply in its reply box `box`.  The wait lasts at most
-  // `timeout_us`, or has no limit if `timeout_us` is less than 0.  `why` describes for users what
-  // the caller waits for.  Returns the queued message that will end the wait after `timeout_us`, so
-  // that the caller can remove this message if the reply comes first.  Returns null if there is no
-  // such message: without a limit, and in a worker process, where the master ends the wait.
+  // Prepares a wait of the caller for the reply in its reply box `box`.  `why` describes for users
+  // what the caller waits for.  If `timeout_us` is less than 0, the wait has no limit, and the
+  // function returns null.  Otherwise queues a message that ends the wait after `timeout_us`, and
+  // returns this message, so that the caller can remove it if the reply comes first.  In a worker
+  // process always returns null, because the master ends the wait.
   virtual const Message* BeginWait(uint64_t box, int64_t timeout_us, std::string_view why) = 0;
 
   // Waits for a line of the console and copies it to `buffer`; see ConsoleInput::Read().
@@ -61,14 +61,14 @@ class SystemCalls {
   // Sets the number of messages that may wait for the caller (Object::queue_max).
   virtual void SetQueueMax(int32_t messages) = 0;
 
-  // ---- Time events and reply events; see TimeEvents.  A `letter` is the message that such an
-  // event posts.  REQUIRES: the caller is letter.owner, the object that may cancel the event.
+  // ---- Time events and reply events; see TimeEvents.  `message` is what such an event posts.
+  // REQUIRES: the caller is message.owner, the object that may cancel the event.
 
-  virtual uint32_t AddTimedEvent(const TimeEvents::Letter& letter, int64_t first_us,
+  virtual uint32_t AddTimedEvent(const TimeEvents::EventMessage& message, int64_t first_us,
                                  int64_t period_us) = 0;
-  // Adds a reply event, which posts the message `letter` when a reply arrives in the caller's reply
-  // box `box`, or at once if the reply has arrived already.  REQUIRES: `box` is open.
-  virtual uint32_t AddReplyEvent(const TimeEvents::Letter& letter, uint64_t box) = 0;
+  // Adds a reply event, which posts `message` when a reply arrives in the caller's reply box
+  // `box`, or at once if the reply has arrived already.  REQUIRES: `box` is open.
+  virtual uint32_t AddReplyEvent(const TimeEvents::EventMessage& message, uint64_t box) = 0;
   virtual bool CancelEvent(uint32_t event) = 0;
   virtual int CountEvents() = 0;
 
@@ -124,9 +124,10 @@ class SystemCalls {
   // Switches one robot off at once; see System::PowerOff().
   virtual void PowerOff(int robot, const RunEnd& why) = 0;
 
-  // Tells all processes of the run that use the caller's stick that the file `path` is about to
-  // change.  Each process records the changed files (MemoryStick::NoteWritten()).  Waits until all
-  // these processes have been told, and then returns true.
+  // Records that the caller is about to change the file `path` of its stick
+  // (MemoryStick::NoteWritten()).  For a caller in a worker process, the worker and the master
+  // record the change, and the function returns only after the master has done so.  Always returns
+  // true.
   virtual bool NoteFileWritten(std::string_view path) = 0;
 };
 

@@ -18,43 +18,43 @@ uint32_t TimeEvents::Add(Event event) {
   return last_id_;
 }
 
-uint32_t TimeEvents::AddTimed(Letter letter, int64_t first_us, int64_t period_us) {
+uint32_t TimeEvents::AddTimed(EventMessage message, int64_t first_us, int64_t period_us) {
   Event event;
-  event.letter = std::move(letter);
+  event.message = std::move(message);
   event.due_us = system_->now_us() + first_us;
   event.period_us = period_us;
   return Add(std::move(event));
 }
 
-uint32_t TimeEvents::AddReply(Letter letter, uint64_t box) {
+uint32_t TimeEvents::AddReply(EventMessage message, uint64_t box) {
   Event event;
-  event.letter = std::move(letter);
+  event.message = std::move(message);
   event.box = box;
   return Add(std::move(event));
 }
 
 bool TimeEvents::Cancel(ObjectId owner, uint32_t id) {
   const auto found = events_.find(id);
-  if (found == events_.end() || found->second.letter.owner != owner) return false;
+  if (found == events_.end() || found->second.message.owner != owner) return false;
   events_.erase(found);
   return true;
 }
 
 int TimeEvents::CountOf(ObjectId owner) const {
   return static_cast<int>(std::count_if(events_.begin(), events_.end(), [owner](const auto& entry) {
-    return entry.second.letter.owner == owner;
+    return entry.second.message.owner == owner;
   }));
 }
 
 void TimeEvents::ForgetObject(ObjectId id) {
   std::erase_if(events_, [id](const auto& entry) {
-    return entry.second.letter.owner == id || entry.second.letter.target == id;
+    return entry.second.message.owner == id || entry.second.message.target == id;
   });
 }
 
 void TimeEvents::ForgetBox(ObjectId owner, uint64_t box) {
   std::erase_if(events_, [owner, box](const auto& entry) {
-    return entry.second.letter.owner == owner && entry.second.box == box;
+    return entry.second.message.owner == owner && entry.second.box == box;
   });
 }
 
@@ -76,10 +76,11 @@ int64_t TimeEvents::NextUs() const {
   return next_us;
 }
 
-// Returns whether the owner of `event` (a time event or reply event), or the object that it posts
-// to, no longer exists, or is on a robot that is off.  Such an event is removed and posts nothing.
+// Returns whether `event` (a time event or reply event) has to be removed without posting its
+// message.  This is so if the owner of the event, or the receiver of the message, no longer exists
+// or is on a robot that is off.
 bool TimeEvents::IsOff(const Event& event) const {
-  for (const ObjectId id : {event.letter.owner, event.letter.target}) {
+  for (const ObjectId id : {event.message.owner, event.message.target}) {
     const Object* const object = system_->object(id);
     if (object == nullptr || object->delivery.is_off()) return true;
   }
@@ -87,17 +88,18 @@ bool TimeEvents::IsOff(const Event& event) const {
 }
 
 void TimeEvents::Post(const Event& event) {
-  const Letter& letter = event.letter;
-  ASSERT(letter.bytes.size() <= Message::kPayloadMax, "an event of {} bytes", letter.bytes.size());
-  OwnedMessage message = system_->NewMessage(letter.target, letter.selector);
+  const EventMessage& ordered = event.message;
+  ASSERT(ordered.bytes.size() <= Message::kPayloadMax, "an event of {} bytes",
+         ordered.bytes.size());
+  OwnedMessage message = system_->NewMessage(ordered.target, ordered.selector);
   // Posts the message in the name of the object that owns the event.  NewMessage() has set the
   // sender to the current object.  When the event is due, the current object may be another object
   // than the owner, or there may be no current object.
-  message->sender = letter.owner;
+  message->sender = ordered.owner;
   message->cause = event.cause;
-  if (!letter.bytes.empty())
-    std::memcpy(message->payload, letter.bytes.data(), letter.bytes.size());
-  message->size = static_cast<uint32_t>(letter.bytes.size());
+  if (!ordered.bytes.empty())
+    std::memcpy(message->payload, ordered.bytes.data(), ordered.bytes.size());
+  message->size = static_cast<uint32_t>(ordered.bytes.size());
   system_->Post(std::move(message));
 }
 
@@ -120,7 +122,7 @@ void TimeEvents::ReplyArrived(ObjectId owner, uint64_t box) {
   for (auto it = events_.begin(); it != events_.end();) {
     // Compares the owner of the reply event (the object that has ordered it) too, because each
     // object numbers its reply boxes itself, so boxes of two objects may have the same number.
-    if (it->second.box != box || it->second.letter.owner != owner) {
+    if (it->second.box != box || it->second.message.owner != owner) {
       ++it;
       continue;
     }
@@ -132,10 +134,10 @@ void TimeEvents::ReplyArrived(ObjectId owner, uint64_t box) {
 void TimeEvents::HashState(Hasher* hasher) const {
   for (const auto& [id, event] : events_) {
     hasher->Add(id);
-    hasher->Add(event.letter.owner);
-    hasher->Add(event.letter.target);
-    hasher->Add(event.letter.selector);
-    hasher->AddBytes(event.letter.bytes.data(), event.letter.bytes.size());
+    hasher->Add(event.message.owner);
+    hasher->Add(event.message.target);
+    hasher->Add(event.message.selector);
+    hasher->AddBytes(event.message.bytes.data(), event.message.bytes.size());
     hasher->Add(event.due_us);
     hasher->Add(event.period_us);
     hasher->Add(event.box);

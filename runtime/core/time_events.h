@@ -19,7 +19,7 @@ class TimeEvents {
 
   // The message that a time event or a reply event posts: receiver, entry and at most
   // Message::kPayloadMax bytes.
-  struct Letter {
+  struct EventMessage {
     ObjectId owner = kNoObject;  // the object that has ordered the event and may cancel it
     ObjectId target = kNoObject;
     uint32_t selector = 0;
@@ -28,7 +28,7 @@ class TimeEvents {
 
   // A time event or a reply event.
   struct Event {
-    Letter letter;
+    EventMessage message;
     int64_t due_us = INT64_MAX;  // INT64_MAX if the event waits for a reply
     int64_t period_us = 0;
     uint64_t box = 0;    // the box whose reply the event waits for; 0 for a timed event
@@ -36,13 +36,12 @@ class TimeEvents {
   };
   using Events = std::map<uint32_t, Event>;  // the key is the id of the event
 
-  // Adds a time event, which posts the message `letter` after `first_us` and then every
-  // `period_us`, or only once if the period is 0.  Returns the id of the event, which is at least
-  // 1.
-  uint32_t AddTimed(Letter letter, int64_t first_us, int64_t period_us);
-  // Adds a reply event, which posts the message `letter` once, when the reply to a request of the
-  // owner has arrived in the owner's reply box `box`.  REQUIRES: box != 0.
-  uint32_t AddReply(Letter letter, uint64_t box);
+  // Adds a time event, which posts `message` after `first_us` and then every `period_us`, or only
+  // once if the period is 0.  Returns the id of the event, which is at least 1.
+  uint32_t AddTimed(EventMessage message, int64_t first_us, int64_t period_us);
+  // Adds a reply event, which posts `message` once, when the reply to a request of the owner has
+  // arrived in the owner's reply box `box`.  REQUIRES: box != 0.
+  uint32_t AddReply(EventMessage message, uint64_t box);
 
   // Cancels the time event or reply event `id`.  Returns false if `owner` has no such event.
   bool Cancel(ObjectId owner, uint32_t id);

@@ -78,7 +78,7 @@ void OutgoingChannel::HashState(Hasher* hasher) const {
 
 void IncomingChannel::Up() {
   waiting_word_ = 0;
-  asked_ = false;
+  peer_may_send_ = false;
   if (subject_->IsReady() > 0) SendWord(kGatewayAssert);
 }
 
@@ -94,7 +94,7 @@ void IncomingChannel::SendWord(uint32_t word) {
 void IncomingChannel::Sent() {
   if (waiting_word_ == 0) return;
   const uint32_t word = std::exchange(waiting_word_, 0);
-  asked_ = word == kGatewayAssert;
+  peer_may_send_ = word == kGatewayAssert;
   connection_.Send(EncodeWord(word));
 }
 
@@ -107,7 +107,7 @@ void IncomingChannel::Received(std::string_view bytes) {
     // the peer has not waited, adds only a warning and keeps the connection, because the data can
     // still be used: the data wait in the local subject until its observer is ready, or until newer
     // data replace them.
-    if (!std::exchange(asked_, false)) {
+    if (!std::exchange(peer_may_send_, false)) {
       gateway_->Warn(
           "the peer sends data before it was told that the observer is ready; they wait, and newer "
           "ones replace them");
@@ -121,7 +121,7 @@ void IncomingChannel::Received(std::string_view bytes) {
 void IncomingChannel::HashState(Hasher* hasher) const {
   GatewayChannel::HashState(hasher);
   hasher->Add(waiting_word_);
-  hasher->Add(asked_);
+  hasher->Add(peer_may_send_);
 }
 
 }  // namespace openr_host

@@ -1,11 +1,12 @@
 // A channel is one service of the gateway: it carries the notifications of a subject on one
 // computer to an observer on another computer.  The peer is the gateway of the other computer.
 //
-// A ready, the observer's message that it can take data, goes in the other direction, as measured
-// on Sony's gateway.  On the subject's side, the gateway asserts ready to the subject when the
-// connection is made.  The gateway keeps the data of one notification (a set) until the peer is
-// ready, sends the set to the peer and asserts ready to the subject again.  On the observer's side,
-// the gateway sends the observer's readies to the peer.
+// The observer sends a ready when it can accept data, and this ready goes to the subject's
+// computer, as measured on Sony's gateway.  On the subject's side, the gateway asserts ready to the
+// subject when the connection is made.  When the subject has sent a notification, the gateway keeps
+// its data (a set) until the peer is ready.  Then the gateway sends the set to the peer and asserts
+// ready to the subject again.  On the observer's side, the gateway sends the observer's readies to
+// the peer.
 #pragma once
 
 #include <OPENR/OObserver.h>
@@ -87,7 +88,7 @@ class IncomingChannel : public GatewayChannel {
   // True if "ready" was sent to the peer (the gateway of the other computer), and the peer has not
   // sent data since then.  If false, the peer must not send data, so data from the peer cause a
   // warning.
-  bool asked_ = false;
+  bool peer_may_send_ = false;
 };
 
 }  // namespace openr_host

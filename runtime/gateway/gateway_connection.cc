@@ -20,10 +20,10 @@ namespace {
 constexpr int kReceiveBytes = 8192;
 constexpr int kSendBytes = 32768;
 
-// Returns text that advises the user to write 127.0.0.1 in HOSTGW.CFG, in case the robot is a run
-// on this computer.  An old HOSTGW.CFG has the address of a real robot, and today perhaps no
-// computer has this address.  Returns "" if `address` is 127.0.0.1 already, or if --ip replaces it
-// by another address.
+// Returns text that advises the user to write 127.0.0.1 in HOSTGW.CFG, the address of a robot that
+// is a run on this computer.  An old HOSTGW.CFG still has the address of a real robot.  Returns ""
+// if `address` is already an address of this computer (127.x.x.x), or if --ip replaces `address` by
+// another address.
 std::string HintFor(const IPAddress& address) {
   const IpStack* const stack = IpStack::OfCurrent();
   if (address.InLoop() || stack == nullptr) return "";
@@ -57,7 +57,7 @@ bool GatewayConnection::NewBuffer() {
   antEnvCreateSharedBufferMsg create(kReceiveBytes + kSendBytes);
   if (create.Call(gateway_->stack(), sizeof create) != ANT_SUCCESS) return false;
   if (create.error != ANT_SUCCESS || create.buffer.Map() != ANT_SUCCESS) return false;
-  receive_bytes_ = static_cast<byte*>(create.buffer.GetAddress());
+  shared_buffer_ = static_cast<byte*>(create.buffer.GetAddress());
   return true;
 }
 
@@ -71,7 +71,7 @@ antModuleRef GatewayConnection::NewEndpoint() {
 }
 
 void GatewayConnection::Open() {
-  if (receive_bytes_ == nullptr && !NewBuffer()) {
+  if (shared_buffer_ == nullptr && !NewBuffer()) {
     Warn("no shared buffer; the service is not connected");
     return;
   }
@@ -140,8 +140,8 @@ void GatewayConnection::UseConnection(const antModuleRef& endpoint) {
 }
 
 void GatewayConnection::Receive() {
-  ASSERT(is_up_ && receive_bytes_ != nullptr, "service {}", index_);
-  Post(TCPEndpointReceiveMsg(endpoint_, receive_bytes_, 1, kReceiveBytes));
+  ASSERT(is_up_ && shared_buffer_ != nullptr, "service {}", index_);
+  Post(TCPEndpointReceiveMsg(endpoint_, shared_buffer_, 1, kReceiveBytes));
 }
 
 void GatewayConnection::Send(std::string_view bytes) {
@@ -154,7 +154,7 @@ void GatewayConnection::SendNext() {
   const size_t size = std::min<size_t>(out_.size(), kSendBytes);
   is_sending_ = size > 0;
   if (size == 0) return owner_->Sent();
-  byte* const data = receive_bytes_ + kReceiveBytes;
+  byte* const data = shared_buffer_ + kReceiveBytes;
   std::memcpy(data, out_.data(), size);
   out_.erase(0, size);
   Post(TCPEndpointSendMsg(endpoint_, data, static_cast<int>(size)));

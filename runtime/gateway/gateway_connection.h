@@ -32,9 +32,9 @@ class GatewayConnection {
   };
 
   static constexpr int64_t kRetryUs = 1'000'000;
-  // The time after which a connect without an answer causes a warning.  The warning says that the
-  // address of a robot that openr runs on this computer is 127.0.0.1, because an old HOSTGW.CFG
-  // often has the address of a real robot.
+  // The time after which a connect without an answer causes a warning.  The warning advises the
+  // user to write 127.0.0.1 if the robot is a run on this computer, because an old HOSTGW.CFG often
+  // has the address of a real robot.
   static constexpr int64_t kHintUs = 5'000'000;
 
   // `index` is the number of the service within the gateway, `record` its line of ROBOTGW.CFG or
@@ -82,7 +82,7 @@ class GatewayConnection {
   Owner* const owner_;
   // The memory that the gateway shares with IPStack.  It begins with the received bytes; the bytes
   // to send follow.
-  byte* receive_bytes_ = nullptr;
+  byte* shared_buffer_ = nullptr;
   antModuleRef listener_;  // the endpoint that waits for the next client
   antModuleRef endpoint_;  // the endpoint of the connection, also while it is being made
   bool is_up_ = false;

@@ -26,25 +26,26 @@ void ProxyClient::AddRequest(const void* payload, size_t size) {
   request.reply_size = head.reply_size;
   request.bytes.assign(static_cast<const char*>(payload) + sizeof head, head.size);
   requests_.push_back(std::move(request));
-  if (gave_up_ && !connection_.is_up()) return AnswerAll(sTIMEOUT);
+  if (has_timed_out_ && !connection_.is_up()) return AnswerAll(sTIMEOUT);
   WatchTime();
   SendNext();
 }
 
 // Posts a message that calls Expire() at the time limit of the oldest request (a call that waits
-// for the robot's answer), unless such a message is posted already.  The limits of the other
-// requests are later, so Expire() then posts the message for the next request.
+// for the robot's answer).  Posts only one such message at a time, because the other requests have
+// later limits.  If the oldest request is answered before its limit, Expire() calls this function
+// again for the next request.
 void ProxyClient::WatchTime() {
-  if (watches_ || requests_.empty()) return;
-  watches_ = true;
+  if (is_expire_posted_ || requests_.empty()) return;
+  is_expire_posted_ = true;
   gateway_->ExpireLater(requests_.front().since_us + kPatienceUs - gateway_->system().now_us());
 }
 
 void ProxyClient::Expire() {
-  watches_ = false;
+  is_expire_posted_ = false;
   if (requests_.empty() || gateway_->system().now_us() < requests_.front().since_us + kPatienceUs)
     return WatchTime();
-  gave_up_ = true;
+  has_timed_out_ = true;
   gateway_->Warn(
       fmt::format("the robot has not answered an OPEN-R call within {} s; calls fail until it is "
                   "there (port and address of !ROBOT_PROXY in HOSTGW.CFG, "
@@ -58,20 +59,20 @@ void ProxyClient::Expire() {
 }
 
 void ProxyClient::Up() {
-  gave_up_ = false;
+  has_timed_out_ = false;
   SendNext();
 }
 
 void ProxyClient::Down() {
   stream_ = {};
   oids_.clear();
-  waits_ = false;
+  is_request_sent_ = false;
   AnswerAll(sFAIL);
 }
 
 void ProxyClient::SendNext() {
-  if (waits_ || requests_.empty() || !connection_.is_up()) return;
-  waits_ = true;
+  if (is_request_sent_ || requests_.empty() || !connection_.is_up()) return;
+  is_request_sent_ = true;
   // A call needs the OID of a system object of the robot, but the caller has given only the
   // object's name.  So before the first call to an object, asks the robot for the OID of this
   // object.
@@ -99,7 +100,7 @@ void ProxyClient::Received(std::string_view bytes) {
     std::string problem = set.size() == 1
                               ? DecodeProxyFrame(set[0], &frame)
                               : fmt::format("has {} items; an answer has one", set.size());
-    if (problem.empty() && !waits_) problem = "has an answer that nobody asked for";
+    if (problem.empty() && !is_request_sent_) problem = "has an answer that nobody asked for";
     if (!problem.empty()) return connection_.Refuse(problem);
     HandleAnswer(frame);
     if (!connection_.is_up()) return;
@@ -108,12 +109,12 @@ void ProxyClient::Received(std::string_view bytes) {
 }
 
 void ProxyClient::HandleAnswer(const ProxyFrame& frame) {
-  ASSERT(waits_ && !requests_.empty());
+  ASSERT(is_request_sent_ && !requests_.empty());
   const std::string object = requests_.front().object;
   const bool is_found = oids_.contains(object);
   if (frame.command != (is_found ? ProxyCommand::kCallReply : ProxyCommand::kFindReply))
     return connection_.Refuse("has the answer to another command than was sent");
-  waits_ = false;
+  is_request_sent_ = false;
   if (is_found) {
     Answer(static_cast<int32_t>(frame.error), frame.bytes);
   } else if (frame.error == sSUCCESS) {
@@ -140,9 +141,9 @@ void ProxyClient::AnswerAll(int32_t error) {
 
 void ProxyClient::HashState(Hasher* hasher) const {
   GatewayChannel::HashState(hasher);
-  hasher->Add(waits_);
-  hasher->Add(gave_up_);
-  hasher->Add(watches_);
+  hasher->Add(is_request_sent_);
+  hasher->Add(has_timed_out_);
+  hasher->Add(is_expire_posted_);
   for (const Request& request : requests_) {
     hasher->Add(request.since_us);
     hasher->AddText(request.bytes);

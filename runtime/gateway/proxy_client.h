@@ -36,14 +36,14 @@ class ProxyClient : public GatewayChannel {
   ProxyClient(TcpGateway* gateway, int index, const GatewayRecord& record)
       : GatewayChannel(gateway, index, record), gateway_(gateway) {}
 
-  // Queues the request in `payload` (a ProxyRequest with the bytes of the call), which is the
-  // message that the running handler has received.  The reply to this message is a word with an
-  // sError, then the bytes of the robot's reply.
+  // Queues the request that the running handler has received.  `payload` holds the request: a
+  // ProxyRequest, then the bytes of the call.  The reply to the request is a word with an sError,
+  // then the bytes of the robot's reply.
   void AddRequest(const void* payload, size_t size);
-  // Fails all requests if the oldest request has waited for the robot's answer for kPatienceUs,
-  // because the other requests are sent only after the answer to this request.  The error is
-  // sTIMEOUT if the connection to the robot is not open.  If the connection is open, closes it, and
-  // the error is sFAIL.
+  // Fails all requests if the oldest request has waited for the robot's answer for kPatienceUs.
+  // The other requests fail too, because they are sent only after the answer to the oldest.  If the
+  // connection to the robot is open, closes it, and the error is sFAIL.  Otherwise the error is
+  // sTIMEOUT.
   void Expire();
 
   void Up() override;
@@ -73,11 +73,11 @@ class ProxyClient : public GatewayChannel {
   TcpGateway* const gateway_;
   std::deque<Request> requests_;
   std::map<std::string, uint32_t> oids_;  // OIDs on the robot, by name; valid for one connection
-  bool waits_ = false;                    // whether the first request was sent but not answered yet
+  bool is_request_sent_ = false;          // whether the first request was sent but not answered yet
   // True after the robot has not answered a call in time.  Then a new call fails at once if there
   // is no connection, and does not wait for another kPatienceUs.
-  bool gave_up_ = false;
-  bool watches_ = false;  // whether a message that will call Expire() is posted
+  bool has_timed_out_ = false;
+  bool is_expire_posted_ = false;  // whether a message that will call Expire() is posted
 };
 
 }  // namespace openr_host

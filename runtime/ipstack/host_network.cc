@@ -48,7 +48,8 @@ HostNetwork::HostNetwork(HostNetworkOptions options)
 
 void HostNetwork::Attach(uint32_t ip) {
   ip_ = ip;
-  // Forgets the addresses of an earlier boot, because the robot may have another address now.
+  // Sets the host's address for server ports anew, and forgets the robot's addresses at which
+  // sockets were bound, because the robot may have another address than at an earlier boot.
   bind_ip_ = addresses_.Has(ip) ? addresses_.ToHost(ip) : options_.bind_ip;
   bound_.clear();
 }
@@ -58,10 +59,10 @@ bool HostNetwork::IsRobot(uint32_t ip) const {
 }
 
 uint32_t HostNetwork::BindIp(NetHandle handle) {
-  const auto at = at_.find(handle);
-  if (at == at_.end()) return bind_ip_;
+  const auto at = selected_ips_.find(handle);
+  if (at == selected_ips_.end()) return bind_ip_;
   const uint32_t robot = at->second;
-  at_.erase(at);
+  selected_ips_.erase(at);
   return bound_[robot] = addresses_.ToHost(robot);
 }
 
@@ -80,10 +81,10 @@ NetAddress HostNetwork::ToHost(NetAddress remote, const HostPorts& ports) {
     const uint32_t ip = bound == bound_.end() ? bind_ip_ : bound->second;
     return {ip == 0 ? 0x7f000001 : ip, own};
   }
-  // Returns port 0 for a port of the robot's own address on which the robot does not listen,
-  // because the attempt to connect must fail and must not reach a program of the host.  If the
-  // options have a pair for the robot's own address, this address is translated instead, as the
-  // user has asked.
+  // If `remote` has the robot's own address, the robot does not listen on remote.port, as checked
+  // above.  Then returns port 0, so that the attempt to connect fails and does not reach a program
+  // of the host.  But if a pair of the options translates the robot's own address, uses this pair,
+  // as the user has asked.
   if (remote.ip == ip_ && !addresses_.Has(ip_)) return {remote.ip, 0};
   return addresses_.ToHost(remote);
 }
@@ -99,13 +100,13 @@ NetAddress HostNetwork::FromHost(NetAddress remote, const HostPorts& ports) cons
 void HostNetwork::Listen(NetHandle handle, uint16_t port) {
   Fd fd;
   const uint32_t ip = BindIp(handle);
-  const auto take = [&](uint16_t host_port) {
+  const auto try_bind = [&](uint16_t host_port) {
     fd = OpenSocket(NetProtocol::kTcp);
     return fd.valid() ? ListenOn(fd, {ip, host_port}, kBacklog) : errno;
   };
   std::string note;
   const int error = tcp_ports_.Bind(
-      port, take, [&] { return PortOf(fd); }, &note);
+      port, try_bind, [&] { return PortOf(fd); }, &note);
   NoteBindError(ip, error);
   if (error != 0) events_.push_back(FailedEvent(handle, NetErrorOf(error)));
   if (!note.empty()) events_.push_back(NoteEvent(note));
@@ -152,7 +153,7 @@ void HostNetwork::Push(NetHandle handle, Connection* connection) {
     done += static_cast<size_t>(count);
   }
   out.erase(0, done);
-  connection->taken += done;
+  connection->accepted_bytes += done;
   if (connection->closing && out.empty() && !connection->ended) {
     EndStream(connection->fd);
     connection->ended = true;
@@ -227,7 +228,7 @@ void HostNetwork::ResolveAddress(NetHandle handle, uint32_t ip) {
 
 void HostNetwork::Drop(NetHandle handle, bool reset) {
   udp_.Drop(handle);
-  at_.erase(handle);
+  selected_ips_.erase(handle);
   listeners_.erase(handle);
   for (auto& [number, listener] : listeners_) std::erase(listener.accepts, handle);
   if (const auto found = connections_.find(handle); found != connections_.end()) {
@@ -276,9 +277,9 @@ void HostNetwork::PollConnection(NetHandle handle, Connection* connection) {
     events_.push_back(EventOf(NetworkEvent::Kind::kConnected, handle));
   }
   Push(handle, connection);
-  if (connection->taken > 0) {
+  if (connection->accepted_bytes > 0) {
     events_.push_back(EventOf(NetworkEvent::Kind::kSent, handle));
-    events_.back().count = std::exchange(connection->taken, 0);
+    events_.back().count = std::exchange(connection->accepted_bytes, 0);
   }
   if (connection->failed) return;
   if (connection->closing) {
@@ -335,7 +336,7 @@ void HostNetwork::Forget() {
   listeners_.clear();
   connections_.clear();
   udp_.Forget();
-  at_.clear();
+  selected_ips_.clear();
   events_.clear();
 }
 

@@ -6,8 +6,8 @@
 // Addresses in programs of the robot:
 // - The robot's own address reaches only ports on which the robot listens.
 // - 127.0.0.1 means the robot for ports on which the robot listens, and this computer for all other
-//   ports.  Objects see programs of this computer at 127.0.0.1, so answers and the data connections
-//   of FTP reach these programs.
+//   ports.  If a program of this computer connects to the robot, objects see this program at
+//   127.0.0.1.  So objects can also connect to the program there, as FTP does for its data.
 // - Other addresses are translated in both directions by HostNetworkOptions::addresses.  A pair for
 //   the robot's own address selects the address of the host at which server ports are bound.
 #pragma once
@@ -57,7 +57,7 @@ class HostNetwork : public Network {
   explicit HostNetwork(HostNetworkOptions options = {});
 
   void Attach(uint32_t ip) override;
-  void SelectAddress(NetHandle handle, uint32_t ip) override { at_[handle] = ip; }
+  void SelectAddress(NetHandle handle, uint32_t ip) override { selected_ips_[handle] = ip; }
   void Listen(NetHandle listener, uint16_t port) override;
   void Accept(NetHandle listener, NetHandle handle) override;
   void Connect(NetHandle handle, uint16_t local_port, NetAddress remote) override;
@@ -81,9 +81,9 @@ class HostNetwork : public Network {
   };
   struct Connection {
     Fd fd;
-    std::string out;     // bytes not yet accepted by the host; limited by the endpoint's pool
-    uint64_t taken = 0;  // number of bytes that the host has accepted since the last poll
-    size_t want = 0;     // largest number of bytes that the pending Receive() takes
+    std::string out;  // bytes not yet accepted by the host; limited by the endpoint's pool
+    uint64_t accepted_bytes = 0;  // number of bytes that the host has accepted since the last poll
+    size_t want = 0;              // largest number of bytes that the pending Receive() takes
     bool connecting = false;
     bool closing = false;
     bool ended = false;   // whether this side has ended the stream
@@ -109,10 +109,11 @@ class HostNetwork : public Network {
   // Returns whether `ip` is an address of the robot: the robot's own address, loopback, or the
   // address of a bound socket.
   bool IsRobot(uint32_t ip) const;
-  // Returns the address of the host at which the server socket `handle` must be bound.  If
-  // SelectAddress() was called for this socket, returns the address of the host that replaces the
-  // address given to SelectAddress(), and removes the socket from at_, because SelectAddress() is
-  // for one Listen() or Bind() only.  Otherwise returns bind_ip_, the address for server ports.
+  // Returns the address of the host at which the server socket `handle` must be bound.  This is
+  // normally bind_ip_, the address for server ports.  But if SelectAddress() has selected an
+  // address of the robot for this socket, returns the host's address that replaces the selected
+  // address.  Then also removes the socket from selected_ips_, because SelectAddress() is for one
+  // Listen() or Bind() only.
   uint32_t BindIp(NetHandle handle);
   // Adds a note for the user if binding a socket to the address `ip` failed with `error` because
   // the host has no such address.
@@ -125,7 +126,7 @@ class HostNetwork : public Network {
   uint32_t bind_ip_;
   // For each socket that is not bound yet, the address of the robot that SelectAddress() has
   // selected for this socket.
-  std::map<NetHandle, uint32_t> at_;
+  std::map<NetHandle, uint32_t> selected_ips_;
   // The addresses of the robot, besides its own address, at which sockets are bound.  The value is
   // the address of the host that replaces the robot's address.
   std::map<uint32_t, uint32_t> bound_;

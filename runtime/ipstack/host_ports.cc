@@ -7,7 +7,7 @@
 
 namespace openr_host {
 
-int HostPorts::Bind(uint16_t port, const std::function<int(uint16_t)>& take,
+int HostPorts::Bind(uint16_t port, const std::function<int(uint16_t)>& try_bind,
                     const std::function<uint16_t()>& bound, std::string* note) {
   const auto before = chosen_.find(port);
   const auto wish = wished_.find(port);
@@ -15,7 +15,7 @@ int HostPorts::Bind(uint16_t port, const std::function<int(uint16_t)>& take,
                          : wish != wished_.end() ? wish->second
                                                  : port;
   const char* const protocol = protocol_ == NetProtocol::kTcp ? "TCP" : "UDP";
-  const int first_error = take(first);
+  const int first_error = try_bind(first);
   int error = first_error;
   if (error != 0 && wish != wished_.end() && wish->second != 0) {
     *note = fmt::format(
@@ -29,8 +29,8 @@ int HostPorts::Bind(uint16_t port, const std::function<int(uint16_t)>& take,
   // numbers are in use.
   for (int next = port + 1; error == EADDRINUSE && next <= port + kNextPorts && next <= 65535;
        ++next)
-    error = take(static_cast<uint16_t>(next));
-  if (error != 0 && first != 0) error = take(0);
+    error = try_bind(static_cast<uint16_t>(next));
+  if (error != 0 && first != 0) error = try_bind(0);
   if (error != 0) return error;
   chosen_[port] = bound();
   if (first_error != 0) {

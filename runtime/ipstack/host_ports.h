@@ -27,16 +27,16 @@ class HostPorts {
       : protocol_(protocol), wished_(std::move(wished)) {}
 
   // Finds a port of the host for the robot's `port` and returns 0 or an errno.  Each call of
-  // take(host port) tries to bind a socket and returns 0 or an errno.  Calls take() for these ports
-  // until a call returns 0:
+  // try_bind(host port) tries to bind a socket and returns 0 or an errno.  Calls try_bind() for
+  // these ports until a call returns 0:
   //   1. the host's port of an earlier Bind() of `port`, else the port that the user asked for
   //      (a value of `wished`), else `port` itself;
   //   2. if that port is in use, the kNextPorts numbers above `port`;
   //   3. 0, for any free port.
   // If the user asked for a certain port, only step 1 is done.  bound() returns the port of the
-  // socket that take() has bound.  Sets `note` to a text for the user if the port of step 1 could
-  // not be bound, unless steps 2 and 3 have failed, too.
-  int Bind(uint16_t port, const std::function<int(uint16_t)>& take,
+  // socket that try_bind() has bound.  If step 1 fails, sets `note` to a text for the user; sets no
+  // text if steps 2 and 3 were tried and have failed, too.
+  int Bind(uint16_t port, const std::function<int(uint16_t)>& try_bind,
            const std::function<uint16_t()>& bound, std::string* note);
 
   // Returns the host's port for the robot's `port`, or 0 if `port` is not bound yet.

@@ -17,14 +17,14 @@ constexpr size_t kDatagramMax = 65536;  // larger than any IPv4 datagram
 int HostUdp::Bind(NetHandle handle, NetAddress local, bool any_port,
                   std::vector<NetworkEvent>* events) {
   Fd fd;
-  const auto take = [&](uint16_t host_port) {
+  const auto try_bind = [&](uint16_t host_port) {
     fd = OpenSocket(NetProtocol::kUdp);
     if (!fd.valid()) return errno;
     return BindSocket(fd, {local.ip, any_port ? uint16_t{0} : host_port});
   };
   std::string note;
   const int error = ports_.Bind(
-      local.port, take, [&] { return PortOf(fd); }, &note);
+      local.port, try_bind, [&] { return PortOf(fd); }, &note);
   if (error != 0) events->push_back(FailedEvent(handle, NetErrorOf(error)));
   if (!note.empty()) events->push_back(NoteEvent(note));
   if (error == 0) sockets_[handle].fd = std::move(fd);
@@ -54,8 +54,9 @@ void HostUdp::Poll(std::vector<NetworkEvent>* events) {
       NetworkEvent event;
       event.kind = NetworkEvent::Kind::kDatagram;
       event.handle = handle;
-      // Stops if no datagram waits.  Also ignores every other error: it concerns an earlier send
-      // (port unreachable), and in UDP a datagram may be lost without an error.
+      // Stops at an error, which usually means that no datagram waits.  Any other error is not
+      // reported, because it concerns an earlier send (port unreachable), and UDP may lose a
+      // datagram without an error.
       if (ReceiveBytes(socket.fd, kDatagramMax, &event.bytes, &event.remote) < 0) break;
       any = true;
       events->push_back(std::move(event));

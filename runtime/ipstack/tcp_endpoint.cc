@@ -105,8 +105,8 @@ void TcpEndpoint::Listen(const Operation& operation) {
   if (RefuseOpen(operation, message.lAddress)) return;
   if (message.lAddress.Address() != 0) local_ip_ = message.lAddress.Address();
   if (message.lPort != 0) local_port_ = message.lPort;
-  own_port_ = local_port_ == 0;
-  if (own_port_) local_port_ = stack_->ChoosePort();
+  stack_chose_port_ = local_port_ == 0;
+  if (stack_chose_port_) local_port_ = stack_->ChoosePort();
   wanted_ = {message.fAddress.Address(), message.fPort};
   socket_ = stack_->Open(this);
   if (!stack_->tcp_ports().Accept(local_port_, stack_->FurtherAddress(local_ip_), socket_, this)) {
@@ -188,8 +188,8 @@ void TcpEndpoint::Send(const Operation& operation) {
   send_ = accepted;
 }
 
-// Adds a finding for a Send of a size that the host sends fast and the robot sends slowly.  The
-// host does not delay the data as the robot does, because programs must not depend on such a delay.
+// Adds a finding if a Send of `size` bytes is slow on the robot.  On the host the same Send is
+// fast: the host does not imitate the delay, because programs must not depend on the delay.
 void TcpEndpoint::WarnOfRobotTiming(const Operation& operation, int size) {
   if (size > kRobotFastBytes && size <= kRobotSplitBytes) {
     stack_->Warn(
@@ -327,8 +327,8 @@ void TcpEndpoint::Fail(NetError error) {
 // chosen the port for this Listen, also closes the port, because no other endpoint listens on it.
 void TcpEndpoint::LeavePort() {
   stack_->tcp_ports().Forget(local_port_, this);
-  if (own_port_) stack_->tcp_ports().Close(local_port_);
-  own_port_ = false;
+  if (stack_chose_port_) stack_->tcp_ports().Close(local_port_);
+  stack_chose_port_ = false;
 }
 
 bool TcpEndpoint::WaitsForNetwork() const {

@@ -28,19 +28,19 @@ class TcpEndpoint : public Endpoint {
   // would take a frame (8 ms) each.
   static constexpr size_t kReadAheadBytes = 16384;
 
-  // The robot sends the data of a Send of more than kRobotFastBytes and at most kRobotSplitBytes in
-  // two pieces, the second piece up to 200 ms after the first (network.md, 4.3).  A Send of more
-  // than kRobotSendBytes is slow (BBS 254, a message of Sony's developer board).  A Send in one of
-  // these two ranges of size causes a warning.
+  // Limits of the two kinds of Send that are slow on the robot and cause a warning.  If a Send has
+  // more than kRobotFastBytes and at most kRobotSplitBytes, the robot sends two pieces, the second
+  // piece up to 200 ms after the first (network.md, 4.3).  A Send of more than kRobotSendBytes is
+  // slow, too (BBS 254, a message of Sony's developer board).
   static constexpr int kRobotFastBytes = 1024;
   static constexpr int kRobotSplitBytes = 3072;
   static constexpr int kRobotSendBytes = 32 * 1024;
-  // A warning is given after kRobotRow small sends, each within kRobotAcknowledgeUs after the
-  // previous send, if the program has received nothing in between.  On the robot Nagle's algorithm
-  // holds the next small send back until the peer acknowledges, and the peer may delay its
-  // acknowledgement by kRobotAcknowledgeUs.  A send of at most kRobotSmallBytes is small.  This
-  // limit is our choice: two small sends together still fit into the kRobotFastBytes that the robot
-  // sends at once.
+  // A small send has at most kRobotSmallBytes.  This limit is our choice: two small sends together
+  // still fit into the kRobotFastBytes that the robot sends at once.  On the robot Nagle's
+  // algorithm holds a small send back until the peer has acknowledged the previous send, and the
+  // peer may delay its acknowledgement by kRobotAcknowledgeUs.  So kRobotRow small sends in a row
+  // cause a warning.  Sends are in a row if each comes within kRobotAcknowledgeUs after the
+  // previous send and the program receives nothing in between.
   static constexpr int kRobotSmallBytes = kRobotFastBytes / 2;
   static constexpr int kRobotRow = 3;
   static constexpr int64_t kRobotAcknowledgeUs = 200'000;
@@ -84,7 +84,7 @@ class TcpEndpoint : public Endpoint {
   NetHandle socket_ = 0;
   uint32_t local_ip_ = 0;  // the address that the program gave; 0 if it gave no address
   uint16_t local_port_ = 0;
-  bool own_port_ = false;  // true if the stack has chosen local_port_ for a Listen
+  bool stack_chose_port_ = false;  // true if the stack has chosen local_port_ for a Listen
   NetAddress remote_;
   NetAddress wanted_;  // the only peer that a Listen accepts; 0 if it accepts any peer
   TCPEndpointError error_ = TCP_SUCCESS;  // the error that broke the connection

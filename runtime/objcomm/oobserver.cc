@@ -153,7 +153,7 @@ OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
     const auto reply = is_lost ? std::nullopt : AskSubject(state_, msg.entry, &control);
     answer.status = reply ? reply->status : oFAIL;
     if (!reply) {
-      // Records a missing subject: the process of the subject is lost, so no reply has come.  Prints
+      // Records a missing subject, because its process is lost and no reply has come.  Prints
       // nothing, because the runtime itself reports the lost process.
       if (connect) state_->MissSubject(msg.subName);
     } else if (reply->status != oSUCCESS) {

@@ -137,7 +137,7 @@ class LeftBehindTest : public ConformTest {
   // Runs frames until the worker is restarted.  A restart takes no virtual time, but the run
   // notices it at a frame only.
   void ComeBack(const std::string& process) const {
-    const auto is_away = [&] { return Process(process).returns < Process(process).losses; };
+    const auto is_away = [&] { return Process(process).restarts_done < Process(process).losses; };
     for (int i = 0; i < 10'000 && is_away(); ++i) Frame();
     EXPECT_FALSE(is_away()) << Process(process).lost;
   }

@@ -171,14 +171,20 @@ TEST_F(LiveRunTest, TheSocketOfAKilledRunIsRemoved) {
   EXPECT_FALSE(std::filesystem::exists(socket));
 }
 
-// The process of this test is running, but has not opened the socket that has its id.
-TEST_F(LiveRunTest, ADeadRunWhoseProcessIdIsUsedAgainIsNotListed) {
-  const std::string path = LiveSocketPath("dead");
+// Makes a socket at `path`.
+int BindSocket(const std::string& path) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   std::strncpy(address.sun_path, path.c_str(), sizeof address.sun_path - 1);
-  const int dead = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-  ASSERT_EQ(bind(dead, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+  const int made = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  EXPECT_EQ(bind(made, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+  return made;
+}
+
+// The process of this test is running, but has not opened the socket that has its id.
+TEST_F(LiveRunTest, ADeadRunWhoseProcessIdIsUsedAgainIsNotListed) {
+  const std::string path = LiveSocketPath("dead");
+  const int dead = BindSocket(path);
   EXPECT_EQ(LiveRuns().size(), 1u) << "a run that does not listen yet";
   ASSERT_EQ(listen(dead, 1), 0);
   EXPECT_EQ(LiveRuns().size(), 1u);
@@ -191,23 +197,18 @@ TEST_F(LiveRunTest, ADeadRunWhoseProcessIdIsUsedAgainIsNotListed) {
   EXPECT_TRUE(std::filesystem::exists(path)) << "the process may be a run that is just opening it";
 }
 
-// Makes a socket whose name has the id of a process that does not exist here: either that process
-// was killed, or it is in another container.
-std::string BindForMissingProcess(int descriptor) {
+// Returns the path of a socket whose process does not exist here: either that process was killed,
+// or it is in another container.
+std::string SocketOfMissingProcess() {
   const pid_t missing = fork();
   if (missing == 0) _exit(0);
   waitpid(missing, nullptr, 0);
-  const std::string path = LiveFolder() + "/elsewhere." + std::to_string(missing);
-  sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  std::strncpy(address.sun_path, path.c_str(), sizeof address.sun_path - 1);
-  EXPECT_EQ(bind(descriptor, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
-  return path;
+  return LiveFolder() + "/elsewhere." + std::to_string(missing);
 }
 
 TEST_F(LiveRunTest, ARunInAnotherContainerKeepsItsSocket) {
-  const int open = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  const std::string path = BindForMissingProcess(open);
+  const std::string path = SocketOfMissingProcess();
+  const int open = BindSocket(path);
   ASSERT_EQ(LiveRuns().size(), 1u);
   EXPECT_EQ(LiveRuns()[0].name, "elsewhere");
   close(open);
@@ -215,10 +216,25 @@ TEST_F(LiveRunTest, ARunInAnotherContainerKeepsItsSocket) {
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
+// The socket has the id of this process, as the socket of a run in another container may have.
+TEST_F(LiveRunTest, AnOpenSocketOfTheSameNameAndProcessIdIsNotReplaced) {
+  const int open = BindSocket(LiveSocketPath("twin"));
+  try {
+    const LiveServer server("twin", nullptr, nullptr);
+    ADD_FAILURE() << "the socket was replaced";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("twin." + std::to_string(getpid()) +
+                                        ": cannot listen: another run has this socket open"));
+  }
+  EXPECT_EQ(LiveRuns().size(), 1u);
+  close(open);
+  const LiveServer server("twin", nullptr, nullptr);
+  EXPECT_EQ(LiveRuns().size(), 1u);
+}
+
 TEST_F(LiveRunTest, TheNextRunRemovesTheSocketOfAKilledRun) {
-  const int killed = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  const std::string path = BindForMissingProcess(killed);
-  close(killed);
+  const std::string path = SocketOfMissingProcess();
+  close(BindSocket(path));
   const auto run = Start();
   EXPECT_FALSE(std::filesystem::exists(path));
 }

@@ -19,7 +19,7 @@ TEST(OldRecordingTest, TypedTextAndThePauseButtonAreReadAsInputs) {
       inputs.push_back(std::to_string(entry.robot) + " " + entry.name);
   }
   EXPECT_EQ(inputs, (std::vector<std::string>{"0 type hello\n", "-1 press pause"}));
-  EXPECT_EQ(reader.ended().first, "pause");
+  EXPECT_EQ(reader.why_ended().first, "pause");
 }
 
 // Older programs left the field empty, and their cameras saw the test pattern.

@@ -20,7 +20,8 @@ constexpr NetHandle kSecond = 3;
 // Counts the calls of Forget().
 class ForgettingNetwork : public ReplayedNetwork {
  public:
-  ForgettingNetwork(Say say, int* count) : ReplayedNetwork(std::move(say)), count_(*count) {}
+  ForgettingNetwork(NextEvents next_events, int* count)
+      : ReplayedNetwork(std::move(next_events)), count_(*count) {}
   void Forget() override { ++count_; }
 
  private:

@@ -84,7 +84,7 @@ class EchoPage final : public WebPage {
     if (!message_.empty()) waiting_.push_back(message_);
     message_.clear();
     parts_ = 0;
-    connection_->WantSend();
+    connection_->WantWrite();
   }
 
   std::string Next() override {

@@ -25,7 +25,7 @@ class NoLoop final : public WebLoop {
 
 class Socket final : public WebConnection {
  public:
-  void WantSend() override { wants_send = true; }
+  void WantWrite() override { wants_write = true; }
   void CloseWhenSent(int code, const std::string& why) override {
     FuzzCheck(!is_over(), "a socket is closed once");
     FuzzCheck(!why.empty(), "a reason");
@@ -38,7 +38,7 @@ class Socket final : public WebConnection {
   void SetReading(bool) override {}
   bool is_over() const { return is_aborted || close_code != 0; }
 
-  bool wants_send = false, is_aborted = false;
+  bool wants_write = false, is_aborted = false;
   int close_code = 0;
 };
 

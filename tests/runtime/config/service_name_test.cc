@@ -15,7 +15,7 @@ TEST(ServiceNameTest, FourPartsAreTakenApart) {
   const auto name = ParseServiceName("OVirtualRobotComm.Effector.OCommandVectorData.O", nullptr);
   ASSERT_TRUE(name.has_value());
   EXPECT_EQ(name->object, "OVirtualRobotComm");
-  EXPECT_EQ(name->service, "Effector");
+  EXPECT_EQ(name->short_name, "Effector");
   EXPECT_EQ(name->data, "OCommandVectorData");
   EXPECT_EQ(name->direction, 'O');
   EXPECT_FALSE(name->is_subject());

@@ -88,10 +88,10 @@ TEST(StubConfigTest, SubjectsAndObserversAreNumberedApartInFileOrder) {
       "Service : \"A.o0.T.O\", null, null\nService : \"A.s0.T.S\", null, null\n"
       "Service : \"A.s1.T.S\", null, null\nService : \"A.o1.T.O\", null, null\n");
   EXPECT_EQ(Render(result.diagnostics), "");
-  EXPECT_EQ(result.config.subjects[0].name.service, "s0");
-  EXPECT_EQ(result.config.subjects[1].name.service, "s1");
-  EXPECT_EQ(result.config.observers[0].name.service, "o0");
-  EXPECT_EQ(result.config.observers[1].name.service, "o1");
+  EXPECT_EQ(result.config.subjects[0].name.short_name, "s0");
+  EXPECT_EQ(result.config.subjects[1].name.short_name, "s1");
+  EXPECT_EQ(result.config.observers[0].name.short_name, "o0");
+  EXPECT_EQ(result.config.observers[1].name.short_name, "o1");
 }
 
 TEST(StubConfigTest, ObjectPartOfAServiceNeedNotBeTheObjectName) {

@@ -12,7 +12,7 @@ namespace {
 // A host on which the ports in `taken` are in use; for port 0 it chooses 5555.
 struct Host {
   int Bind(HostPorts* ports, uint16_t port) {
-    const auto take = [this](uint16_t wanted) {
+    const auto try_bind = [this](uint16_t wanted) {
       for (const uint16_t other : taken) {
         if (wanted == other) return EADDRINUSE;
       }
@@ -20,7 +20,7 @@ struct Host {
       return 0;
     };
     return ports->Bind(
-        port, take, [this] { return bound; }, &note);
+        port, try_bind, [this] { return bound; }, &note);
   }
   std::vector<uint16_t> taken = {};
   uint16_t bound = 0;
@@ -49,9 +49,9 @@ TEST(HostPortsTest, TakenPortIsReplacedByTheNextFreeOneWithANote) {
 TEST(HostPortsTest, ANoteBlamesNoOtherRunForAPortThatNeedsARight) {
   HostPorts ports(NetProtocol::kTcp, {});
   std::string note;
-  const auto take = [](uint16_t wanted) { return wanted == 0 ? 0 : EACCES; };
+  const auto try_bind = [](uint16_t wanted) { return wanted == 0 ? 0 : EACCES; };
   EXPECT_EQ(ports.Bind(
-                21, take, [] { return uint16_t{5555}; }, &note),
+                21, try_bind, [] { return uint16_t{5555}; }, &note),
             0);
   EXPECT_EQ(note,
             "TCP port 21 of the robot is port 5555 of this computer: port 21 cannot be had "
