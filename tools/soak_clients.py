@@ -22,9 +22,12 @@ MOTIONS = {"BOW.MTN": 1, "LIE.MTN": 1, "SIT.MTN": 1, "STAND.MTN": 1, "WALK.MTN":
 # joint of a leg, which only motions and their players move, is further away than FAR_DEG.
 NEAR_DEG, FAR_DEG = 28, 47
 HEAD, LEGS = range(3), range(4, 16)  # numbers of joints, in the order of the columns of a motion
-# The robot must be ready for a motion in so many looks, one in each step, because a person may turn a
-# joint for two steps (INPUTS in soak.py), whose set point is elsewhere then.
+# The robot must be ready for a motion in GOOD_LOOKS looks, one in each step, because a person may turn a
+# joint for two steps (INPUTS in soak.py), and the set point of this joint is elsewhere then.  The legs
+# must also be still: a motion that was stopped goes on for up to two vectors (256 ms), and joints that
+# MOVE has sent somewhere may come nearer than FAR_DEG before the motion begins.
 GOOD_LOOKS, LOOKS_MAX = 4, 100
+STILL_DEG = 0.5  # a joint that has moved less since the look before is still
 UPLOADED = tuple(f"SOAK{i}.MTN" for i in range(10))
 BUSY_TOO = (rc.STATUS_OK, rc.STATUS_BUSY)
 
@@ -35,6 +38,11 @@ def first_angles(openr, motion):
                            text=True).stdout.splitlines()
     angles = lines[1].split(",")[-len([*HEAD, *LEGS]):]
     return dict(zip([*HEAD, *LEGS], map(float, angles), strict=True))
+
+
+def legs_are_still(degrees, before):
+    """Returns whether no joint of a leg has moved between two looks; `before` may be None."""
+    return before is not None and all(abs(degrees[joint] - before[joint]) < STILL_DEG for joint in LEGS)
 
 
 def far_joints(degrees, first):
@@ -149,11 +157,13 @@ class Clients:
 
         Returns False if the robot does not get ready, for example because it plays a longer motion.
         """
-        good_looks = 0
+        good_looks, before = 0, None
         for _ in range(LOOKS_MAX):
             look, = yield from self.ask(client, (rc.SENSORS, b""), statuses=(rc.STATUS_OK,))
-            far = far_joints([value / 100 for value in struct.unpack_from("<18i", look.payload, 8)], first)
-            is_standing = look.payload[5] == rc.READY
+            degrees = [value / 100 for value in struct.unpack_from("<18i", look.payload, 8)]
+            far = far_joints(degrees, first)
+            is_standing = look.payload[5] == rc.READY and legs_are_still(degrees, before)
+            before = degrees
             good_looks = good_looks + 1 if is_standing and not far else 0
             if good_looks == GOOD_LOOKS:
                 return True

@@ -31,7 +31,10 @@ PRESSED = finding("PRM:/r4/c1: MECHA_LOAD_HIGH", "the robot", "error")
 
 
 class Pretended(soak_clients.Clients):
-    """Clients of a robot that answers SENSORS with the `looks` (state, angle of neck_pan), one after the other."""
+    """Clients of a robot that answers SENSORS with the `looks`, one after the other.
+
+    A look is (state, angle of neck_pan) or (state, angle of neck_pan, angle of LH_j1).
+    """
 
     def __init__(self, looks):
         self.looks, self.asked = iter(looks), []
@@ -44,8 +47,8 @@ class Pretended(soak_clients.Clients):
         yield
         if requests[0][0] != rc.SENSORS:
             return [types.SimpleNamespace(status=rc.STATUS_OK)] * len(requests)
-        state, degrees = next(self.looks)
-        joints = struct.pack("<18i", 0, 100 * degrees, *[0] * 16)
+        state, neck, *leg = next(self.looks)
+        joints = struct.pack("<18i", 0, 100 * neck, *[0] * 5, 100 * sum(leg), *[0] * 10)
         return [types.SimpleNamespace(status=rc.STATUS_OK, payload=bytes([18, 6, 7, 2, 1, state, 0, 0]) + joints)]
 
 
@@ -65,10 +68,16 @@ def main():
     verdict("a head that is further away is far as well, because it may move", far(j1=60) == [1])
     verdict("with a leg that is further away JointMover prepares the motion", far(j1=40, j7=60) == [])
     ready, busy = rc.READY, rc.READY + 2
-    plays("a client plays after four good looks", [(ready, 0)] * 4, 0, 1)
-    plays("a client moves a joint that is far, and waits", [(ready, 40), (ready, 30), *[(ready, 20)] * 4], 2, 1)
-    plays("a client waits for the end of a motion", [(busy, 40), *[(ready, 0)] * 4], 0, 1)
-    plays("a joint that is turned does not count as near", [*[(ready, 0)] * 3, (ready, 40), *[(ready, 0)] * 4], 1, 1)
+    good = [(ready, 0)] * 4
+    plays("a client plays after four good looks at a robot that was still", [(ready, 0), *good], 0, 1)
+    plays("a client moves a joint that is far, and waits",
+          [(ready, 40), (ready, 40), (ready, 30), *[(ready, 20)] * 4], 2, 1)
+    plays("a client waits for the end of a motion", [(busy, 40), *good], 0, 1)
+    plays("a joint that is turned does not count as near", [*good, (ready, 40), *good], 1, 1)
+    plays("a leg that is on its way does not count as far away",
+          [(ready, 0, 60), (ready, 0, 58), (ready, 0, 54), (ready, 0, 48), *[(ready, 0, 20)] * 5], 0, 1)
+    plays("a client moves nothing while a leg is on its way", [(ready, 40, 10), (ready, 40, 5), (ready, 0, 0), *good],
+          0, 1)
     plays("a client gives up", [(busy, 0)] * soak_clients.LOOKS_MAX, 0, 0)
     for joint, (low, high) in load.NEAR_ANGLES.items():
         verdict(f"commands keep joint {joint} near the first key frames",
