@@ -4,8 +4,7 @@
 #include <stdexcept>
 
 #include "bench/bench.h"
-#include "openr/simulation/simulation.h"
-#include "runtime/core/system.h"
+#include "bench/dogs.h"
 
 namespace openr_host {
 namespace {
@@ -13,32 +12,26 @@ namespace {
 // A dog that stands on the field of 2004 and looks at the ball and a goal.
 class Looker {
  public:
-  Looker(const std::string& stick, const std::string& images) {
-    SimulationOptions options;
-    options.stick = stick;
-    options.world = "field-2004.json";
-    options.body = "ideal";
-    options.images = images;
-    options.host_network = false;
-    options.console = [](std::string_view) {};
-    simulation_ = std::make_unique<Simulation>(options);
-    System& system = simulation_->system();
-    system.Boot();
-    const Object* const mover = system.FindObject(0, "JointMover");
-    if (mover == nullptr ||
-        !system.RunUntil([&] { return mover->state == "accepting-commands"; }, 20'000'000)) {
-      throw std::runtime_error("bench: the dog does not stand up");
-    }
+  Looker(const std::string& stick, const std::string& images)
+      : simulation_(OnTheField(stick, images)) {
+    StandUp(&simulation_.system());
   }
   void Run(int64_t images) {
     for (; images > 0; --images) {
-      const std::string problem = simulation_->robots()[0]->CopyPicture(&picture_);
+      const std::string problem = simulation_.robots()[0]->CopyPicture(&picture_);
       if (!problem.empty()) throw std::runtime_error("bench: " + problem);
     }
   }
 
  private:
-  std::unique_ptr<Simulation> simulation_;
+  static SimulationOptions OnTheField(const std::string& stick, const std::string& images) {
+    SimulationOptions options = OfDogs(stick, "ideal", 1);
+    options.world = "field-2004.json";
+    options.images = images;
+    return options;
+  }
+
+  Simulation simulation_;
   Picture picture_;
 };
 
@@ -46,17 +39,11 @@ class Looker {
 
 std::vector<Row> CameraRows(const std::string& stick) {
   const auto variant = [stick](const char* name, const char* images) {
-    const auto looker = std::make_shared<std::unique_ptr<Looker>>();
-    return Variant{name, [=](int64_t count) {
-                     if (*looker == nullptr) *looker = std::make_unique<Looker>(stick, images);
-                     (*looker)->Run(count);
-                   }};
+    return Lazily<Looker>(name, [=] { return std::make_unique<Looker>(stick, images); });
   };
-  return {{"camera image, field (the goal is 1,000,000 ns)",
-           "ns an image",
-           250,
-           {variant("test pattern", "pattern"), variant("rendered world", "world")},
-           0}};
+  Row row{"camera image, field", "ns an image", 250};
+  row.variants = {variant("test pattern", "pattern"), variant("rendered world", "world")};
+  return {row};
 }
 
 }  // namespace openr_host
