@@ -6,7 +6,8 @@ is the sum.  A program that crashes or hangs counts as one failure more.  Progra
 mostly wait are run in parts, all at a time and beside the others.
 
 The names of failed tests stand above the last line.  What a program with failures printed is kept
-in the build folder, failed/NAME.log, with the command that runs it again at its begin.
+in the build folder, failed/DATE_TIME/NAME.log, with the commands that run it again at its begin.  The
+folders of the last 20 runs with failures stay.
 """
 import argparse
 import concurrent.futures
@@ -14,7 +15,6 @@ import fcntl
 import os
 import pathlib
 import re
-import shlex
 import shutil
 import signal
 import subprocess
@@ -22,10 +22,10 @@ import sys
 import tempfile
 import time
 
+from failure_logs import FailureLogs
 from job_pool import JobPool
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FAILED = re.compile(r"^\[  FAILED  \] ([\w/]+\.[\w/]+)", re.MULTILINE)
 TOTALS = re.compile(r"^(\d+) passed, (\d+) failed(?:, (\d+) skipped)?$")
 LIMIT_S = 1800  # for one program: enough with sanitizers on two busy cores
 # distribution_tests wait for leases (ros2_run.h has 4 domains), openr_tests for runs in real time.
@@ -187,19 +187,6 @@ def jobs(build, pattern, quick, names):
     return waiting, longest_first(found), alone
 
 
-def keep(folder, name, command, shard, output):
-    """Writes the output of a failed program to a file.
-
-    Returns the file and the names of the failed tests.
-    """
-    folder.mkdir(parents=True, exist_ok=True)
-    file = folder / (re.sub(r"[^\w.]+", "-", name) + ".log")
-    again = " ".join([f"{key}={value}" for key, value in shard.items()] +
-                     [shlex.quote(word) for word in command])
-    file.write_text(f"to run it again, in an empty folder:\n{again}\n\n{output}")
-    return file, sorted(set(FAILED.findall(output)))
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--build", required=True, type=pathlib.Path)
@@ -213,7 +200,7 @@ def main():
     scratch_root = build / "scratch" if cache and owns_scratch(build) else None
     if scratch_root:
         os.environ.update(cache)
-    shutil.rmtree(build / "failed", ignore_errors=True)
+    logs = FailureLogs(build)
     waiting, others, alone = jobs(build, arguments.filter, arguments.quick,
                                   arguments.programs)
     failures = []
@@ -222,7 +209,8 @@ def main():
         name, passed, failed, skipped, output, seconds = result
         if failed:
             print(output)
-            failures.append((name, *keep(build / "failed", *job, output)))
+            _, command, shard = job
+            failures.append((name, *logs.keep(name, command, environment(shard), output)))
         extra = f", {skipped} skipped" if skipped else ""
         print(f"{name}: {passed} passed, {failed} failed{extra} ({seconds:.1f} s)", flush=True)
         sums[:] = [a + b for a, b in zip(sums, (passed, failed, skipped))]
@@ -237,6 +225,8 @@ def main():
     for name, file, tests in failures:
         print(f"FAILED in {name}, kept in {file}:")
         print("\n".join(f"  {test}" for test in tests or ["(it names no test)"]))
+    if logs.folder:
+        print(f"logs of this run: {logs.folder}")
     if sum(sums) == 0:
         print(f"no test matches '{arguments.filter}'")
         sums[1] = 1

@@ -5,8 +5,9 @@ watched.json lists the test programs and which of their tests run.  Every race t
 reports counts as a failure, whether it was in the test program or in a program that a test has
 started.  Races that are planted must be found, which shows that the check can fail.
 
-The last line is "N passed, N failed" (", N skipped").  The reports of ThreadSanitizer are kept in
-the build folder, threads/PROGRAM/report.PROCESS.
+The last line is "N passed, N failed" (", N skipped").  The reports of ThreadSanitizer are in the
+build folder until the next run, threads/PROGRAM/report.PROCESS; races and what failed programs
+printed are kept as those of other tests are, in failed/DATE_TIME (tools/failure_logs.py).
 """
 import argparse
 import collections
@@ -22,6 +23,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "tools"))
 import run_tests  # noqa: E402  (found in the folder above)
+from failure_logs import FailureLogs  # noqa: E402
 from job_pool import JobPool  # noqa: E402
 
 HERE = ROOT / "tests/threads"
@@ -130,7 +132,7 @@ def main():
     build = arguments.build.resolve()
     folder = build / "threads"
     shutil.rmtree(folder, ignore_errors=True)
-    shutil.rmtree(build / "failed", ignore_errors=True)
+    logs = FailureLogs(build)
     passed = failed = skipped = 0
     if not arguments.filter:
         passed, failed = check_planted(build / "bin/planted_races", folder / "planted_races")
@@ -153,7 +155,8 @@ def main():
             name, good, bad, left_out, output, seconds = future.result()
             if bad:
                 print(output)
-                file, tests = run_tests.keep(build / "failed", *todo[future], output)
+                _, command, shard = todo[future]
+                file, tests = logs.keep(name, command, run_tests.environment(shard), output)
                 print(f"FAILED in {name}, kept in {file}: {' '.join(tests)}")
             passed, failed, skipped = passed + good, failed + bad, skipped + left_out
             extra = f", {left_out} skipped" if left_out else ""
@@ -166,6 +169,10 @@ def main():
             races[key] = (before[0], before[1] + count)
     for key, (report, count) in races.items():
         print(f"{report}\nFAILED: {key} ({count} times)")
+    if races:
+        command = [sys.executable, __file__, "--build", build, "--filter", arguments.filter]
+        file, _ = logs.keep("races", command, {}, "\n".join(report for report, _ in races.values()))
+        print(f"the reports of these races are kept in {file}")
     for suppression, hits in sorted(used.items()):
         print(f"suppressed {hits} times: {suppression}")
     failed += len(races)
