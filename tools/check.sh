@@ -20,6 +20,14 @@ rule() {
   fi
 }
 
+# rule_of NAME COMMAND...: the rule passes if the command prints nothing and does not fail.
+rule_of() {
+  local name=$1 offences
+  shift
+  offences=$("$@") || [ -n "$offences" ] || offences="$* has failed"
+  printf '%s' "$offences" | rule "$name"
+}
+
 # files PATTERN FOLDER...: lists the files below the folders whose suffix matches, sorted.
 files() {
   local pattern=$1
@@ -42,7 +50,7 @@ else
   echo 'clang-format is not installed' | rule 'clang-format'
 fi
 
-python3 tools/layers.py | rule 'includes between folders go one way (tools/layers.py)'
+rule_of 'includes between folders go one way (tools/layers.py)' python3 tools/layers.py
 grep_in '#include *["<](dds/|ddsc/|openr_(wire|status)\.h|distribution/wire\.h)' \
   cli kit openr runtime virtualrobot objects testing tools |
   rule 'only distribution/ includes Cyclone DDS'
@@ -93,11 +101,13 @@ grep -rnIE '(^|[^a-zA-Z.])/(tmp|work|root|home)/' --include='*.cc' --include='*.
 files 'cc|h|c|idl|py|sh' cli kit openr runtime virtualrobot distribution objects examples testing tools tests bench | xargs -r wc -l |
   awk '$2 != "total" && $1 > 500' | rule 'no file has more than 500 lines'
 
-python3 tools/sdk_surface.py | rule 'objects/ and examples/ use what the robot has (tools/sdk_surface.py)'
-python3 tools/conformance_table.py --check |
-  rule 'docs/conformance.md is made of tests/conformance/statements.tsv'
-python3 tools/citations.py |
-  rule 'citations of docs/openr and docs/report.md lead to a place that exists (tools/citations.py)'
+rule_of 'objects/ and examples/ use what the robot has (tools/sdk_surface.py)' python3 tools/sdk_surface.py
+rule_of 'docs/conformance.md is made of tests/conformance/statements.tsv' \
+  python3 tools/conformance_table.py --check
+rule_of 'citations of docs/openr and docs/report.md lead to a place that exists (tools/citations.py)' \
+  python3 tools/citations.py
+rule_of 'commits that can still be changed have a short subject and are not large (tools/commits.py)' \
+  python3 tools/commits.py
 # paths FILE...: lists the sources that documents name in backticks, as FILE:LINE:PATH.
 paths() {
   grep -noE '`(runtime|virtualrobot|distribution|cli|kit|openr|testing|objects|tools|tests|bench)/[A-Za-z0-9_./-]+\.(h|cc|py|sh|idl)`' "$@" |
