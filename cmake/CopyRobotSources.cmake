@@ -1,4 +1,4 @@
-# What `openr stick robot` compiles (kit/robot_stick.h), at one place:
+# Copies the sources that `openr stick robot` compiles (kit/robot_stick.h) into one folder:
 #   cmake -DTO=folder to fill -DSOURCE=this source tree -DGENERATED=folder of RobotConstants
 #         -P CopyRobotSources.cmake
 cmake_minimum_required(VERSION 3.25)

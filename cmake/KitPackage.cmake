@@ -1,4 +1,4 @@
-# What other build systems find in the build tree and in an installed prefix: the CMake package,
+# Files by which other build systems use the build tree or an installed prefix: the CMake package,
 # the pkg-config file and the Makefile to include.
 include(CMakePackageConfigHelpers)
 

@@ -60,7 +60,7 @@ file(COPY_FILE ${SOURCE}/cmake/compile-flags.txt ${SDK}/compile-flags.txt ONLY_I
 # Handles the pause button and the battery; programs often rely on one that lies elsewhere.
 file(COPY_FILE ${IMAGES}/POWERMON.BIN ${SDK}/images/POWERMON.BIN ONLY_IF_DIFFERENT)
 
-# What a controller becomes part of, and what it includes.
+# The object that a controller is compiled into, and the headers that a controller includes.
 copy_folder(${SOURCE}/objects/Controller/include ${SDK}/controller/include)
 foreach(file ${CONTROLLER} ${SOURCE}/objects/Controller/Controller.ocf
         ${SOURCE}/kit/controller/Makefile.openr)

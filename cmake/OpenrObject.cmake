@@ -94,7 +94,7 @@ function(openr_add_stick)
   set(copy_images)
   set(copy_own)
   set(config ${folder}/OPEN-R/MW/CONF/OBJECT.CFG)
-  set(names)  # of robot paths, whose case does not count
+  set(names)  # paths on the robot, in capital letters because the robot ignores case
   if(EXISTS ${config})
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${config})
     file(STRINGS ${config} names REGEX "^[ \t]*/")

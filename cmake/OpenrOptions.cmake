@@ -77,7 +77,7 @@ endif()
 # Warnings for our own C++20; objects/ has its own list in OpenrObject.cmake.
 set(OPENR_WARNINGS -Wall -Wextra -Werror $<$<COMPILE_LANGUAGE:CXX>:-Wsuggest-override>)
 
-# What openr_add_object() needs (OpenrObject.cmake).
+# Variables that openr_add_object() reads (OpenrObject.cmake).
 set(OPENR_STUBGEN2 stubgen2)
 set(OPENR_SDK_TOOL openr_sdk)
 set(OPENR_HEADERS ${PROJECT_SOURCE_DIR}/runtime/include)

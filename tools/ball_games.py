@@ -34,7 +34,7 @@ SHARES = {"reach": 18 / 20, "score": 12 / 20, "match": 5 / 10}
 
 
 class Game:
-    """One game: the places at its beginning, how long it lasts, and what counts as success."""
+    """A game: the places at its beginning, how long it lasts, and what counts as success."""
 
     def __init__(self, kind, seed):
         draw = random.Random(f"{kind} {seed}")

@@ -125,7 +125,7 @@ class Scenario:
                                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True)
         try:
             text = process.communicate(timeout=LIMIT_S)[0].decode(errors="replace")
-            console = self.out / "console.txt"  # what objects print, they may tell of a failure as well
+            console = self.out / "console.txt"  # text of the objects, which may tell of a failure as well
             return process.returncode, text + (console.read_text() if console.exists() else "")
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, signal.SIGKILL)
@@ -157,7 +157,7 @@ class Scenario:
                 if mark in (process / "environ").read_bytes().split(b"\0"):
                     found.append((process / "cmdline").read_bytes().replace(b"\0", b" ").decode())
             except OSError:
-                continue  # it has ended meanwhile
+                continue  # the process has ended meanwhile
         return found
 
     def wait_for_end(self):
@@ -221,7 +221,7 @@ class Rounds:
                 wrong.append(f"status 0, but the files cannot be read: {error}")
         self.reported += status != 0
         left = [path for path in scenario.left_behind() if path not in self.kept]
-        # What a crashed run, a killed worker and a removal that failed leave must go with the next start.
+        # Files that a crashed run, a killed worker or a failed removal leaves must go with the next start.
         is_clean = call not in REMOVING and scenario.name != "apart" and "ended by crash" not in text
         if left and is_clean:
             wrong.append(f"leaves {' '.join(left)}")

@@ -15,7 +15,7 @@ import browser_test  # noqa: E402: the folder is put into the path first
 from run_process import RunProcess  # noqa: E402
 
 PICTURE = browser_test.ROOT / "docs/pictures/panel.gif"
-# One palette for all frames; pixels that stay the same are not stored again.
+# All frames have the same palette; pixels that stay the same are not stored again.
 FILTER = "scale=1080:-1:flags=area,split[a][b];[a]palettegen=max_colors=128:stats_mode=diff[p];[b][p]paletteuse=dither=none"
 
 

@@ -135,7 +135,7 @@ class Maker:
             return
         inner = self.tokens[opening + 1:self.closing[opening]]
         if any(token.text in (";", "=") for token in inner):
-            return  # it declares a variable
+            return  # the condition declares a variable
         if self.is_one_equality(inner):
             return  # a swap of '==' and '!=' does the same
         begin, end = inner[0].begin, inner[-1].end

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What objects use of their surroundings, against what there is of it on the robot.
+"""Checks that objects use only headers, functions and names that the robot has.
 
     tools/sdk_surface.py                    checks objects/ and examples/; prints every offence,
                                             nothing is good
@@ -260,7 +260,7 @@ def judge_symbol(symbol, surface):
     if LIBRARY_SYMBOLS.match(name):
         return None
     parts = [part.strip() for part in re.split(r"::", name) if part.strip()]
-    plain = [part.split()[0].lstrip("~") for part in parts]  # of "operator new" only "operator"
+    plain = [part.split()[0].lstrip("~") for part in parts]  # "operator new" becomes "operator"
     if len(plain) == 1 and (plain[0] in surface.library["functions"] or surface.of_sdk(plain[0])):
         return None
     if len(plain) > 1 and all(part == "operator" or surface.of_sdk(part) for part in plain):

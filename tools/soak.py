@@ -57,7 +57,7 @@ INPUTS = ("press chin for 300ms", "press back 80% for 200ms", "press head for 1s
 PHYSICS_INPUTS = ("push 0 4 0 for 100ms", "push 5 0 0 at body")
 LOOKS = "status\nobjects\nobject RCServer\nsensors\njoints\nfindings\n"
 
-# What the report may have of a robot on the physical body.  PHYSICS_INPUTS push it over sooner or later,
+# Findings that a robot on the physical body may have.  PHYSICS_INPUTS push it over sooner or later,
 # and nobody puts it back on its feet.  The joints on which it lies press against the floor, which is an
 # error after 30 s.  They do not follow their set points, so a client that sees them near the first key
 # frame of a motion may begin it although the set points are up to 45 degrees away.

@@ -62,7 +62,7 @@ class Clients:
     def __init__(self, run, seed):
         self.run, self.seed = run, seed
         self.guests = []  # the generators
-        self.number = 0  # of clients so far
+        self.number = 0  # clients so far
         self.boots = 0
         self.uploads_image = False  # whether a client uploads CONTROLL.BIN
         self.uploading = set()  # the names of UPLOADED that clients use now
@@ -213,7 +213,7 @@ class Clients:
         Two uploads of one name would replace each other.
         """
         at = self.number % len(UPLOADED)
-        # One name is always free, because there are fewer clients than names.
+        # A name is always free, because there are fewer clients than names.
         name = next(each for each in UPLOADED[at:] + UPLOADED[:at] if each not in self.uploading)
         self.uploading.add(name)
         try:

@@ -144,7 +144,7 @@ def outcome_of(text, said):
 class Stick:
     """The programs of a stick, for a span of virtual time without anybody outside."""
 
-    good = r"status 0, trace \w+ state \w+ of [1-9]"  # what the outcome of a quiet run begins with
+    good = r"status 0, trace \w+ state \w+ of [1-9]"  # the begin of the outcome of a quiet run
 
     def __init__(self, openr, name, stick, scratch, span):
         self.name, self.openr, self.stick, self.scratch, self.span = name, openr, stick, scratch, span

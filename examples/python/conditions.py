@@ -16,7 +16,7 @@ LONG_S = 1000  # far more than a dog will walk
 class Conditions(typing.NamedTuple):
     """The ranges are chosen; the default run has 0.6, 0, 0 and all motors at 100 %."""
 
-    friction: float              # of the floor, 0.45 to 0.8
+    friction: float              # coefficient of the floor, 0.45 to 0.8
     load_n: float                # weight that the dog carries on its back, 0 to 2 N
     shove_n: float               # a push to the left just before the dog walks, -4 to 4 N for 200 ms
     motors: "dict[str, int]"     # torque of each leg joint, 85 to 100 % of the motor's

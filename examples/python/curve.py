@@ -47,7 +47,7 @@ def write_curve(path, curve, shipped_mm_s):
     parts.append(text(WIDTH - RIGHT, y(shipped_mm_s) - 6, "walk of the stick", "end", ORANGE))
     if curve:
         parts.append(text(WIDTH - RIGHT, y(curve[-1][1]) - 8, "best of a generation", "end", BLUE))
-        low = min(point[2] for point in curve[-(len(curve) // 4 + 1):])  # of the part above the words
+        low = min(point[2] for point in curve[-(len(curve) // 4 + 1):])  # the lowest point above the words
         parts.append(text(WIDTH - RIGHT, y(low) + 16, "mean of a generation", "end", "#6b7580"))
     parts.append("</svg>\n")
     path.write_text("\n".join(parts))

@@ -48,7 +48,7 @@ SEARCH_SEEDS, SEEDS_AT_A_TIME = range(1, 9), 3
 CHOICE_SEEDS = range(11, 17)
 UNSEEN_SEEDS = (101, 102, 103)
 SEARCH_S, CHECK_S = 5.0, 15.0  # how long a gait walks in the search, and in the choice and the check
-SEARCH_SHARE = 0.95  # of the time; the choice takes the rest
+SEARCH_SHARE = 0.95  # share of the time that the search takes; the choice takes the rest
 FINALISTS = 16
 NECK = ("neck_tilt", "neck_pan", "neck_roll")
 UNFIT = -200.0  # score of a gait that cannot be played, or lets the dog fall
@@ -147,7 +147,7 @@ def limits_of(generations, minutes):
 def search(kennel, shipped, arguments):
     """Returns the best gait of each generation with its score, the mean of the last generation among
     them, and the curve: for each generation seconds, best score, mean score."""
-    waves = len(shipped.numbers)  # one more number follows: the logarithm of the cycle's length
+    waves = len(shipped.numbers)  # the logarithm of the cycle's length follows these numbers
     generator = random.Random(arguments.seed)
     strategy = Strategy([*shipped.numbers, math.log(shipped.frames)], [4.0] * waves + [0.15],
                         arguments.population, generator)

@@ -78,7 +78,7 @@ export interface RobotPose {
   leds: number[]; // brightness, 0 to 1
   mode_b?: boolean; // the face lights of the ERS-7 are in mode B
   ears: number[];
-  things?: Pose[]; // of the things that can move
+  things?: Pose[]; // poses of the things that can move
 }
 
 export interface PoseEvent {

@@ -22,7 +22,7 @@ import sys
 import tempfile
 import time
 
-PATIENCE_S = 240  # of wall time, for anything
+PATIENCE_S = 240  # the longest wait for anything, in wall time
 
 
 class Checks:

@@ -21,7 +21,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from link import Link  # noqa: E402
 from page import PATIENCE_S, Page, Run, private_runs  # noqa: E402
 
-RATE = 2.0  # of the first run, while no second robot is connected
+RATE = 2.0  # rate of the first run while no second robot is connected
 
 
 def need(is_good, what):

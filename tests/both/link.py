@@ -77,7 +77,7 @@ class Link:
 
 
 class Pipe:
-    """One direction of one connection."""
+    """Passes on the bytes of a connection in one direction."""
 
     def __init__(self, link, source, sink):
         self.link, self.source, self.sink = link, source, sink

@@ -12,7 +12,7 @@ import time
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent.parent / "tools"))
 from run_process import RunProcess  # noqa: E402: the folder is put into the path first
 
-PATIENCE_S = 120  # of wall time, for anything
+PATIENCE_S = 120  # the longest wait for anything, in wall time
 
 
 class Run(RunProcess):

@@ -118,7 +118,7 @@ TEST(OutputFileTest, ALinkAndThePermissionsOfAFileStay) {
 TEST(OutputFileTest, AFileIsReplacedAndNotWrittenOver) {
   const ScratchFolder folder;
   folder.Write("a", "old");
-  std::ifstream reader(folder.File("a"));  // of somebody who has it open
+  std::ifstream reader(folder.File("a"));  // another program that has the file open
   EXPECT_EQ(WriteFile(folder.File("a"), "newer"), "");
   std::string text;
   EXPECT_TRUE(reader >> text);

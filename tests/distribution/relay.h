@@ -29,7 +29,7 @@ class Relay {
  public:
   struct Counts {
     uint64_t passed = 0;
-    uint64_t bytes = 0;  // of these packets
+    uint64_t bytes = 0;  // bytes of the packets that `passed` counts
     uint64_t lost = 0;
     uint64_t doubled = 0;
     uint64_t overtaken = 0;  // arrived after a packet that was sent later

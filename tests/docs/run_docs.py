@@ -32,7 +32,7 @@ NETWORK = [sys.executable, str(pathlib.Path(__file__).with_name("own_network.py"
 
 
 def environment(build, home):
-    """What a person has who followed docs/cookbook/README.md: openr in PATH, $OPENR_HOST."""
+    """Returns the environment of a person who followed docs/cookbook/README.md: openr in PATH, $OPENR_HOST."""
     kept = ("ASAN_OPTIONS", "UBSAN_OPTIONS", "CCACHE_DIR", "CCACHE_SLOPPINESS", "OPENR_HOST_CXX", "OPENR_HOST_CC")
     env = {key: os.environ[key] for key in kept if key in os.environ}
     env.update(PATH=f"{build / 'bin'}:{os.environ['PATH']}", HOME=str(home), LANG="C.UTF-8", TERM="dumb",

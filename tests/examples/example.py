@@ -1,4 +1,4 @@
-"""One example: a copy of its folder, built, run, and what is wrong with it."""
+"""Builds and runs a copy of an example, and collects what is wrong with it."""
 import json
 import pathlib
 import re
@@ -8,7 +8,7 @@ import socket
 import subprocess
 import time
 
-PATIENCE_S = 120  # of wall time, for anything
+PATIENCE_S = 120  # the longest wait for anything, in wall time
 SYSTEM = ("oobjectManager", "OVirtualRobotComm", "OVirtualRobotAudioComm", "IPStack")
 
 
@@ -19,7 +19,7 @@ def free_port(kind=socket.SOCK_STREAM):
 
 
 class Outcome:
-    """What a run left: status, what the objects printed, the report."""
+    """The outcome of a run: status, text that the objects printed, report."""
 
     def __init__(self, status, console, report_text, complaint_text):
         self.status = status
@@ -50,7 +50,7 @@ class Example:
         self.recording = scratch / f"{source.name}.rec"
         self.complaints = []
         self.skipped = []
-        self.hashes = []  # of run(): the arguments and the hash of the trace, as in hashes.txt
+        self.hashes = []  # arguments and hash of the trace of each call of run(), as in hashes.txt
         # Without what somebody's own build and run left there.
         shutil.copytree(source, self.folder,
                         ignore=shutil.ignore_patterns("OBJS", "*.PPM", "*.WAV"))
@@ -137,7 +137,7 @@ class Example:
                     f"openr replay in one process: {done.stdout}{done.stderr}")
 
     def objects(self):
-        """Those of the stick, as a run of a moment reports them."""
+        """Returns the objects of the stick, from the report of a run of no time."""
         done = subprocess.run([self.openr, "run", "--stick", str(self.folder / "MS"), "--for", "0s",
                                "--rate", "max", "--no-panel", "--json"], capture_output=True,
                               text=True, timeout=PATIENCE_S, stdin=subprocess.DEVNULL)

@@ -60,7 +60,7 @@ def names_gone(found):
 
 
 def run(openr, name, check, scratch, apart):
-    """What is wrong, in lines (none is good), what could not be looked at, and the hashes."""
+    """Returns lines that say what is wrong (none if all is good), the skipped parts, and the hashes."""
     try:
         folder = scratch / (name + ("-apart" if apart else ""))
         folder.mkdir()
@@ -92,8 +92,8 @@ def main():
     found = checks()
     good, bad, skips, all_hashes = 0, 0, 0, []
 
-    # Those of controllers/ are tested by tests/controllers and tests/kit, those of python/ by
-    # tests/python; ros2/ needs ROS 2.
+    # Other tests run the examples in controllers/ (tests/controllers, tests/kit) and in python/
+    # (tests/python); ros2/ needs ROS 2.
     folders = sorted(path.name for path in EXAMPLES.iterdir()
                      if path.is_dir() and path.name not in ("controllers", "python", "ros2"))
     unchecked = [name for name in folders if name not in found]
@@ -116,7 +116,7 @@ def main():
                 complaints, skipped, hashes = future.result()
                 if not apart:
                     all_hashes += hashes
-                # What was skipped, or failed, leaves hashes out.
+                # An example with a skipped or failed part has not all hashes, so they are not compared.
                 if not (arguments.record_hashes or apart or complaints or skipped):
                     complaints = difference(name, hashes)
                 name += " from other processes" if apart else ""

@@ -224,7 +224,7 @@ class Cases:
                     said + answer)
 
     def objects(self, kind, *flags):
-        """What an object sees, and what the run says about its files."""
+        """Checks which errors an object gets, and what the run says about the object's files."""
         name = " ".join([kind, *flags])
         with self.stick(kind, "writes") as (bad, stick):
             folder = stick / "OPEN-R/MW/DATA/P"

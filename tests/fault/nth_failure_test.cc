@@ -88,7 +88,7 @@ TEST(NthFailureTest, AllocationsOfObjects) {
     run.memory().allocations_until_failure = n;
     run.Go();
     if (run.memory().allocations_until_failure > 0) {
-      EXPECT_GT(n, 10);  // there were allocations to fail
+      EXPECT_GT(n, 10);  // earlier rounds have made allocations fail
       break;
     }
     EXPECT_TRUE(run.Complains());

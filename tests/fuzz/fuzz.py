@@ -28,12 +28,12 @@ from job_pool import JobPool  # noqa: E402: the folder is put into the path firs
 WORK = os.path.join(ROOT, "build", "fuzz")  # corpora, crashes and logs
 PROGRAM = os.path.join(ROOT, "build", "clang-asan", "bin", "openr_fuzz")
 PROCESSES = 2
-WORD_BYTES = 40  # of a word of a dictionary
-PLANTED_SECONDS = 60  # of processor time
-PLANTED_WAIT = 10  # times as long a busy machine may take for it
+WORD_BYTES = 40  # the longest word of a dictionary
+PLANTED_SECONDS = 60  # processor time in which a planted bug must be found
+PLANTED_WAIT = 10  # a busy machine may take this many times as long
 MIN_BYTES, MAX_BYTES = 512, 2048  # limits for the bytes of an input (bytes_limit())
 SHOWN_BYTES = 4096  # a larger input is not printed
-INPUT_SECONDS = 10  # of wall time for an input in a search, of processor time when it runs alone
+INPUT_SECONDS = 10  # limit for an input: wall time in a search, processor time when it runs alone
 INPUT_WAIT = 10  # times as long a busy machine may take for an input that runs alone
 # A line that says why an input crashed: of FuzzCheck(), of ASSERT(), of UndefinedBehaviorSanitizer, of an
 # exception, of AddressSanitizer or libFuzzer.  What a target itself prints may have the word ERROR, too.
@@ -43,8 +43,8 @@ OPTIONS = ["-rss_limit_mb=1536", "-malloc_limit_mb=600", "-print_final_stats=1",
            "-mutate_depth=3",  # an input with more changes is hardly ever valid
            "-len_control=0",  # else no input is longer than the longest seed for a long time
            "-detect_leaks=0",  # else an input that leaves memory behind runs twice
-           # Which inputs are changed next: those with rare features, but looking for them must not
-           # take longer than a run; and those that run fast.
+           # Inputs with rare features are changed next, but looking for these inputs must not take
+           # longer than a run; inputs that run fast are changed more often, too.
            "-entropic_number_of_rarest_features=10"]
 # Objects of a robot may leave memory behind, so leaks are no findings (docs/hacking.md).
 ENVIRONMENT = {**os.environ,
@@ -216,7 +216,7 @@ def fuzz(name, found, seconds, seed, planted=False):
     """Runs one target.  Returns what libFuzzer has counted, and the inputs that crash."""
     kept = os.path.join(WORK, "planted" if planted else "corpus", name)
     crashes = os.path.join(WORK, "planted-found" if planted else "crashes", name)
-    if planted or seed is not None:  # what earlier runs have learnt must not count
+    if planted or seed is not None:  # an empty corpus, because inputs that earlier runs have found must not help
         kept += f"-{os.getpid()}"
     for folder in (kept, crashes):
         os.makedirs(folder, exist_ok=True)
@@ -234,7 +234,7 @@ def fuzz(name, found, seconds, seed, planted=False):
     folders = [kept] + seeds
     # Else an input is also kept for taking a known branch another number of times.
     command += [] if found.get("counts", True) else ["-use_counters=0"]
-    command += [f"-dict={words}"] if os.path.getsize(words) > 0 else []  # it refuses an empty one
+    command += [f"-dict={words}"] if os.path.getsize(words) > 0 else []  # libFuzzer refuses an empty dictionary
     sizes = [os.path.getsize(os.path.join(folder, file))
              for folder in folders for file in os.listdir(folder)]
     command += [f"-max_len={bytes_limit(found, max(sizes, default=0))}"]

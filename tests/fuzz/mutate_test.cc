@@ -106,7 +106,7 @@ TEST(MutateTest, ATextAtTheEndOfOtherBytesDoesNotGrow) {
   FuzzRandom random(1);
   for (int i = 0; i < 5000; ++i) found.insert(MutateTextIn("\x01object 16", {}, &random));
   EXPECT_TRUE(found.contains("\x01object 17"));
-  EXPECT_TRUE(found.contains("\x01object 12"));  // of 128
+  EXPECT_TRUE(found.contains("\x01object 12"));  // the first two digits of 128
   for (const std::string& bytes : found) EXPECT_EQ(bytes.size(), 10u);
 }
 

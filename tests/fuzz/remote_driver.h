@@ -79,8 +79,8 @@ class RemoteDriver : private RequestPort {
     std::deque<Expected> questions;  // without an answer so far
     bool is_over = false;            // no further request is answered
     std::string sent;                // copy of the bytes that are being sent
-    size_t events = 0;               // that were heard
-    uint32_t upload_offset = 0;      // of the upload that the steps make
+    size_t events = 0;               // events that the client has received
+    uint32_t upload_offset = 0;      // bytes that the steps have uploaded so far
     bool is_image = false;           // the upload is one of an image, not of a motion
     uint8_t buffer[ClientSession::SEND_SIZE] = {};
   };

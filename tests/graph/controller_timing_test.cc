@@ -85,7 +85,7 @@ class ControllerTimingTest : public ::testing::TestWithParam<const char*> {
   }
 
   Bench bench;
-  std::vector<uint64_t> readies;  // that the LED vector has ended
+  std::vector<uint64_t> readies;  // numbers of the readies by which the LED vector ends
   std::vector<Vector> leds, ears;
 };
 

@@ -37,7 +37,7 @@ TEST(BuildProgressTest, CounterAddsTheLogsOfABuildAndLeavesOutEarlierBuilds) {
   EXPECT_EQ(counter.CountIn(folder.File("a.txt")), 0u);
   folder.Write("a.txt", old_line + new_line + "made\tnew.o\n" + new_line);
   EXPECT_EQ(counter.CountIn(folder.File("a.txt")), 2u);
-  EXPECT_EQ(counter.CountIn(folder.File("b.txt")), 2u);  // there is no such file yet
+  EXPECT_EQ(counter.CountIn(folder.File("b.txt")), 2u);  // the file does not exist yet
   folder.Write("b.txt", new_line);
   EXPECT_EQ(counter.CountIn(folder.File("b.txt")), 3u);
   // A log that gets shorter, when repeated lines are removed, takes nothing away.

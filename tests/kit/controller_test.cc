@@ -361,7 +361,7 @@ int main(void) { robot_get_device("wheel"); robot_run(run); return 0; }
   EXPECT_EQ(findings[1]["object"], "Controller");
 }
 
-#if !defined(__SANITIZE_ADDRESS__)  // it reports such things itself
+#if !defined(__SANITIZE_ADDRESS__)  // AddressSanitizer reports such faults itself
 TEST(ControllerRunTest, ANaNInAnEndlessLoopIsFoundWithItsLine) {
   const ControllerFolder folder;
   folder.Write("main.c", R"(#include <device/robot.h>

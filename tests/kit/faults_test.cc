@@ -14,7 +14,7 @@ using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-#if !defined(__SANITIZE_ADDRESS__)  // it reports such things itself
+#if !defined(__SANITIZE_ADDRESS__)  // AddressSanitizer reports such faults itself
 
 // The program Greeter with `statement` in its DoStart, on line 14 of Greeter.cc; built as its
 // makefile would, without a word about debug information.

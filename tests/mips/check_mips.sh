@@ -83,7 +83,7 @@ same() {
   fi
 }
 
-# What lies on a stack besides the objects' logic: stub, handler, the SDK's library below it.
+# Bytes of a stack that the objects' logic does not use: for stub, handler and the SDK's library.
 reserve=1024
 
 # stack OBJECT USED: with the reserve, three quarters of the stack of the .ocf file at most.
@@ -114,7 +114,7 @@ same 'clang++ on the host' "$work/clang.txt"
 same 'MIPS' "$work/mipsel.txt"
 same 'MIPS without optimisation' "$work/mipsel-O0.txt"
 
-# What the objects leave to the SDK and the C library once they are compiled.
+# Names that the compiled objects leave to the SDK and the C library.
 names() { mipsel-linux-gnu-nm -C "$1" "${@:2}" 2>/dev/null | sed -nE 's/^[0-9a-f ]* [TtWwVvBbDdRrUuiG] //p' | sort -u; }
 mapfile -t compiled < <(find "$work"/mipsel/CMakeFiles/object_* -name '*.o')
 compiled+=("$work/mipsel/libobjects_common.a")

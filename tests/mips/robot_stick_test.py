@@ -202,7 +202,8 @@ def symbols(kit, image):
 
 
 def calls_of_main(kit, image):
-    """What is called for main(), where no weak symbol is left undefined."""
+    """Returns the symbols that are called for main().  Returns all symbols if the image does not call main() or a
+    weak symbol is undefined."""
     named = symbols(kit, image)
     if any(letter in "wv" for letter, _ in named) or ["T", "_Z18CallControllerMainv"] not in named:
         return named

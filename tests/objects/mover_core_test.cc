@@ -245,7 +245,7 @@ TEST(MoverCoreTest, StopDuringPreparationBrakesWithinTheAcceleration) {
   dog.core.Stop();
   dog.Play();
   int32_t last =
-      dog.frames[0][dog.Joint(kLfJ1)] + kDeg10;  // it stands with this joint at -10 degrees
+      dog.frames[0][dog.Joint(kLfJ1)] + kDeg10;  // the dog stands with this joint at -10 degrees
   for (size_t f = 1; f < dog.frames.size(); ++f) {
     const int32_t step = dog.frames[f][dog.Joint(kLfJ1)] - dog.frames[f - 1][dog.Joint(kLfJ1)];
     ASSERT_LE(std::abs(step - last), 60) << f;  // 48.83 degree/s^2 are 54.5 urad per frame^2

@@ -269,7 +269,7 @@ TEST(MtnFileTest, PlungersHaveTwoPositionsAndNoLimits) {
   EXPECT_EQ(file.RobotJoint(1), -1);
   EXPECT_EQ(file.RobotPlunger(1), 1);
   EXPECT_TRUE(file.Warnings().empty());
-  EXPECT_FALSE(file.MapTo(FindRobot("ERS-220")));  // it has no ears
+  EXPECT_FALSE(file.MapTo(FindRobot("ERS-220")));  // the ERS-220 has no ears
   EXPECT_NE(file.Error().find("joint 1: the ERS-220 has no joint 'PRM:/r1/c1/c2/c3/e2-Joint3:j6'"),
             std::string::npos)
       << file.Error();

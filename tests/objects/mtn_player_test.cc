@@ -15,7 +15,7 @@ MtnFile Motion(const std::vector<int32_t>& angles_urad, uint32_t interpolation =
 }
 
 struct Vector {
-  std::vector<int32_t> urad;  // of the one joint, per frame
+  std::vector<int32_t> urad;  // the only joint, per frame
   int key_frame;              // at its end
   bool operator==(const Vector&) const = default;
 };
@@ -104,7 +104,7 @@ TEST(MtnPlayerTest, StepsAreRoundedToTheNearest) {
 TEST(MtnPlayerTest, FullTurnsDoNotOverflow) {
   const std::vector<Vector> vectors = Play(Motion({-6283186, 6283186}, 3749));
   EXPECT_EQ(vectors[234].urad[5], 0);     // frame 3750 of 7500: half way
-  EXPECT_EQ(vectors[234].urad[6], 1676);  // one step of 1675.5 further
+  EXPECT_EQ(vectors[234].urad[6], 1676);  // a step of 1675.5 further
 }
 
 TEST(MtnPlayerTest, LoopsFollowWithoutAWayBack) {

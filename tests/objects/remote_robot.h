@@ -142,7 +142,7 @@ class RemoteRobot : public RequestPort {
   std::vector<LedEarState> lights;
   std::map<std::string, std::vector<uint8_t>> files;
   bool full = false;
-  uint32_t frame = 2500;  // that every answer must have
+  uint32_t frame = 2500;  // frame number that every answer must have
   bool tells_power = true;
   bool wants_image = false;
   bool limp = false;  // whether the gains are disabled

@@ -240,7 +240,7 @@ TEST(CommandLineTest, AFolderBesideAStickIsRefusedWithTheNameOfTheStick) {
                   "did you mean " + folder.File("MS") + "?\n");
   }
   ExpectRefusal({"run", "--stick", folder.File("other")}, 1, "root of a Memory Stick\n");
-  folder.Write("MS2/open-r/MW/CONF/OBJECT.CFG", "");  // of two sticks none is proposed
+  folder.Write("MS2/open-r/MW/CONF/OBJECT.CFG", "");  // with two sticks, no stick is proposed
   ExpectRefusal({"run", "--stick", folder.File("")}, 1, "root of a Memory Stick\n");
 }
 

@@ -147,7 +147,7 @@ TEST(DefaultStickTest, APlaceForTemporaryFoldersThatCannotBeUsedIsNamed) {
   }
 }
 
-#if !defined(__SANITIZE_ADDRESS__)  // it reports crashes itself
+#if !defined(__SANITIZE_ADDRESS__)  // AddressSanitizer reports crashes itself
 TEST(DefaultStickTest, TheRecordOfACrashIsInTheCacheFolder) {
   const Installed installed("crash");
   const std::string file = installed.File("cache/openr-host/EMON.LOG");

@@ -77,7 +77,7 @@ class PageCalls {
   }
 
   std::vector<DocumentedCall> calls_;
-  int number_ = 0;                    // of the newest line
+  int number_ = 0;                    // number of the newest line
   std::optional<std::string> fence_;  // text behind the fence of the open block
   std::string typed_;                 // lines that ended with a backslash
 };

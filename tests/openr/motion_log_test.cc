@@ -14,7 +14,7 @@
 namespace openr_host {
 namespace {
 
-constexpr int kLogJoints = 15;  // of the ERS-210
+constexpr int kLogJoints = 15;  // joints in a log of the ERS-210
 
 LogValues ValuesFrom(int first_cdeg) {
   LogValues values;
@@ -94,7 +94,7 @@ TEST(MotionLogFileTest, AFileThatEndsInsideARecordIsRefusedWhereverItEnds) {
   const std::string good = FormatLog(LogOf({RecordOf(0, true, true), RecordOf(2, true, true)}));
   const size_t record_size = (good.size() - 8) / 2;
   for (size_t size = 9; size < good.size(); ++size) {
-    if (size == 8 + record_size) continue;  // one whole record
+    if (size == 8 + record_size) continue;  // a whole record
     EXPECT_NE(ParseProblem(good.substr(0, size)), "") << size;
   }
   EXPECT_EQ(ParseProblem(good.substr(0, 60)),

@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-#if !defined(__SANITIZE_ADDRESS__)  // it reports such things itself
+#if !defined(__SANITIZE_ADDRESS__)  // AddressSanitizer reports such faults itself
 
 struct FaultRun {
   ProgramResult result;

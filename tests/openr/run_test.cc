@@ -210,7 +210,7 @@ TEST(RunTest, WhatAHandlerPrintedThatDoesNotReturnIsThere) {
       << result.err;
 }
 
-#if !defined(__SANITIZE_ADDRESS__)  // it reports such things itself
+#if !defined(__SANITIZE_ADDRESS__)  // AddressSanitizer reports such faults itself
 // Returns the part of a crash record that is for people.  The part in the robot's form follows it.
 std::string TextPart(const std::string& record) {
   return record.substr(0, record.find("[exception info]\n"));
@@ -320,7 +320,7 @@ TEST(CrashTest, TheRecordHasTheRobotsFormToo) {
   EXPECT_EQ(log->code, 3u) << "a store";
   EXPECT_EQ(log->cause, 3u << 2);
   EXPECT_EQ(log->bad_address, 0x10u);
-  char offset[16];  // of the instruction in the image, as in the stack above
+  char offset[16];  // offset of the instruction in the image, as in the stack above
   std::snprintf(offset, sizeof offset, "+0x%x ", log->epc.value_or(0));
   EXPECT_THAT(record, HasSubstr("#0 TROUBLE.BIN" + std::string(offset)));
   ASSERT_NE(log->CrashedObject(), nullptr) << record;

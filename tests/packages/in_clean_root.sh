@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What a person does who installs the packages, in a root that has nothing else (tools/packages.sh).
+# Installs and tries the packages as a person would, in a root that has nothing else (tools/packages.sh).
 # Everything but the installation is done by an ordinary user.  The last line is
 # "N passed, N failed".
 set -uo pipefail

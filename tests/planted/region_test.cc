@@ -78,7 +78,7 @@ class RetentiveReceiver : public Receiver {
 TEST(PlantedRegionTest, AKeptAddressFaultsWhenDataAreWatched) {
   const Broken broken = InDefaultOrder(PlanWith<Sender, RetentiveReceiver>(true));
   EXPECT_EQ(broken.property, "no-crash");
-#ifndef __SANITIZE_ADDRESS__  // which reports crashes itself
+#ifndef __SANITIZE_ADDRESS__  // AddressSanitizer reports crashes itself
   EXPECT_THAT(broken.text, HasSubstr("OBJECT receiver"));
   EXPECT_THAT(broken.text, HasSubstr("EXCEPTION SIGSEGV (an access to data that were given back by "
                                      "AssertReady(), or beyond the end of received data)"));
@@ -99,7 +99,7 @@ TEST(PlantedRegionTest, WritingIntoReceivedDataIsHiddenUnlessTheyAreWatched) {
     const Broken broken =
         InDefaultOrder(PlanWith<Sender, ScribblingReceiver>(!is_strict, is_strict));
     EXPECT_EQ(broken.property, "no-crash");
-#ifndef __SANITIZE_ADDRESS__  // which reports crashes itself
+#ifndef __SANITIZE_ADDRESS__  // AddressSanitizer reports crashes itself
     EXPECT_THAT(broken.text, HasSubstr("EXCEPTION SIGSEGV (a write to received data, which are "
                                        "read-only)"));
 #endif

@@ -1,4 +1,4 @@
-"""What the documentation says about openr_host, and that it is up to date."""
+"""Checks that the documentation of openr_host is true and up to date."""
 import contextlib
 import io
 import json

@@ -131,7 +131,7 @@ class EndingTest(unittest.TestCase):
 
 
 class LastWordsTest(unittest.TestCase):
-    """What the module makes of the last messages of a process that ends."""
+    """Checks the exceptions that the module makes of the last messages of a process."""
 
     CRASH = {"error": "EXCEPTION SIGSEGV", "kind": "ended", "ended": {"by": "crash", "why": "walker: crash"}}
     FINDING = {"severity": "error", "robot": 0, "object": "walker", "time_s": 1.5, "message": 7, "said": "boot",

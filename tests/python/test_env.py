@@ -58,7 +58,7 @@ class EnvTest(unittest.TestCase):
             if terminated or truncated:
                 break
         self.assertFalse(terminated)
-        self.assertEqual(count, 20)  # of 32 ms
+        self.assertEqual(count, 20)  # steps of 32 ms
 
     def test_actions_outside_of_the_space_are_limited(self):
         self.env.reset(seed=1)

@@ -1,4 +1,4 @@
-"""What the tests of scripts share: verdict() counts, finish() prints "N passed, N failed", and what was skipped."""
+"""Counts the results of a test of a script: verdict() counts, finish() prints "N passed, N failed, N skipped"."""
 
 _counts = {True: 0, False: 0}
 

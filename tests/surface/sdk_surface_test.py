@@ -41,7 +41,7 @@ OStatus Dog::DoInit(const OSystemEvent& event)
 }
 """
 
-# What is put in place of "//HERE" of a good source, and what must be said; line 6 of the file.
+# Text for the place of "//HERE" in a good source, and the complaint about it, which names line 6.
 PLANTED = [
     ("std::thread t(Walk);", "std::thread: not in the robot's C++ library of 1998"),
     ("if (fork() == 0) return;", "fork(): not there, or without effect, on the robot"),
@@ -75,7 +75,7 @@ INCLUDES = [
 ]
 
 def check(text):
-    """What the tool says about a folder with one source, without the folder."""
+    """Returns the tool's status for a folder with this source, and its text without the folder's name."""
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "Dog.cc").write_text(text)
         done = subprocess.run([sys.executable, str(TOOL), folder], capture_output=True, text=True)

@@ -25,7 +25,7 @@ TEST_F(InterfereTest, AnInjectedReadyIsBelieved) {
   bench().RunFor(1ms);
   in->Send(2);
   bench().RunFor(1ms);
-  EXPECT_EQ(out->values<int>(), Ints{2});  // it has not said ready since
+  EXPECT_EQ(out->values<int>(), Ints{2});  // `out` has not said ready since
   EXPECT_TRUE(bench().Inject(Ready("Test2.Out", "Doubler.Out")));
   bench().RunFor(1ms);
   EXPECT_EQ(out->values<int>(), (Ints{2, 4}));

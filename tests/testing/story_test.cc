@@ -10,7 +10,7 @@ using ::testing::ExitedWithCode;
 using ::testing::Field;
 using ::testing::HasSubstr;
 
-#if !defined(__SANITIZE_ADDRESS__)  // whose own report says more
+#if !defined(__SANITIZE_ADDRESS__)  // AddressSanitizer's own report says more
 void BootTrouble(const char* what) {
   Bench bench({.handler_limit = 200ms});
   bench.AddImage(OPENR_IMAGES "/TROUBLE.BIN");

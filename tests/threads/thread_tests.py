@@ -29,7 +29,7 @@ from job_pool import JobPool  # noqa: E402
 HERE = ROOT / "tests/threads"
 SUPPRESSIONS = HERE / "suppressions.txt"
 PLANTED_LIMIT_S = 300
-# What a report of each planted race must name; None: there is no race, so there must be no report.
+# The word that a report of each planted race must name; None: no race is planted, so no report may come.
 PLANTED = {"threads": "AddWithoutLock", "threads-good": None,
            "fibers": "GoHomeFromDepth", "fibers-good": None, "fibers-of-copy-good": None,
            "dds": "TakeLine", "dds-good": None,

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What tools/docs_site makes of documents, and which faults it finds.  Last line: "N passed, N failed".
+"""tools/docs_site: the pages it makes of documents, and the faults it finds.  Last line: "N passed, N failed".
 
 A small site is built where MkDocs is installed; `.ci/nightly` builds the whole one.
 """

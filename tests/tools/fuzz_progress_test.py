@@ -131,7 +131,7 @@ def crashes_of_two_runs():
         program = Path(folder) / "openr_fuzz"
         program.write_text(f"#!/bin/sh\necho 1 >'{folder}/crashes/mtn/crash-1'\nexit 77\n", encoding="utf-8")
         program.chmod(0o755)
-        other = Path(folder, "crashes/mtn/crash-0")  # of an earlier run
+        other = Path(folder, "crashes/mtn/crash-0")  # found by an earlier run
         other.parent.mkdir(parents=True)
         other.touch()
         before, fuzz.PROGRAM, fuzz.WORK = (fuzz.PROGRAM, fuzz.WORK), str(program), folder

@@ -14,7 +14,7 @@ from verdicts import finish, verdict  # noqa: E402
 
 HEAD = "# Arguments and hash of the trace of each run of the examples (run_examples.py).\n"
 RECORDED = HEAD + "Ears --for 2s  01\nEars --for 2s --seed 2  02\nTone --for 2s  03\n"
-# What run() returns of each example that is as recorded: complaints, skipped parts and hashes.
+# The results of run() for examples that are as recorded: complaints, skipped parts and hashes.
 AS_RECORDED = {"Ears": ([], [], ["Ears --for 2s  01", "Ears --for 2s --seed 2  02"]),
                "Tone": ([], [], ["Tone --for 2s  03"])}
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What cmake/UnlinkSources.cmake makes of links and pictures of installed documents.  The last line is
+"""cmake/UnlinkSources.cmake: the links and pictures that installed documents have.  The last line is
 "N passed, N failed"."""
 import subprocess
 import sys

@@ -4,7 +4,7 @@ import urllib.parse
 
 FETCHED = {("link", "href"), ("script", "src"), ("img", "src"), ("iframe", "src"), ("source", "src"),
            ("audio", "src"), ("video", "src"), ("object", "data"), ("embed", "src")}
-RELATIONS = {"canonical", "prev", "next"}  # of <link>: nothing is fetched for them
+RELATIONS = {"canonical", "prev", "next"}  # values of rel in <link> for which nothing is fetched
 
 
 class Page(html.parser.HTMLParser):

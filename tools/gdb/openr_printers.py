@@ -8,7 +8,7 @@ openr run --gdb does this itself.  "set print pretty on" shows one value on each
 import gdb
 import gdb.printing
 
-ELEMENTS_MAX = 64  # of a vector; a number in memory that was never set may be any
+ELEMENTS_MAX = 64  # elements of a vector that are shown; a count that was never set may be any number
 
 
 def elements(vector, count):

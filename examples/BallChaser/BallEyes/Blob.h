@@ -22,7 +22,7 @@ struct Blob {
 
 class BlobFinder {
 public:
-    static const int MAX_PIXELS = 104 * 80;  // of layer C of the largest camera, that of the ERS-7
+    static const int MAX_PIXELS = 104 * 80;  // layer C of the largest camera, the ERS-7's
 
     // Returns the largest blob of the colour with the bit `colour`.  `pixels` has width * height
     // bytes, row by row.  The last row is left out, because it begins with a tag of 16

@@ -14,7 +14,7 @@ static const double LENS_AHEAD = 66.6;
 static const double TAN_HALF_WIDTH = 0.54975;
 static const double TAN_HALF_HEIGHT = 0.44314;
 
-static const double MIDDLE_HEIGHT = 98;  // of the dog's middle above the floor while it walks
+static const double MIDDLE_HEIGHT = 98;  // the dog's middle above the floor, while it walks
 static const double FARTHEST = 5000;
 
 Look::Look(double tilt, double pan, int width, int height)

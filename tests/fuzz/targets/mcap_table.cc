@@ -20,7 +20,7 @@ bool fuzz::mcap_table(std::string_view bytes) {
       BeginFuzzStep(input.taken());
       const auto op = static_cast<McapOp>(input.U8());
       const uint64_t size = input.U64();
-      constexpr size_t kChunkBegin = 8 + 8 + 8 + 4 + 4 + 8;  // of a chunk without compression
+      constexpr size_t kChunkBegin = 8 + 8 + 8 + 4 + 4 + 8;  // a chunk without compression
       input.Text(op == McapOp::kChunk ? kChunkBegin : size);
     }
   }

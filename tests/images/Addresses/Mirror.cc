@@ -43,7 +43,7 @@ Mirror::NotifyIn(const ONotifyEvent& event)
 {
     int aLocal = 0;
     void* heap = malloc(50);
-    size_t left = 0;  // of the memory of the robot, which Revealer uses as well
+    size_t left = 0;  // free memory of the robot, which Revealer uses as well
     GetFreeMemorySize(&left);
     const void* addresses[] = {event.Data(0), heap, &aStatic, &aLocal, this, (void*)left};
     free(heap);

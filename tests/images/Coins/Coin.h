@@ -9,7 +9,7 @@
 #include <OPENR/OPENRAPI.h>
 
 struct Coin {
-    unsigned int series;   // of this life of the Payer: the time when it began, in ms
+    unsigned int series;   // the time in ms at which the Payer that pays this coin began
     unsigned int number;   // from 1
 };
 

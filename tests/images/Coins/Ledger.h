@@ -31,8 +31,8 @@ public:
 private:
     struct Series {
         Series() : last(0), acknowledged(0), lost(0) {}
-        unsigned int last;          // number of the last one got
-        unsigned int acknowledged;  // of the last one acknowledged
+        unsigned int last;          // number of the last coin got
+        unsigned int acknowledged;  // number of the last coin acknowledged
         unsigned int lost;          // told by Payer
         std::set<unsigned int> missing;
     };

@@ -32,7 +32,7 @@ private:
 
     Paid paid_;
     bool isUnderWay_;
-    int  left_;  // that may be paid until the next vector
+    int  left_;  // coins that may be paid until the next vector
 };
 
 #endif  // Payer_h_DEFINED

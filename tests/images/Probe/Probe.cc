@@ -13,7 +13,7 @@
 
 #include "Imports.h"
 
-static int callCount = 0;  // of this image, not of the program
+static int callCount = 0;  // a static of the image, so each loaded copy has its own
 
 Probe::Probe() : oidWasKnown(myOID_.IsValid()) {}
 

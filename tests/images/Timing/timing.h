@@ -1,4 +1,4 @@
-/* What both controllers do in an iteration; TIME_STEP is how long it lasts. */
+/* The iteration that both controllers share; it lasts TIME_STEP ms. */
 #define TIME_STEP 32
 
 void timing_reset(void);

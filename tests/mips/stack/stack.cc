@@ -26,7 +26,7 @@ namespace {
 const size_t DEPTH = 256 * 1024;
 const char PAINT = 0x5a;
 
-int numReads;  // of motions that were good
+int numReads;  // good motions that were read
 
 // Deepest use of any Measure() since the last Report().
 size_t mark;

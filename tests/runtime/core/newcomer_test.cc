@@ -11,7 +11,7 @@ namespace {
 
 using ::testing::ElementsAre;
 
-constexpr Selector kControl = oentryBASE;  // of the first subject
+constexpr Selector kControl = oentryBASE;  // entry of the first subject
 constexpr int64_t kWaitUs = 5000;
 
 // Waits in its DoInit, while others go on.

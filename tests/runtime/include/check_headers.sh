@@ -25,7 +25,7 @@ warnings="-Wall -Wextra -Wpedantic -Wno-long-long -Werror"
 # ObserverInfo.h has to warn: it is an old name.
 warnings_old="-Wall -Wextra"
 
-# What the stub generator would have written for an object with one subject and one observer.
+# The def.h that the stub generator writes for an object with one subject and one observer.
 cat > "$scratch/def.h" <<'END'
 #ifndef _def_h_DEFINED
 #define _def_h_DEFINED

@@ -300,7 +300,7 @@ TEST_F(TcpConnectedTest, RangesOutsideOfSharedBuffersAreInvalid) {
   Do([&] {
     probe->Send(TCPEndpointSendMsg(endpoint, stack_memory, 16));
     probe->Send(TCPEndpointSendMsg(endpoint, nullptr, 16));
-    probe->Send(TCPEndpointSendMsg(endpoint, buffer + 8000, 193));  // one byte too long
+    probe->Send(TCPEndpointSendMsg(endpoint, buffer + 8000, 193));  // a byte too long
     probe->Send(TCPEndpointSendMsg(endpoint, buffer - 1, 4));
     probe->Send(TCPEndpointReceiveMsg(endpoint, buffer, 1, 8193));
     probe->Send(TCPEndpointSendMsg(endpoint, buffer + 8000, 192));

@@ -118,7 +118,8 @@ TEST_F(ConnectMessagesTest, TheReplyNamesTheSubjectAndTheStatus) {
   EXPECT_EQ(asker->reply.msgType, omsgCONTROL_REPLY_V21);
   EXPECT_EQ(asker->reply.status, oSUCCESS);
   EXPECT_EQ(asker->reply.subjectID, sender->out->GetID());
-  RunAs(sender, [&] { EXPECT_EQ(sender->out->NumberOfObservers(), 2); });  // it was known before
+  // The subject knew the observer before, so it is not added once more.
+  RunAs(sender, [&] { EXPECT_EQ(sender->out->NumberOfObservers(), 2); });
   ask(objcommCMD_ASSERT_READY);
   EXPECT_EQ(asker->answers, 2);
   EXPECT_EQ(asker->reply.status, oUNKNOWN_COMMAND);

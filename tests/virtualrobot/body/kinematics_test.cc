@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 struct Row {
   const char* posture;
   double pitch_deg;  // nose down positive
-  double height_mm;  // of the J1 axes over the floor
+  double height_mm;  // height of the J1 axes over the floor
 };
 
 // Results of forward kinematics that were computed without this code (robot data, section 11).  The

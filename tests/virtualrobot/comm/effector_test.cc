@@ -83,7 +83,7 @@ TEST_F(VirtualRobotCommTest, ADoubleBufferedStreamHasASteadyRhythm) {
   mover->on_ready = fill_free;
   RunToFrame(41);
   EXPECT_EQ(mover->readies, (std::vector<int64_t>{5, 9, 13, 17, 21, 25, 29, 33, 37, 41}));
-  EXPECT_EQ(Pan(), 41);  // one new set point per frame, none left out
+  EXPECT_EQ(Pan(), 41);  // a new set point in each frame, none left out
 }
 
 // field-notes.md, 7.6: readies after 8, 32, 8, 32 ms.

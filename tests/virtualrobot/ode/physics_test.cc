@@ -74,7 +74,7 @@ TEST(PhysicsTest, EnergyOfTheUnpoweredDogNeverGrows) {
   }
   // A paw that has sunk into the floor is lifted out again, which costs the floor a little.
   EXPECT_LT(grown_j, 0.01 * start_j);
-  EXPECT_LT(least_j, 0.3 * start_j);  // it has fallen
+  EXPECT_LT(least_j, 0.3 * start_j);  // the robot has fallen
   EXPECT_GT(least_j, 0);
 }
 
@@ -106,7 +106,8 @@ TEST(PhysicsTest, MirroredCommandsMoveItLikeInAMirror) {
     ASSERT_NEAR(harness.RpyDegrees().x(), -mirror.RpyDegrees().x(), 0.02) << "frame " << i;
     ASSERT_NEAR(harness.RpyDegrees().z(), -mirror.RpyDegrees().z(), 0.02) << "frame " << i;
   }
-  EXPECT_GT(sideways_mm + std::fabs(harness.Position_mm().x() - start_mm), 0.5);  // it has moved
+  // The robots have moved, so the comparisons above say something.
+  EXPECT_GT(sideways_mm + std::fabs(harness.Position_mm().x() - start_mm), 0.5);
 }
 
 TEST(PhysicsTest, AnAbsurdPushDoesNotTearItApart) {
