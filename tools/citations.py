@@ -12,19 +12,28 @@ tests, docs and tools; a citation may go on in the next line of a comment.  Form
     measured.md section 1, "Notify and ready"                      words of the book, such as a heading
     Hohl 2004, section 5.3.7; Hohl 2004, table 3.8; appendix A     a place in docs/report.md
     BBS 1735            a message that some book cites
+    MI 2.1; L2 4.2.2    a section of a guide that some book cites, or a section above it (also PG, IG,
+                        MI-220, MI-7; in the file of a model, MI is the guide of that model)
+    SEED 3.7            in the files of models: a table or section of the report
     docs/body.md        a file; in *.md also links, with their #anchors
 
-docs/openr/README.md has to name every book and every section of each.
+A mark of a source in capital letters, before a number with dots or in "sources" of a model's file, has to
+be in the tables of docs/openr/sources.md.  docs/openr/README.md has to name every book and every section
+of each.
 """
 import os
 import re
 import sys
 from pathlib import Path
 
-FOLDERS = ("bench", "cli", "cmake", "distribution", "docs", "examples", "kit", "objects", "openr",
+FOLDERS = (".ci", "bench", "cli", "cmake", "distribution", "docs", "examples", "kit", "objects", "openr",
            "panel", "python", "runtime", "stub.cfg", "testing", "tests", "tools", "virtualrobot")
-SUFFIXES = {".c", ".cc", ".cfg", ".cmake", ".cost", ".cpp", ".h", ".json", ".md", ".ocf", ".py", ".sh",
-            ".tsv", ".txt"}
+SUFFIXES = {".c", ".cc", ".cfg", ".cmake", ".cost", ".cpp", ".h", ".idl", ".json", ".md", ".mjs", ".ocf", ".py",
+            ".sh", ".ts", ".tsv", ".txt"}
+MODELS = "virtualrobot/model"
+GUIDE_OF_MODEL = {"ers7.json": "MI-7", "ers220.json": "MI-220"}
+# Words in capital letters before a number with dots that is a version.
+VERSIONED = {"VERSION", "SDK", "IEEE", "DDS", "CTF", "ODE", "GLSL"}
 NUMBER = r"\d+(?:\.\d+)*"
 PLACE = rf"{NUMBER}(?: +\d+(?![\w.]))?"
 MORE = rf"(?:,|;| +and| +to| +or|-) *(?:section +)?(?={NUMBER}(?!\w))"
@@ -114,6 +123,18 @@ def joined(text):
                   lambda found: " " * len(found[0]), text)
 
 
+def marks_of(file):
+    """Returns the marks of the tables in the section "Marks of sources", without the numbers behind them."""
+    marks, section = set(), ""
+    for line in lines_outside_fences(file.read_text() if file.exists() else ""):
+        if line.startswith("## "):
+            section = line
+        row = re.match(r"\| ([^|]+) \|", line)
+        for mark in row[1].split(", ") if row and section == "## Marks of sources" else ():
+            marks.add(re.sub(r"( [nx]|:x)$", "", mark))
+    return marks
+
+
 class Checker:
     def __init__(self, root):
         self.root = root
@@ -127,6 +148,10 @@ class Checker:
         for file in folder.glob("*.md"):
             for number in self.board_numbers(joined(file.read_text())):
                 self.messages.add(number[1])
+        self.sections = set()  # (guide, section), such as ("MI", "2.1"), that a book cites
+        for file in folder.glob("*.md"):
+            self.sections |= {found[1:] for found in self.guide_sections(joined(file.read_text()))}
+        self.marks = marks_of(folder / "sources.md")
         self.book_names = "|".join(map(re.escape, self.books)) or "(?!)"
         self.pages = {}
 
@@ -143,6 +168,15 @@ class Checker:
                 first, last = int(part[1]), int(part[2] or part[1])
                 for number in range(first, last + 1):
                     yield found.start() + part.start(), number
+
+    @staticmethod
+    def guide_sections(text):
+        """Yields (offset, guide, section) for every section of a guide that the text cites."""
+        for found in re.finditer(rf"\b(PG|L2|IG|MI(?:-220|-7)?) +({NUMBER}|[AB]\b)((?:(?:,| and| to) +\d+\.{NUMBER})*)",
+                                 text):
+            yield found.start(), found[1], found[2]
+            for part in re.finditer(NUMBER, found[3]):
+                yield found.start(3) + part.start(), found[1], part[0]
 
     def say(self, file, text, offset, what):
         line = text.count("\n", 0, offset) + 1
@@ -196,6 +230,28 @@ class Checker:
             if number not in self.messages:
                 self.say(file, text, offset, f"no book has BBS {number}")
 
+    def check_guides(self, file, text, flat):
+        for offset, guide, section in self.guide_sections(flat):
+            if guide == "MI" and file.parent == self.root / MODELS:
+                guide = GUIDE_OF_MODEL.get(file.name, guide)
+            if not any(name == guide and (number + ".").startswith(section + ".")
+                       for name, number in self.sections):
+                self.say(file, text, offset, f"no book has {guide} {section}")
+
+    def check_marks(self, file, text, flat):
+        for found in re.finditer(rf"(?<![\w-])([A-Z][A-Z0-9]+) (\d+\.{NUMBER})(?![\w.]*\w)", flat):
+            if found[1] not in self.marks | VERSIONED:
+                self.say(file, text, found.start(), f"docs/openr/sources.md does not explain {found[1]}")
+        if file.parent == self.root / MODELS and file.suffix == ".json":
+            for found in re.finditer(rf"\bSEED ({NUMBER})", text):
+                if not {("table", found[1]), ("section", found[1])} & self.report.places:
+                    self.say(file, text, found.start(), f"docs/report.md has no table or section {found[1]}")
+            sources = re.search(r'"sources": \{([^}]*)\}', text)
+            for found in re.finditer(r'"([^"]+)":', sources[1] if sources else ""):
+                if found[1] not in self.marks:
+                    self.say(file, text, sources.start(1) + found.start(),
+                             f"docs/openr/sources.md does not explain {found[1]}")
+
     def check_paths(self, file, text):
         for found in re.finditer(r"(?<![\w/.(-])((?:\.\./)*(?:[\w-]+/)+[\w-]+\.md)\b", text):
             if not (self.root / found[1]).is_file() and not (file.parent / found[1]).is_file():
@@ -230,9 +286,10 @@ class Checker:
                 # The packages of npm, which are installed in panel/, are not ours.
                 folders[:] = sorted(set(folders) - {"node_modules"})
                 for file in (Path(path, name) for name in sorted(names)):
-                    if file.suffix in SUFFIXES and file.is_file() and not file.is_symlink():
+                    is_read = file.suffix in SUFFIXES or folder == ".ci"
+                    if is_read and file.is_file() and not file.is_symlink():
                         yield file
-        yield from sorted(self.root.glob("*.md"))
+        yield from sorted([*self.root.glob("*.md"), *self.root.glob("dev")])
 
     def run(self):
         for file in self.files():
@@ -241,6 +298,9 @@ class Checker:
             self.check_books(file, text, flat)
             self.check_report(file, text, flat)
             self.check_messages(file, text, flat)
+            self.check_guides(file, text, flat)
+            if file.suffix != ".md":
+                self.check_marks(file, text, flat)
             self.check_paths(file, text)
             if file.suffix == ".md":
                 self.check_links(file, text)
