@@ -35,7 +35,7 @@ struct Row {
   // Number of operations before each round of a variant whose time is not measured.  They make what
   // the variant needs, and fill the processor's caches again after the variant before.
   int64_t warm_up = 1;
-  std::string note = {};  // what the figures mean, printed below them; "": nothing
+  std::string note = {};  // meaning of the figures, printed below them; "": nothing
 };
 
 // The times of a row: for each variant, the seconds that an operation took in each round.

@@ -17,7 +17,7 @@ struct OptionInfo {
   enum class Value {
     kNone,    // a flag without a value
     kText,    // a value of none of the other kinds, such as a number, a duration or a name
-    kChoice,  // one of the words in `choices`
+    kChoice,  // a word of `choices`
     kFile,
     kFolder,
     kJoint,  // the name of a joint of a robot

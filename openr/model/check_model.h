@@ -29,7 +29,7 @@ struct ModelCheck {
   // Distance that the robot moves, and largest change of roll, pitch or yaw, from 2 s to 62 s after
   // standing up.
   double drift_60s_mm = 0, drift_60s_deg = 0;
-  std::vector<std::string> problems;  // one text for each value outside of its limit
+  std::vector<std::string> problems;  // a text for each value outside of its limit
 };
 
 // Checks how well `model` stands.  Throws std::runtime_error if the model has no body with physics.

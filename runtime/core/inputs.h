@@ -45,7 +45,7 @@ class Inputs {
   struct Kind {
     std::string name;   // the first word of the input: "press"
     std::string usage;  // the form of the input: "press NAME [N%] [for DURATION]"
-    std::string help;   // what the input does: "Presses a sensor that people touch."
+    std::string help;   // description of the input: "Presses a sensor that people touch."
     // Parses `rest`, the text of an input for `robot` behind the kind and one blank.  Sets
     // `*action` and returns "", or returns a text about the error in `rest`.
     std::function<std::string(int robot, std::string_view rest, Action* action)> read;

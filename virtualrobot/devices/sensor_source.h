@@ -129,7 +129,7 @@ class SensorSource {
   // of this noise.
   bool is_fault_noise_used_ = false;
   std::vector<OSensorValue> latest_;
-  std::vector<JointReading> readings_;          // one element for each joint
+  std::vector<JointReading> readings_;          // an element for each joint
   std::vector<std::optional<slongword>> held_;  // for each sensor, the value that Hold() has set
   std::map<int, SensorFault> faults_;           // the key is the index of the sensor
   std::vector<OSensorValue> frames_;  // for each frame of a vector, the samples of all sensors

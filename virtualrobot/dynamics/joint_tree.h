@@ -155,9 +155,9 @@ class JointTree {
   Eigen::Quaterniond q_WB_ = Eigen::Quaterniond::Identity();
   Eigen::Vector3d centre_W_{0, 0, 0};  // the trunk's centre of mass
   Eigen::Vector3d v_W_{0, 0, 0}, w_W_{0, 0, 0};
-  std::vector<double> angle_rad_, speed_rad_s_;  // one element for each part
+  std::vector<double> angle_rad_, speed_rad_s_;  // an element for each part
 
-  std::vector<PartState> part_states_;  // one element for each part
+  std::vector<PartState> part_states_;  // an element for each part
 
   // The members below belong to the step that BeginStep() has begun.
   double step_s_ = 0;

@@ -65,10 +65,10 @@ class Energy {
 
   void NoteMotors(const BodyState& state, const Devices& devices);
 
-  std::vector<Motor> motors_;  // one element for each joint
+  std::vector<Motor> motors_;  // an element for each joint
   double current_ma_ = kUsualMa, mean_ma_ = kUsualMa, motor_heat_w_ = 0;
   int extra_ma_ = 0;
-  std::array<Temperature, 2> temperatures_;  // one element for each HeatedPart: body, battery
+  std::array<Temperature, 2> temperatures_;  // an element for each HeatedPart: body, battery
 };
 
 }  // namespace openr_host
