@@ -32,7 +32,7 @@ void RemoteObject::SetDescription(const openr_wire_LoadedObject& in) {
     selectors.insert(static_cast<uint32_t>(in.selectors._buffer[i]));
   set_selectors(std::move(selectors));
   for (uint32_t i = 0; i < in.names._length; ++i)
-    entry_names[in.names._buffer[i].selector] = in.names._buffer[i].name;
+    entry_names().SetName(in.names._buffer[i].selector, in.names._buffer[i].name);
 }
 
 bool RemoteObject::Dispatch(uint32_t, void*) {

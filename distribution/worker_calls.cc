@@ -84,7 +84,7 @@ int32_t WorkerCalls::UnregisterName(std::string_view name) {
 
 OStatus WorkerCalls::RegisterService(ObjectId object, uint32_t selector, std::string_view name) {
   const OStatus status = AskMaster<&SystemCalls::RegisterService>(master_, object, selector, name);
-  if (status == oSUCCESS) t_current.object->services[selector] = name;
+  if (status == oSUCCESS) t_current.object->entry_names().SetService(selector, std::string(name));
   return status;
 }
 

@@ -154,7 +154,7 @@ openr_wire_LoadedObject Worker::Describe(const Object& object) {
   }
   out.selectors = arena_.Numbers(selectors);
   std::vector<openr_wire_EntryName> names;
-  for (const auto& [selector, name] : object.entry_names)
+  for (const auto& [selector, name] : object.entry_names().names())
     names.push_back({selector, arena_.Text(name)});
   out.names = arena_.Sequence<decltype(out.names)>(names);
   return out;

@@ -220,7 +220,7 @@ void Bench::Wire(const std::string& subject, const std::string& observer) {
 std::vector<std::string> Bench::KnownServices() {
   std::vector<std::string> services;
   for (const auto& object : system_->objects()) {
-    for (const auto& [selector, entry] : object->entry_names)
+    for (const auto& [selector, entry] : object->entry_names().names())
       services.push_back(entry.substr(0, entry.rfind(" (")));
     // Reads names of services also from the image's file, because an object that is loaded from an
     // image gives names to its services only while it boots, and this function may be called before

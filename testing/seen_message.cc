@@ -44,9 +44,9 @@ uint32_t SizeOf(const Message& message) {
 // Returns the name of the service with the handler number `selector`; "" if that handler is not the
 // Ready or Notify handler of a service.
 std::string_view ServiceOf(const Object& object, uint32_t selector) {
-  const auto found = object.entry_names.find(selector);
-  if (found == object.entry_names.end()) return "";
-  const std::string_view name = found->second;
+  const std::string* const found = object.entry_names().FindName(selector);
+  if (found == nullptr) return "";
+  const std::string_view name = *found;
   const size_t end = name.rfind(" (");
   if (end == std::string_view::npos) return "";
   const std::string_view kind = name.substr(end);

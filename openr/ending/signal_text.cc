@@ -20,10 +20,10 @@ const char* const kSystemEntries[] = {"DoInit", "DoStart", "DoStop", "DoDestroy"
 const char* EntryOf(const Object& object, uint32_t selector) {
   if (selector < 4) return kSystemEntries[selector];
   if (!t_current.image_code) return "";
-  const auto service = object.services.find(selector);
-  if (service != object.services.end()) return service->second.c_str();
-  const auto extra = object.entry_names.find(selector);
-  return extra == object.entry_names.end() ? "" : extra->second.c_str();
+  const EntryNames& names = object.entry_names();
+  if (const std::string* const service = names.FindService(selector)) return service->c_str();
+  const std::string* const extra = names.FindName(selector);
+  return extra == nullptr ? "" : extra->c_str();
 }
 
 // Returns the kind of `message` in words, with a blank in front, such as " notification"; "" for a

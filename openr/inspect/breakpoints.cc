@@ -71,8 +71,8 @@ void Breakpoints::CheckObject(const std::string& name) const {
 void Breakpoints::CheckService(const std::string& part) const {
   for (const auto& object : replayer_->system().objects()) {
     if (object == nullptr) continue;
-    if (object->entry_names.empty()) return;
-    for (const auto& [selector, name] : object->entry_names) {
+    if (object->entry_names().names().empty()) return;
+    for (const auto& [selector, name] : object->entry_names().names()) {
       if (name.find(part) != std::string::npos) return;
     }
   }

@@ -121,7 +121,7 @@ sError Unregister(const char* name) {
 sError FindSelector(const char* name, Selector* selector) {
   const ApiScope scope;
   if (t_current.object == nullptr || name == nullptr || selector == nullptr) return sINVALIDARG;
-  for (const auto& [number, entry] : t_current.object->entry_names) {
+  for (const auto& [number, entry] : t_current.object->entry_names().names()) {
     if (entry != name) continue;
     *selector = number;
     return sSUCCESS;

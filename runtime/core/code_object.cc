@@ -47,7 +47,7 @@ Selector CodeObject::AddEntry(const std::string& name, std::unique_ptr<CodeEntry
   entries_.push_back(std::move(entry));
   host_->code_entries = entries_.data();
   const Selector selector = oentryBASE + static_cast<Selector>(entries_.size()) - 1;
-  host_->entry_names[selector] = name;
+  host_->entry_names().SetName(selector, name);
   return selector;
 }
 

@@ -224,7 +224,7 @@ std::string ImageObject::ReadTables() {
   const auto first_extra =
       static_cast<uint32_t>(entries_.size()) - static_cast<uint32_t>(extra_count);
   for (int i = 0; i < extra_count; ++i)
-    entry_names[first_extra + static_cast<uint32_t>(i)] = extras[i];
+    entry_names().SetName(first_extra + static_cast<uint32_t>(i), extras[i]);
   return "";
 }
 

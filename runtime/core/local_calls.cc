@@ -110,12 +110,12 @@ int32_t LocalCalls::UnregisterName(std::string_view name) {
 OStatus LocalCalls::RegisterService(ObjectId object, uint32_t selector, std::string_view name) {
   auto& directory = RobotOfCaller(system_).directory;
   if (!directory.emplace(name, std::pair(object, selector)).second) return oALREADY_EXIST;
-  t_current.object->services[selector] = name;
+  t_current.object->entry_names().SetService(selector, std::string(name));
   return oSUCCESS;
 }
 
 void LocalCalls::NameEntry(uint32_t selector, std::string_view name) {
-  t_current.object->entry_names[selector] = name;
+  t_current.object->entry_names().SetName(selector, std::string(name));
 }
 
 uint32_t LocalCalls::NewRegion(size_t size, ObjectId owner) {

@@ -1,7 +1,7 @@
 #include "runtime/core/object.h"
 
-#include <OPENR/OPENR.h>
 #include <OPENR/RCRegion.h>
+#include <Types.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -33,28 +33,6 @@ void OpenFiles::CloseAll() {
   terminal = nullptr;
 }
 
-std::string Object::EntryName(uint32_t selector) const {
-  switch (selector) {
-    case oentryINIT:
-      return "DoInit";
-    case oentrySTART:
-      return "DoStart";
-    case oentrySTOP:
-      return "DoStop";
-    case oentryDESTROY:
-      return "DoDestroy";
-    case UNDEF:
-      return "(reply)";
-    default:
-      break;
-  }
-  if (const auto found = entry_names.find(selector); found != entry_names.end())
-    return found->second;
-  if (const auto found = services.find(selector); found != services.end())
-    return found->second + (found->second.ends_with(".S") ? " (Control)" : " (Connect)");
-  return fmt::format("selector {}", selector);
-}
-
 std::string Object::NameService(uint32_t selector, const char* kind) {
   // Finds the service by `entry`, the selector of its Control or Connect entry, which is running
   // now.  The object has called this entry itself (self_reply), or the entry handles a message
@@ -62,8 +40,8 @@ std::string Object::NameService(uint32_t selector, const char* kind) {
   const uint32_t entry = self_reply != nullptr        ? self_reply->selector
                          : handler.running != nullptr ? handler.running->selector
                                                       : UNDEF;
-  const auto found = services.find(entry);
-  const std::string service = found == services.end() ? name : found->second;
+  const std::string* const found = entry_names_.FindService(entry);
+  const std::string service = found == nullptr ? name : *found;
   system->calls().NameEntry(selector, fmt::format("{} ({})", service, kind));
   return service;
 }

@@ -12,6 +12,7 @@
 #include "runtime/core/address_plan.h"
 #include "runtime/core/arena.h"
 #include "runtime/core/delivery_state.h"
+#include "runtime/core/entry_names.h"
 #include "runtime/core/fp_flags.h"
 #include "runtime/core/message.h"
 #include "runtime/core/time_events.h"
@@ -134,7 +135,9 @@ class Object {
   virtual void HashState(Hasher*) const {}
 
   // Returns the name of entry `selector` for traces and messages: "DoStart", "Mover (Notify)".
-  std::string EntryName(uint32_t selector) const;
+  std::string EntryName(uint32_t selector) const { return entry_names_.TextOf(selector); }
+  const EntryNames& entry_names() const { return entry_names_; }
+  EntryNames& entry_names() { return entry_names_; }
 
   // Returns the observers that are ready for the subjects of this object.  If this object is
   // replaced, their readies are sent again to its successor.
@@ -237,11 +240,6 @@ class Object {
   std::unique_ptr<Arena> arena;
   std::vector<std::unique_ptr<SubjectState>> subjects;
   std::vector<std::unique_ptr<ObserverState>> observers;
-  // The names of entries, for traces and messages to users.  The key is the selector.
-  std::map<uint32_t, std::string> entry_names;
-  // The full name of the service that was registered for an entry.  The key is the entry's
-  // selector.
-  std::map<uint32_t, std::string> services;
 
   // ---- The members of Object that the delivery of every message reads.  They lie on one cache
   // line, because with thousands of objects a delivery spends most of its time waiting for memory.
@@ -264,6 +262,9 @@ class Object {
   // The entries of a CodeHost (code_object.h): the entry with selector oentryBASE + i is
   // code_entries[i].  Null for other objects.
   const std::unique_ptr<CodeEntry>* code_entries = nullptr;
+
+ private:
+  EntryNames entry_names_;
 };
 
 }  // namespace openr_host

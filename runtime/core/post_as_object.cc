@@ -43,7 +43,7 @@ std::optional<ServiceEnd> FindService(const System& system, int robot, std::stri
   const std::string_view kind = side == ServiceSide::kSubject ? " (Ready)" : " (Notify)";
   for (const auto& object : system.objects()) {
     if (object->robot != robot) continue;
-    for (const auto& [selector, entry] : object->entry_names) {
+    for (const auto& [selector, entry] : object->entry_names().names()) {
       if (!entry.ends_with(kind)) continue;
       const std::string_view service(entry.data(), entry.size() - kind.size());
       if (NamesService(name, service)) return ServiceEnd{object->id, selector};

@@ -96,7 +96,7 @@ class ConformTest : public testing::Test {
 
   ObjectId IdOf(const std::string& name) { return system->FindObject(0, name)->id; }
   Selector EntryOf(const std::string& object, const std::string& entry) {
-    for (const auto& [selector, name] : system->FindObject(0, object)->entry_names) {
+    for (const auto& [selector, name] : system->FindObject(0, object)->entry_names().names()) {
       if (name == entry) return selector;
     }
     ADD_FAILURE() << "no entry " << entry;

@@ -334,7 +334,7 @@ TEST(DecodeHandledTest, ALongNotificationIsCutAfterTheBytesOfAllItsRegions) {
   const Object* const mover = system.FindObject(0, "JointMover");
   ASSERT_NE(mover, nullptr);
   uint32_t selector = UNDEF;
-  for (const auto& [entry, name] : mover->entry_names) {
+  for (const auto& [entry, name] : mover->entry_names().names()) {
     if (name == "JointMover.Mover.MoverCommand.O (Notify)") selector = entry;
   }
   ASSERT_NE(selector, UNDEF);

@@ -91,7 +91,7 @@ class ImageTest : public testing::Test {
   }
   void SendExtra(const char* name) {
     Object* const probe = system->FindObject(0, "probe");
-    for (const auto& [selector, entry] : probe->entry_names) {
+    for (const auto& [selector, entry] : probe->entry_names().names()) {
       if (entry != name) continue;
       system->Post(system->NewMessage(probe->id, selector));
       system->RunFor(1000);

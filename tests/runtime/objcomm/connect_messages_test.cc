@@ -18,7 +18,7 @@ using Events = std::vector<std::string>;
 class ConnectMessagesTest : public TwoObserversTest {
  protected:
   static uint32_t EntryOf(CodeObject* object, const std::string& name) {
-    for (const auto& [selector, entry_name] : object->host().entry_names) {
+    for (const auto& [selector, entry_name] : object->host().entry_names().names()) {
       if (entry_name == name) return selector;
     }
     ADD_FAILURE() << "no entry " << name;
