@@ -18,7 +18,7 @@ std::unique_ptr<RemoteObject> RemoteObject::NewInstance() const {
   fresh->name = name;
   fresh->path = path;
   fresh->boxes.last = boxes.last;
-  fresh->is_lost = is_lost;
+  fresh->set_lost(is_lost());
   fresh->undelivered_count = undelivered_count;
   return fresh;
 }

@@ -23,11 +23,11 @@ void RemoteResources::Begin(System* system) {
 
 void RemoteResources::Add(RemoteObject* object) {
   objects_[object->id] = object;
-  object->is_lost = connection_->is_lost();
+  object->set_lost(connection_->is_lost());
 }
 
 void RemoteResources::SetLost(bool is_lost) const {
-  for (const auto& [id, object] : objects_) object->is_lost = is_lost;
+  for (const auto& [id, object] : objects_) object->set_lost(is_lost);
 }
 
 RemoteObject* RemoteResources::ObjectOf(ObjectId id) const {

@@ -120,7 +120,7 @@ std::string WorkerGroup::UnknownObjects() const {
   ASSERT(system_ != nullptr);
   std::vector<std::string> known, of_the_robot;
   for (const auto& object : system_->objects()) {
-    std::vector<std::string>* const names = object->is_system ? &of_the_robot : &known;
+    std::vector<std::string>* const names = object->is_system() ? &of_the_robot : &known;
     if (std::find(names->begin(), names->end(), object->name) == names->end())
       names->push_back(object->name);
   }
@@ -190,7 +190,7 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
   for (; member->objects_sent < system_->objects().size(); ++member->objects_sent) {
     const Object& object = *system_->objects()[member->objects_sent];
     objects.push_back({object.id, object.robot, arena->Text(object.name), arena->Text(object.path),
-                       object.is_system, object.name == IpStack::kName,
+                       object.is_system(), object.name == IpStack::kName,
                        member->objects.contains(object.id), object.boxes.last});
   }
   // Sends the heap use of all robots with every Load, and not only of new robots, because objects

@@ -135,7 +135,7 @@ void Worker::AddObject(const openr_wire_ObjectEntry& entry,
   }
   auto absent = std::make_unique<AbsentObject>(system_.get(), next, entry.robot, marshaller_.get());
   absent->name = StringOf(entry.name);
-  absent->is_system = entry.is_system;
+  absent->set_system(entry.is_system);
   system_->object_table().Adopt(std::move(absent));
 }
 

@@ -26,7 +26,7 @@ TcpClient::TcpClient(std::shared_ptr<openr_host::LoopbackHub> hub, uint32_t own_
                      uint32_t robot_ip)
     : network_(std::move(hub)), robot_ip_(robot_ip) {
   network_.Attach(own_ip);
-  host().is_system = true;
+  host().set_system(true);
   poll_entry_ = AddExtra("Poll", [this](void*) {
     poll_posted_ = false;
     Poll();

@@ -352,10 +352,10 @@ void AddSystemObjects(VirtualRobot* robot) {
   ReadJamSetting(parts);
   auto* const comm =
       system.AddObject<OVirtualRobotComm>(parts->robot_index, kVirtualRobotComm, parts);
-  comm->host().is_system = true;
+  comm->host().set_system(true);
   auto* const sound =
       system.AddObject<OVirtualRobotAudioComm>(parts->robot_index, kVirtualRobotAudioComm, parts);
-  sound->host().is_system = true;
+  sound->host().set_system(true);
   comm->set_sound(sound);
 }
 

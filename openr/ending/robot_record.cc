@@ -55,7 +55,7 @@ void WriteRobotRecord(const RobotException& exception, const Object& object,
     return;
   }
   for (const auto& each : object.system->objects()) {
-    if (each->robot != object.robot || each->is_absent) continue;
+    if (each->robot != object.robot || each->is_absent()) continue;
     SignalText line;
     AddObject(*each, &line);
     write(line);

@@ -72,7 +72,7 @@ bool ExploreSchedule::IsNetwork(ObjectId id) {
 // which the sender has given a delay, and messages to system objects.
 int64_t ExploreSchedule::ExtraDelayUs(const Message& message, int64_t now_us, int64_t delay_us) {
   OnPost(message);
-  if (message.is_reply || delay_us != 0 || system_.object(message.target)->is_system) return 0;
+  if (message.is_reply || delay_us != 0 || system_.object(message.target)->is_system()) return 0;
   const bool of_its_own = message.sender == kNoObject || message.sender == message.target;
   const bool from_network = !of_its_own && IsNetwork(message.sender);
   int64_t due_us = now_us;

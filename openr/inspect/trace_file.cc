@@ -143,9 +143,9 @@ void TraceWriter::AddNames(const System& system, const TraceRecord& record) {
   for (const int32_t id : {record.sender, record.target}) {
     const Object* const object = system.object(id);
     if (object == nullptr) continue;
-    const auto [known, is_new] = objects_.emplace(id, object->predecessors);
-    if (!is_new && known->second == object->predecessors) continue;
-    known->second = object->predecessors;
+    const auto [known, is_new] = objects_.emplace(id, object->predecessors());
+    if (!is_new && known->second == object->predecessors()) continue;
+    known->second = object->predecessors();
     // Removes the entries of this object from `entries_`, which has the entries whose names are in
     // the file already.  An object that was loaded again may have other entries, so the names of
     // its entries must be written again.
@@ -170,7 +170,7 @@ void TraceWriter::AddMessage(const System& system, const TraceRecord& record,
                              const Message& message) {
   const auto count_of = [&system](int32_t id) {
     const Object* const object = system.object(id);
-    return object == nullptr ? -1 : object->predecessors;
+    return object == nullptr ? -1 : object->predecessors();
   };
   const uint32_t link = coder_.LinkOf(record);
   if (link >= named_.size()) named_.resize(link + 1);

@@ -47,8 +47,8 @@ void MessageHistory::Keep(const TraceRecord& record, const Message& message) {
   const auto& [subject_id, subject_selector, observer_id, observer_selector] = ends;
   const Object* const subject = system_.object(subject_id);
   const Object* const observer = system_.object(observer_id);
-  const int loads = (subject == nullptr ? 0 : subject->predecessors) +
-                    (observer == nullptr ? 0 : observer->predecessors);
+  const int loads = (subject == nullptr ? 0 : subject->predecessors()) +
+                    (observer == nullptr ? 0 : observer->predecessors());
   if (connection.loads != loads) {
     connection = {};
     connection.loads = loads;

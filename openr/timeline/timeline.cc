@@ -50,7 +50,7 @@ void Timeline::FlushJson() {
 }
 
 void Timeline::NameObject(const Object* object) {
-  if (object == nullptr || !known_.insert({object->id, object->predecessors}).second) return;
+  if (object == nullptr || !known_.insert({object->id, object->predecessors()}).second) return;
   writer_->AddObject(object->robot, object->id, object->name);
 }
 
@@ -58,7 +58,7 @@ void Timeline::NameObject(const Object* object) {
 // there is no cost file.  Also returns nullopt for a message to a system object (a part of the
 // robot) and for a reply, because handling them takes no processor time.
 std::optional<double> Timeline::CostOf(const Object& object, const Message& message) const {
-  if (system_->dispatcher().cpus().empty() || object.is_system || message.is_reply) return {};
+  if (system_->dispatcher().cpus().empty() || object.is_system() || message.is_reply) return {};
   if (!object.delivery.is_busy()) return 0;
   const Cpu& cpu = *system_->dispatcher().cpus()[static_cast<size_t>(object.robot)];
   return static_cast<double>(cpu.EndUs() - system_->now_us());

@@ -5,7 +5,7 @@
 // waits.  The code of a handler runs at the moment when the handler gets the processor.  After that
 // its object is busy until the cost of the handler has passed: messages that the handler posts
 // leave at that time, and messages to the object are held until then.  Objects that are parts of
-// the robot (Object::is_system) take no processor time.
+// the robot (Object::is_system()) take no processor time.
 #pragma once
 
 #include <cstdint>

@@ -370,7 +370,7 @@ void Dispatcher::AdvanceTo(int64_t time_us) {
 // Gives `object` the processor for `message` and returns true.  Returns false if the processor is
 // not free, so that `message` must wait.
 bool Dispatcher::MayRun(Object* object, const Message& message) {
-  if (object->is_system) return true;
+  if (object->is_system()) return true;
   Cpu* const cpu = cpus_[static_cast<size_t>(object->robot)].get();
   if (!cpu->IsFreeFor(*object)) return false;
   cpu->Grant(object, system_->now_us());

@@ -315,7 +315,7 @@ void LeakSearch::Report() const {
 // worker process, because its leaks cannot be found.
 void ReportUnknown(System* system) {
   for (const auto& object : system->objects()) {
-    if (object == nullptr || !object->is_image || object->is_absent || object->arena != nullptr)
+    if (object == nullptr || !object->is_image || object->is_absent() || object->arena != nullptr)
       continue;
     system->AddFindingAbout(object.get(), Severity::kNote,
                             "leaks were not looked for: its heap is in another process, or "

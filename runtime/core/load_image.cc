@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 #include <vector>
 
 #include "runtime/base/spelling.h"
@@ -64,16 +65,17 @@ std::unique_ptr<ImageObject> OpenImage(System* system, int robot, ObjectId id,
   const std::vector<uint32_t> old_regions = RegionsOf(*system, id);
   const uint32_t last_event = system->time_events().last_id();
   const std::string problem = image->Load(location.path, system->run_folder());
-  if (const Object* const old = system->object(id); old != nullptr && !old->is_absent) {
+  if (const Object* const old = system->object(id); old != nullptr && !old->is_absent()) {
+    std::vector<uint32_t> early_regions;
     for (const uint32_t region : RegionsOf(*system, id)) {
       if (std::find(old_regions.begin(), old_regions.end(), region) != old_regions.end()) continue;
       system->regions().SetOwner(region, kNoObject);
-      image->early_regions.push_back(region);
+      early_regions.push_back(region);
     }
-    image->early_events = system->time_events().TakeNewerThan(last_event);
+    image->KeepEarly(std::move(early_regions), system->time_events().TakeNewerThan(last_event));
   }
   const auto refuse_loaded = [&](const std::string& why) {
-    for (const uint32_t region : image->early_regions) system->regions().Delete(region);
+    for (const uint32_t region : image->early_regions()) system->regions().Delete(region);
     return refuse(why);
   };
   if (!problem.empty()) return refuse_loaded(problem);

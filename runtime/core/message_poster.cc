@@ -78,7 +78,7 @@ int32_t MessagePoster::Post(OwnedMessage&& message, Object* target, int64_t dela
     // work: the system object has posted the message to itself, or the System has posted it.  A
     // schedule must not refuse such a message, because the system object would then stop working.
     const auto is_own_work = [&] {
-      return target->is_system && (message->sender == target->id || message->sender == kNoObject);
+      return target->is_system() && (message->sender == target->id || message->sender == kNoObject);
     };
     if (schedule_ != nullptr && !is_own_work() && schedule_->Refuses(*message))
       return RefuseAsFull(*message, target);

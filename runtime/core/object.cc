@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <utility>
 
+#include "runtime/base/assert.h"
 #include "runtime/core/connection_state.h"
 #include "runtime/core/system.h"
 
@@ -63,7 +65,34 @@ void Object::HandleUndelivered(const Message& message) {
 }
 
 void Object::ReturnRegion(RCRegion* region) {
-  if (!is_leaving && !subjects.empty()) region->RemoveReference();
+  if (!is_leaving_ && !subjects.empty()) region->RemoveReference();
+}
+
+void Object::BeginReplacement() {
+  ASSERT(!is_leaving_, "{} is replaced already", name);
+  is_leaving_ = true;
+}
+
+void Object::Succeed(const Object& old) {
+  ASSERT(old.id == id && predecessors_ == 0, "object {} cannot replace object {}", id, old.id);
+  predecessors_ = old.predecessors_ + 1;
+  message_count = old.message_count;
+  dropped_count = old.dropped_count;
+  waiting_max = old.waiting_max;
+  handler_ns_max = old.handler_ns_max;
+  stack_max = old.stack_max;
+  // Copies the number of messages that wait for the old object and does not set it to 0, because a
+  // gate (schedule.h) may keep some of these messages, which the new object will receive.
+  waiting = old.waiting;
+  // A reply to a request of the old object may still come.  It names only the object's id and a
+  // reply box, so a box of the new object must not have the same number.
+  boxes.last = std::max(boxes.last, old.boxes.last);
+}
+
+void Object::KeepEarly(std::vector<uint32_t> regions, TimeEvents::Events events) {
+  ASSERT(early_regions_.empty() && early_events_.empty(), "{} keeps early regions", name);
+  early_regions_ = std::move(regions);
+  early_events_ = std::move(events);
 }
 
 void Object::ReturnHeld() {

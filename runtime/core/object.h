@@ -7,6 +7,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "runtime/core/address_plan.h"
@@ -144,7 +145,7 @@ class Object {
   virtual std::vector<StandingReady> StandingReadies() const;
 
   // Takes back a region that a subject of this object had sent to an observer and that the observer
-  // cannot give back with a ready.  Does nothing if this object is being replaced (`is_leaving`),
+  // cannot give back with a ready.  Does nothing if this object is being replaced (is_leaving()),
   // because its regions end with it.
   virtual void ReturnRegion(RCRegion* region);
 
@@ -169,35 +170,52 @@ class Object {
   // tells which service it is.
   std::string NameService(uint32_t selector, const char* kind);
 
+  // ---- The life of the object
+
+  // Returns whether the object is a part of the robot and not of the application.
+  bool is_system() const { return is_system_; }
+  void set_system(bool is_system) { is_system_ = is_system; }
+
+  // Returns whether the worker process with the code of the object was lost while the run goes on.
+  // No handler of the object runs then until ObjectTable::PostReplacement() replaces the object.
+  // The loss is already a finding, so the failures that follow from the loss are not reported.
+  bool is_lost() const { return is_lost_; }
+  void set_lost(bool is_lost) { is_lost_ = is_lost; }
+
+  // Returns whether no code is loaded for the object with this id, because the robot was switched
+  // off.  When the robot boots, the new object with the same path gets this id again.  If this
+  // object has no path, the new object with the same name gets the id.
+  bool is_absent() const { return is_absent_; }
+
+  // Returns whether another object is about to replace this object.
+  bool is_leaving() const { return is_leaving_; }
+  // Records that another object is about to replace this object.  REQUIRES: called once.
+  void BeginReplacement();
+
+  // Returns the number of the objects that had the id of this object before it.  Traces use this
+  // number to notice that another object has this id now, whose entries may have other names.
+  int predecessors() const { return predecessors_; }
+  // Copies the statistics of the object `old`, which this object replaces, because the report
+  // counts both objects as one.  Makes the next reply box get a higher number than all reply boxes
+  // of `old`.  REQUIRES: `old` has the same id; called once.
+  void Succeed(const Object& old);
+
+  // Keeps what the constructors of this image made while the image was loaded to replace an object
+  // with the same id.  `regions` have no owner at first, because EndAllOf() deletes all regions of
+  // the replaced object, which has the same id.  `events` were taken out of TimeEvents, because the
+  // end of the replaced object removes all time events of this id.  REQUIRES: nothing is kept.
+  void KeepEarly(std::vector<uint32_t> regions, TimeEvents::Events events);
+  const std::vector<uint32_t>& early_regions() const { return early_regions_; }
+  // Return what KeepEarly() has kept and keep it no longer.  ObjectTable::Place() makes this object
+  // the owner of the regions and puts the events back into TimeEvents.
+  std::vector<uint32_t> TakeEarlyRegions() { return std::exchange(early_regions_, {}); }
+  TimeEvents::Events TakeEarlyEvents() { return std::exchange(early_events_, {}); }
+
   System* const system;
   const ObjectId id;
   const int robot;
-  bool is_system = false;   // whether the object is a part of the robot and not of the application
-  bool is_leaving = false;  // whether another object is about to replace this object
-  // True if the worker process with the code of the object was lost while the run goes on.  No
-  // handler of the object runs then until ObjectTable::PostReplacement() replaces the object.  The
-  // loss is already a finding, so the failures that follow from the loss are not reported.
-  bool is_lost = false;
-  // True if no code is loaded for the object with this id, because the robot was switched off.
-  // When the robot boots, the new object with the same path gets this id again.  If this object has
-  // no path, the new object with the same name gets the id.
-  bool is_absent = false;
   std::string name;  // OBJECT_NAME of the .ocf file, unique per robot
   std::string path;  // /MS/... of an image; empty for objects built in code
-
-  // Number of the objects that had the id of this object before it.  Traces use this number to
-  // notice that another object has this id now, whose entries may have other names.
-  int predecessors = 0;
-
-  // Regions that the constructors of this image made while the image was loaded to replace an
-  // object with the same id.  They have no owner at first, because EndAllOf() deletes all regions
-  // of the replaced object, which has the same id.  Then ObjectTable::Place() makes this object
-  // their owner.
-  std::vector<uint32_t> early_regions;
-  // Time events that the constructors of this image ordered while the image was loaded to replace
-  // an object with the same id.  OpenImage() takes them out of TimeEvents, because the end of the
-  // replaced object removes all time events of this id.  Then ObjectTable::Place() puts them back.
-  TimeEvents::Events early_events;
 
   // Text after "state: " in the last INFO line that the object has printed with OSYSLOG1.  This
   // member and the next three members are statistics for the report of the run.
@@ -263,7 +281,17 @@ class Object {
   // code_entries[i].  Null for other objects.
   const std::unique_ptr<CodeEntry>* code_entries = nullptr;
 
+ protected:
+  void set_absent() { is_absent_ = true; }
+
  private:
+  bool is_system_ = false;
+  bool is_leaving_ = false;
+  bool is_lost_ = false;
+  bool is_absent_ = false;
+  int predecessors_ = 0;
+  std::vector<uint32_t> early_regions_;
+  TimeEvents::Events early_events_;
   EntryNames entry_names_;
 };
 

@@ -71,7 +71,7 @@ void ObjectManager::HoldMessages(int robot) {
   are_connected_ = false;
   system().dispatcher().CheckDeliveries();
   for (const auto& object : system().objects()) {
-    if (object == nullptr || object->is_system || object->is_absent) continue;
+    if (object == nullptr || object->is_system() || object->is_absent()) continue;
     if (robot == kAllRobots || object->robot == robot) starting_.emplace(object->id, false);
   }
 }
@@ -258,7 +258,7 @@ void ObjectManager::ReplaceAndBoot(std::vector<std::unique_ptr<Object>> fresh) {
 void ObjectManager::SendToAll(Selector entry, OReason reason, bool system_objects, int robot) {
   std::vector<ObjectId> left;
   for (const auto& object : system().objects()) {
-    if (object == nullptr || object.get() == &host() || object->is_system != system_objects)
+    if (object == nullptr || object.get() == &host() || object->is_system() != system_objects)
       continue;
     if (robot == kAllRobots || object->robot == robot) left.push_back(object->id);
   }
@@ -316,11 +316,11 @@ bool ObjectManager::MayBeLost(int robot, const std::string& service) const {
   bool has_lost = false;
   for (const auto& object : system().objects()) {
     if (object == nullptr || object->robot != robot) continue;
-    has_lost = has_lost || object->is_lost;
-    if (object->name + '.' == prefix) return object->is_lost;
+    has_lost = has_lost || object->is_lost();
+    if (object->name + '.' == prefix) return object->is_lost();
   }
   for (const auto& [name, entry] : system().robot(robot).directory) {
-    if (name.starts_with(prefix)) return system().object(entry.first)->is_lost;
+    if (name.starts_with(prefix)) return system().object(entry.first)->is_lost();
   }
   return has_lost;
 }
@@ -371,9 +371,9 @@ void ObjectManager::Connect(const Connection& connection) {
   // so that it keeps its readies for the subject.
   const auto is_subject_lost = [&] {
     return subject == directory.end() ? MayBeLost(connection.robot, connection.subject)
-                                      : system().object(subject->second.first)->is_lost;
+                                      : system().object(subject->second.first)->is_lost();
   };
-  const auto is_observer_lost = [&] { return system().object(observer->second.first)->is_lost; };
+  const auto is_observer_lost = [&] { return system().object(observer->second.first)->is_lost(); };
   const bool was_subject_lost = is_subject_lost();
   if (is_observer_lost() || (subject == directory.end() && !was_subject_lost)) return;
   OConnectMessage message;

@@ -83,8 +83,8 @@ class AbsentObject : public Object {
     name = gone.name;
     path = gone.path;
     limits = gone.limits;
-    is_system = gone.is_system;
-    is_absent = true;
+    set_system(gone.is_system());
+    set_absent();
     delivery.set_off(true);
   }
 
@@ -93,24 +93,6 @@ class AbsentObject : public Object {
   bool HasEntry(uint32_t) const override { return true; }
   bool Dispatch(uint32_t, void*) override { return false; }
 };
-
-// Copies the statistics of the object `old` to the object `fresh`, which replaces `old`, because
-// the report counts both objects as one.  Makes the next reply box of `fresh` get a higher number
-// than all reply boxes of `old`.
-void PassToSuccessor(const Object& old, Object* fresh) {
-  fresh->predecessors = old.predecessors + 1;
-  fresh->message_count = old.message_count;
-  fresh->dropped_count = old.dropped_count;
-  fresh->waiting_max = old.waiting_max;
-  fresh->handler_ns_max = old.handler_ns_max;
-  fresh->stack_max = old.stack_max;
-  // Copies the number of messages that wait for the old object and does not set it to 0, because a
-  // gate (schedule.h) may keep some of these messages, which the new object will receive.
-  fresh->waiting = old.waiting;
-  // A reply to a request of the old object may still come.  It names only the object's id and a
-  // reply box, so a box of the new object must not have the same number.
-  fresh->boxes.last = std::max(fresh->boxes.last, old.boxes.last);
-}
 
 }  // namespace
 
@@ -126,15 +108,15 @@ Object* ObjectTable::Adopt(std::unique_ptr<Object> object) {
     return objects_.back().get();
   }
   Object* const absent = Get(id);
-  ASSERT(absent != nullptr && absent->is_absent, "id {} is in use", id);
-  PassToSuccessor(*absent, object.get());
+  ASSERT(absent != nullptr && absent->is_absent(), "id {} is in use", id);
+  object->Succeed(*absent);
   objects_[static_cast<size_t>(id)] = std::move(object);
   return Get(id);
 }
 
 ObjectId ObjectTable::IdFor(int robot, std::string_view key) const {
   for (const auto& object : objects_) {
-    if (object->is_absent && object->robot == robot &&
+    if (object->is_absent() && object->robot == robot &&
         (object->path.empty() ? object->name : object->path) == key)
       return object->id;
   }
@@ -143,7 +125,7 @@ ObjectId ObjectTable::IdFor(int robot, std::string_view key) const {
 
 Object* ObjectTable::Find(int robot, std::string_view name) const {
   for (const auto& object : objects_) {
-    if (object->robot == robot && object->name == name && !object->is_absent) return object.get();
+    if (object->robot == robot && object->name == name && !object->is_absent()) return object.get();
   }
   return nullptr;
 }
@@ -273,14 +255,14 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
   // Ends everything that the old object still has in the System (EndAllOf()) if the old object is
   // an image that is replaced or an object of a robot that was switched off.  For all other
   // objects, whose process was lost, EndAllOf() was called before PostReplacement().
-  if (old->is_image || fresh->is_absent) {
+  if (old->is_image || fresh->is_absent()) {
     KeepSentRegions(id);
     EndAllOf(id);
   }
-  for (const uint32_t region : fresh->early_regions) system_->regions().SetOwner(region, id);
-  system_->time_events().PutBack(std::move(fresh->early_events));
+  for (const uint32_t region : fresh->TakeEarlyRegions()) system_->regions().SetOwner(region, id);
+  system_->time_events().PutBack(fresh->TakeEarlyEvents());
   for (const Listener& listener : replace_listeners_) listener(id);
-  PassToSuccessor(*old, fresh.get());
+  fresh->Succeed(*old);
   fresh->delivery.set_off(old->delivery.is_off());
   // Keeps an old object whose handler waits or still has the processor, because that handler needs
   // its object until it ends.  The heap of the old object does not count as memory of the robot any
@@ -294,13 +276,13 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
 
 ObjectTable::Readies ObjectTable::Replace(std::vector<std::unique_ptr<Object>> fresh) {
   Readies readies;
-  // Marks all objects that will be replaced (is_leaving) before EndMessagesTo() takes the messages
-  // to them out of the queue and gives back the regions of notifications.  If the sender of a
-  // notification is marked, SendDeassert() gives its regions back by a direct call and not by a
-  // message, because a message to the marked sender would be lost.
+  // Marks all objects that will be replaced (Object::is_leaving()) before EndMessagesTo() takes the
+  // messages to them out of the queue and gives back the regions of notifications.  If the sender
+  // of a notification is marked, SendDeassert() gives its regions back by a direct call and not by
+  // a message, because a message to the marked sender would be lost.
   for (const auto& object : fresh) {
     FlushStreams(Get(object->id));
-    Get(object->id)->is_leaving = true;
+    Get(object->id)->BeginReplacement();
   }
   for (const auto& object : fresh) readies[object->id] = EndMessagesTo(Get(object->id));
   for (auto& object : fresh) Place(std::move(object));

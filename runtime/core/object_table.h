@@ -46,7 +46,7 @@ class ObjectTable {
   // Objects are replaced but never removed, so there is still an object with this id.
   Object* GetKnown(ObjectId id) const { return objects_[static_cast<size_t>(id)].get(); }
   // Returns the object of `robot` with this name; null if there is no such object.  Leaves out
-  // objects that are absent because the robot was switched off (Object::is_absent).
+  // objects that are absent because the robot was switched off (Object::is_absent()).
   Object* Find(int robot, std::string_view name) const;
   const std::vector<std::unique_ptr<Object>>& all() const { return objects_; }
 
@@ -62,7 +62,7 @@ class ObjectTable {
   void OnEnd(Listener listener) { end_listeners_.push_back(std::move(listener)); }
 
   // Removes all objects of `robot`, which is off, except the object manager.  An absent object
-  // (Object::is_absent) takes the id and the statistics of each removed object.  REQUIRES: called
+  // (Object::is_absent()) takes the id and the statistics of each removed object.  REQUIRES: called
   // in a task.
   void RemoveAllOf(int robot);
 

@@ -50,7 +50,7 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
   // queue of the subject's object, and the robot refuses the 33rd message in a queue.
   constexpr int kTimesMax = 8;  // our choice: no program asserts ready more often on purpose
   entry.asserted = command == objcommCMD_ASSERT_READY ? entry.asserted + 1 : 0;
-  if (entry.asserted == kTimesMax + 1 && !object->is_system) ReportRepeatedReady(entry);
+  if (entry.asserted == kTimesMax + 1 && !object->is_system()) ReportRepeatedReady(entry);
   // Removes the regions that the posted ready gives back from `entry.regions`, the regions that the
   // observer has received from the subject.  The ready gives back the first `count` regions to
   // which the object holds no reference of its own.  No reference was added or removed since the
@@ -116,9 +116,10 @@ void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
   System* const system = object->system;
   Object* const sender = system->object(ObjectIdOf(subject.GetOID()));
   if (sender == nullptr) return;
-  // A subject whose object is being replaced (is_leaving) receives no more messages, so the regions
-  // that it had sent are given back by a direct call of ReturnRegion() and not by a ready.
-  if (sender->is_leaving) {
+  // A subject whose object is being replaced (Object::is_leaving()) receives no more messages, so
+  // the regions that it had sent are given back by a direct call of ReturnRegion() and not by a
+  // ready.
+  if (sender->is_leaving()) {
     for (RCRegion* const region : regions) sender->ReturnRegion(region);
     return;
   }

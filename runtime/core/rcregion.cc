@@ -194,7 +194,7 @@ RCRegion* RegionAccess::Receive(System* system, const TransferedData& data) {
 void RegionAccess::UseReadOnlyCopy(RCRegion* region) {
   System* const system = t_current.system;
   const Object* const self = t_current.object;
-  if (self->is_system || system->region_shares().MayWrite(self->id, region->id_)) return;
+  if (self->is_system() || system->region_shares().MayWrite(self->id, region->id_)) return;
   char* const copy =
       system->guard_pages()->NewCopy(self->addresses.get(), region->source_->Base(), region->size_);
   if (copy != nullptr) region->base_ = copy;

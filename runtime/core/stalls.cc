@@ -23,7 +23,7 @@ constexpr char kReadyAdvice[] =
 void FindInLink(const Object& object, const SubjectState& subject, const ObserverLink& link,
                 int64_t now_us, std::vector<Stall>* stalls) {
   if (link.ready != 0) return;
-  const bool is_chosen = object.is_system || link.sent >= 2;
+  const bool is_chosen = object.is_system() || link.sent >= 2;
   if (link.waiting_since_us >= 0) {
     stalls->push_back({object.id, link.waiting_since_us,
                        fmt::format("{} waits for ready of {} on {} since t={:.3f} s", object.name,

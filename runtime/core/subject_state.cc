@@ -54,9 +54,9 @@ namespace {
 // command vectors and sounds without asking whether the robot is ready (docs/body.md).
 // Object::dropped_count counts every loss, also a loss that is not reported.
 void ReportReplaced(const SubjectState& subject, const ObserverLink& link) {
-  if (subject.object->is_system) return;
+  if (subject.object->is_system()) return;
   const Object* const observer = subject.system->object(ObjectIdOf(link.observer.GetOID()));
-  if (observer != nullptr && observer->is_system) return;
+  if (observer != nullptr && observer->is_system()) return;
   subject.system->AddFindingAbout(
       subject.object, Severity::kWarning,
       fmt::format("{}: data {} was not ready for were replaced by newer ones and are lost; notify "
@@ -73,7 +73,7 @@ namespace {
 // observer gets no data.  Adds no finding if the process of the observer has ended, because that
 // end is already a finding.
 void ReportDeasserted(const SubjectState& subject, ObserverLink* link) {
-  if (link->told_deasserted || link->is_lost || subject.object->is_system) return;
+  if (link->told_deasserted || link->is_lost || subject.object->is_system()) return;
   link->told_deasserted = true;
   subject.system->AddFindingAbout(
       subject.object, Severity::kWarning,

@@ -70,7 +70,7 @@ System::System(SystemOptions options)
     guard_pages_ = std::make_unique<GuardPages>(GivenBack::kReused);
   }
   manager_ = AddObject<ObjectManager>(0, "oobjectManager");
-  manager_->host().is_system = true;
+  manager_->host().set_system(true);
   manager_->host().limits.priority = 0;
   AddSystemInputs(this);
   table_.OnEnd([this](ObjectId id) { time_events_.ForgetObject(id); });

@@ -20,7 +20,7 @@
 namespace openr_host {
 
 TcpGateway::TcpGateway(const GatewayConfig& config) {
-  host().is_system = true;
+  host().set_system(true);
   answer_ = AddExtra("Network", [this](void* payload) {
     const antEnvMsg& answer = *antEnvMsg::Receive(payload);
     const auto index = reinterpret_cast<uintptr_t>(answer.continuation);

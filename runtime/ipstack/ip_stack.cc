@@ -53,7 +53,7 @@ IpStack::IpStack(std::shared_ptr<Network> network, IpStackOptions options)
       buffers_(&system().regions()),
       tcp_ports_(this),
       next_port_(IPPORT_RESERVED) {
-  host().is_system = true;
+  host().set_system(true);
   host().post_class = MessageClass::kInput;
   if (options_.reports_settings) {
     for (const Diagnostic& diagnostic : parameters_.diagnostics())
@@ -169,7 +169,7 @@ void IpStack::HandleStackMessage(Operation* operation) {
       // Refuses the request of an object of a program, because only system objects may set
       // parameters of the network stack.
       case antEnv_Operation_InitSetParam:
-        return Answer(operation, sender != nullptr && sender->is_system
+        return Answer(operation, sender != nullptr && sender->is_system()
                                      ? parameters_.Set(operation->As<antEnvInitSetParamMsg>())
                                      : ANT_FAIL);
       // Does nothing, because the network stack runs since the boot.  Answers every object with

@@ -181,7 +181,7 @@ void TcpEndpoint::Send(const Operation& operation) {
     return Refuse(operation, TCP_FAIL);
   }
   const Object* const sender = stack_->system().object(operation.sender);
-  if (sender != nullptr && !sender->is_system) {
+  if (sender != nullptr && !sender->is_system()) {
     WarnOfRobotTiming(operation, message.size);
     WarnOfSmallSends(operation, message.size);
   }

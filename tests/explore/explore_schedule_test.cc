@@ -76,7 +76,7 @@ TEST(ExploreScheduleTest, EveryObjectHearsInTheOrderOfSending) {
   for (uint64_t seed = 2; seed < 30; ++seed) {
     const Talk talk(seed);
     for (const auto& [target, numbers] : talk.numbers) {
-      if (talk.system.object(target)->is_system) continue;
+      if (talk.system.object(target)->is_system()) continue;
       // Answers and what comes by an object's own clock have numbers of their own time.
       if (talk.system.object(target)->name > "c") continue;
       EXPECT_TRUE(std::is_sorted(numbers.begin(), numbers.end())) << "seed " << seed;

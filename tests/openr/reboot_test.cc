@@ -288,7 +288,7 @@ TEST_F(RebootTest, ObjectsMayComeAndGoWithTheStick) {
   Reboot();
   system().RunFor(VirtualRobot::kBootUs + kStandUs);
   EXPECT_EQ(system().FindObject(0, "Controller"), nullptr);
-  EXPECT_TRUE(system().object(id)->is_absent);
+  EXPECT_TRUE(system().object(id)->is_absent());
   EXPECT_EQ(StateOf("JointMover"), "accepting-commands");
   folder_.Write("OPEN-R/MW/CONF/OBJECT.CFG", config);
   Reboot();

@@ -212,7 +212,7 @@ TEST(ReplaceTest, AProbeStandsInWithTheSameServicesAtTheSamePlace) {
   Probe& mover = bench.probe("JointMover");
   std::vector<std::string> names;
   for (const auto& object : bench.system().objects()) {
-    if (!object->is_system) names.push_back(object->name);
+    if (!object->is_system()) names.push_back(object->name);
   }
   EXPECT_THAT(names, ElementsAre("PowerMonitor", "JointMover", "RCServer", "Controller"));
   mover.observer("Mover");

@@ -70,7 +70,7 @@ bool NamesItsMemory(const SentVector& vector, System& system) {
   const uint32_t id = vector.region->MemID();
   if (vector.header->memRegionID == id) return true;
   const Object* const maker = system.object(system.regions().MakerOf(id));
-  return maker != nullptr && maker->is_system;
+  return maker != nullptr && maker->is_system();
 }
 
 OVRSyncKey SyncKeyOf(const RCRegion& region) {

@@ -235,7 +235,7 @@ TEST_F(CpuTest, ASecondMessageWaitsForItsObject) {
 }
 
 TEST_F(CpuTest, SystemObjectsAreNotBoundToIt) {
-  objects["c"]->host().is_system = true;
+  objects["c"]->host().set_system(true);
   PostTo(objects["a"], 1);
   PostTo(objects["c"], 2, 30);
   system->RunFor(1000);
@@ -256,7 +256,7 @@ TEST_F(CpuTest, ATimeEventComesWhileTheHandlerThatHasTheProcessorWaits) {
   Recorder* const waits = objects["a"];
   Recorder* const answers = objects["b"];
   Recorder* const timed = objects["c"];
-  timed->host().is_system = true;
+  timed->host().set_system(true);
   const ObjectId id = timed->host().id;
   const int seven = 7;
   const auto* const bytes = reinterpret_cast<const unsigned char*>(&seven);

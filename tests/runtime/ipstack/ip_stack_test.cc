@@ -266,13 +266,13 @@ TEST_F(IpStackTest, OnlySystemObjectsSetParameters) {
     antEnvInitSetParamMsg set("ETHER_IP", "1.2.3.4");
     set.Call(probe->Stack(), sizeof set);
     EXPECT_EQ(set.error, ANT_FAIL);
-    probe->host().is_system = true;
+    probe->host().set_system(true);
     set.Call(probe->Stack(), sizeof set);
     EXPECT_EQ(set.error, ANT_SUCCESS);
     antEnvInitGetParamMsg get("ETHER_IP");
     get.Call(probe->Stack(), sizeof get);
     EXPECT_STREQ(get.value.str, "1.2.3.4");
-    probe->host().is_system = false;
+    probe->host().set_system(false);
   });
 }
 

@@ -404,7 +404,7 @@ TEST_F(ReadyNotifyTest, AnUnknownServiceIsReportedWithTheNearestNameAndTheOtherL
 
 TEST_F(ReadyNotifyTest, AServiceThatALostObjectHasNotRegisteredIsNotReported) {
   Wire("Sender.Outt.Number.S", "Receiver.In.Number.O");
-  sender->host().is_lost = true;
+  sender->host().set_lost(true);
   Boot();
   EXPECT_TRUE(system.findings().all().empty());
 }

@@ -57,14 +57,14 @@ TEST_F(WatchTest, ReplacedDataAreReportedOnceAConnection) {
 }
 
 TEST_F(WatchTest, ASystemServiceMayReplaceItsData) {
-  sender->host().is_system = true;
+  sender->host().set_system(true);
   Boot();
   for (int i = 0; i < 5; ++i) Send(i);
   EXPECT_TRUE(findings().empty());
 }
 
 TEST_F(WatchTest, WhatASystemServiceWasNotReadyForIsDroppedWithoutAFinding) {
-  receiver->host().is_system = true;
+  receiver->host().set_system(true);
   Boot();
   for (int i = 0; i < 5; ++i) Send(i);
   EXPECT_TRUE(findings().empty());
@@ -199,7 +199,7 @@ TEST_F(WatchTest, WhoHasAssertedAgainBeforeHasStoppedOnPurpose) {
 }
 
 TEST_F(WatchTest, TheRobotWaitsForNobody) {
-  sender->host().is_system = true;
+  sender->host().set_system(true);
   Boot();
   AssertReady();
   Send(1);
