@@ -23,7 +23,8 @@ void StandUp(System* system) {
   system->Boot();
   const Object* const mover = system->FindObject(system->robot_count() - 1, "JointMover");
   if (mover == nullptr ||
-      !system->RunUntil([&] { return mover->state == "accepting-commands"; }, 20'000'000))
+      !system->RunUntil([&] { return mover->statistics().state() == "accepting-commands"; },
+                        20'000'000))
     throw std::runtime_error("bench: the dogs do not stand up");
   system->RunFor(1'000'000);
 }

@@ -72,11 +72,11 @@ void Monitor::Publish(int64_t now_ns, bool has_ended) {
     RunStatus::Object& to = status.objects.emplace_back();
     to.robot = object->robot;
     to.name = object->name;
-    to.state = object->state;
+    to.state = object->statistics().state();
     to.priority = object->limits.priority;
     to.messages = object->message_count;
     to.messages_per_s = rate(to.messages, &messages_of_[object->id]);
-    to.dropped = object->dropped_count;
+    to.dropped = object->statistics().dropped_count();
     to.waiting = object->waiting;
     to.waiting_max = object->waiting_max;
     status.waiting += object->waiting;

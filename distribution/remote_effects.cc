@@ -117,9 +117,9 @@ HandlerStop RemoteEffects::ApplyStop(const openr_wire_ToMaster& to_master) {
   const openr_wire_Stopped& stopped = to_master.body._u.stopped;
   RemoteObject* const object = resources_->ObjectOf(stopped.object);
   Apply(to_master, object);
-  object->state = StringOf(stopped.state);
+  object->statistics().set_state(StringOf(stopped.state));
   resources_->RecordDropped(object, stopped.dropped);
-  object->stack_max = stopped.stack_max;
+  object->statistics().set_stack_max(stopped.stack_max);
   object->heap_max = stopped.heap_max;
   resources_->RecordHeap(object->robot, stopped.heap_here);
   object->pending_count = stopped.pending;

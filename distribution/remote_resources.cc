@@ -55,7 +55,7 @@ void RemoteResources::RecordHeap(int robot, uint64_t bytes) {
 }
 
 void RemoteResources::RecordDropped(RemoteObject* object, uint64_t count) {
-  object->dropped_count += count - std::exchange(dropped_[object->id], count);
+  object->statistics().NoteDropped(count - std::exchange(dropped_[object->id], count));
 }
 
 void RemoteResources::HandleUndelivered(const Message& message) {

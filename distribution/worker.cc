@@ -376,9 +376,10 @@ void Worker::SendStopped(Object* object) {
     stopped.size = static_cast<uint32_t>(found->second.size);
     stopped.why = WireArena::View(found->second.why.data(), found->second.why.size());
   }
-  stopped.state = WireArena::View(object->state.data(), object->state.size());
-  stopped.dropped = object->dropped_count;
-  stopped.stack_max = object->stack_max;
+  stopped.state =
+      WireArena::View(object->statistics().state().data(), object->statistics().state().size());
+  stopped.dropped = object->statistics().dropped_count();
+  stopped.stack_max = object->statistics().stack_max();
   if (object->arena != nullptr) stopped.heap_max = object->arena->bytes_in_use_max();
   stopped.heap_here = HeapOfThisProcess(object->robot);
   for (const auto& subject : object->subjects) {

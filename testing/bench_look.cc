@@ -82,7 +82,9 @@ Object& Bench::object(const std::string& name) const {
                                           openr_host::DidYouMean(name, known)));
 }
 
-const std::string& Bench::state(const std::string& name) const { return object(name).state; }
+const std::string& Bench::state(const std::string& name) const {
+  return object(name).statistics().state();
+}
 
 VirtualRobot& Bench::dog() const {
   if (dog_ == nullptr)

@@ -109,7 +109,7 @@ bool TestGate::DropIfAsked(const Message& message) {
     dropped.texts_.push_back(seen.Text());
     openr_host::Object* const target = system_->object(message.target);
     if (!message.is_reply) --target->waiting;
-    ++target->dropped_count;
+    target->statistics().NoteDropped();
     ReturnRegions(system_, message);
     return true;
   }

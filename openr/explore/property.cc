@@ -42,7 +42,7 @@ class NoDrops : public Property {
 
   std::string Check(const RunView& view) override {
     for (const auto& object : view.prepared->system->objects()) {
-      if (object->is_system() || object->dropped_count == 0) continue;
+      if (object->is_system() || object->statistics().dropped_count() == 0) continue;
       return fmt::format("{}: data were replaced before they were read, or messages refused",
                          object->name);
     }

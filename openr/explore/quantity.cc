@@ -30,11 +30,13 @@ struct ObjectField {
 };
 
 constexpr ObjectField kOfObject[] = {
-    {"state", [](const Object& object) -> Value { return object.state; }},
+    {"state", [](const Object& object) -> Value { return object.statistics().state(); }},
     {"messages",
      [](const Object& object) -> Value { return static_cast<double>(object.message_count); }},
     {"dropped",
-     [](const Object& object) -> Value { return static_cast<double>(object.dropped_count); }},
+     [](const Object& object) -> Value {
+       return static_cast<double>(object.statistics().dropped_count());
+     }},
     {"queue_max",
      [](const Object& object) -> Value { return static_cast<double>(object.waiting_max); }}};
 

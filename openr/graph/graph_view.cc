@@ -45,7 +45,7 @@ GraphView CollectGraph(System* system_pointer) {
     seen.robot = object->robot;
     seen.name = object->name;
     seen.path = object->path;
-    seen.state = object->state;
+    seen.state = object->statistics().state();
     seen.is_system = object->is_system();
     seen.services = ServicesOf(system.robot(object->robot), object->id);
     if (!seen.services.empty() || object->is_image) graph.objects.push_back(std::move(seen));

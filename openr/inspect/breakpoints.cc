@@ -113,7 +113,8 @@ bool Breakpoints::HoldsText(const std::string& text) const {
   }
   if (words.kind == "state") {
     const Object* const target = replayer_->system().object(record.target);
-    return target != nullptr && target->name == words.name && target->state == words.rest;
+    return target != nullptr && target->name == words.name &&
+           target->statistics().state() == words.rest;
   }
   const auto& findings = replayer_->system().findings().all();
   return !findings.empty() && findings.back().message == record.number;

@@ -69,9 +69,11 @@ void StepPrinter::Print(const std::string& what) {
   } else if (what == "objects") {
     for (const auto& object : system.objects()) {
       if (object != nullptr)
-        fmt::print("{:<20} {}, {} waiting, {} dropped{}\n", object->name,
-                   Counted(object->message_count, "message"), object->waiting,
-                   object->dropped_count, object->state.empty() ? "" : ", state: " + object->state);
+        fmt::print(
+            "{:<20} {}, {} waiting, {} dropped{}\n", object->name,
+            Counted(object->message_count, "message"), object->waiting,
+            object->statistics().dropped_count(),
+            object->statistics().state().empty() ? "" : ", state: " + object->statistics().state());
     }
   } else if (what == "joints") {
     for (const VirtualRobot* const robot : replayer_->simulation().robots()) {

@@ -100,7 +100,7 @@ Json AnswerObjects(const RequestContext& context) {
   for (const auto& object : context.system().objects()) {
     objects.push_back({{"robot", object->robot},
                        {"name", object->name},
-                       {"state", object->state},
+                       {"state", object->statistics().state()},
                        {"messages", object->message_count},
                        {"waiting", object->waiting},
                        {"waits_for", object->wait.why}});
@@ -151,9 +151,9 @@ Json AnswerObject(const RequestContext& context) {
   return {{"time_s", TimeOf(context)},
           {"name", object->name},
           {"path", object->path},
-          {"state", object->state},
+          {"state", object->statistics().state()},
           {"messages", object->message_count},
-          {"dropped", object->dropped_count},
+          {"dropped", object->statistics().dropped_count()},
           {"waiting", object->waiting},
           {"waits_for", object->wait.why},
           {"subjects", subjects},

@@ -234,16 +234,17 @@ Json LiveEvents::Graph() {
     ++findings[{finding.robot, finding.object}];
   Json objects = Json::array();
   for (const auto& object : system.objects()) {
-    objects.push_back({{"robot", object->robot},
-                       {"name", object->name},
-                       {"state", object->delivery.is_off() ? "off" : object->state},
-                       {"messages", object->message_count},
-                       {"per_s", objects_[object->id].per_s},
-                       {"waiting", object->waiting},
-                       {"dropped", object->dropped_count},
-                       {"waits_for", object->wait.why},
-                       {"cost_us", static_cast<double>(object->handler_ns_max) / 1000},
-                       {"findings", findings[{object->robot, object->name}]}});
+    objects.push_back(
+        {{"robot", object->robot},
+         {"name", object->name},
+         {"state", object->delivery.is_off() ? "off" : object->statistics().state()},
+         {"messages", object->message_count},
+         {"per_s", objects_[object->id].per_s},
+         {"waiting", object->waiting},
+         {"dropped", object->statistics().dropped_count()},
+         {"waits_for", object->wait.why},
+         {"cost_us", static_cast<double>(object->statistics().handler_ns_max()) / 1000},
+         {"findings", findings[{object->robot, object->name}]}});
   }
   return {{"time_s", InSeconds(system.now_us())},
           {"objects", objects},

@@ -176,7 +176,7 @@ Json ValuesOf(System* system, int number, VirtualRobot* robot) {
   const Object* const mover = system->FindObject(number, "JointMover");
   return {{"state", is_off             ? "off"
                     : mover == nullptr ? ""
-                                       : mover->state},
+                                       : mover->statistics().state()},
           {"boots_at_s", off_robots.Contains(number)
                              ? Json(static_cast<double>(off_robots.BootUs(number)) / 1e6)
                              : Json()},

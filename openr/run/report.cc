@@ -83,14 +83,14 @@ Json NumbersOf(const SimulationView& view, int robot, const std::vector<std::str
 Json ObjectReport(const Object& object) {
   return {{"robot", object.robot},
           {"name", object.name},
-          {"state", object.state},
+          {"state", object.statistics().state()},
           {"messages", object.message_count},
-          {"dropped", object.dropped_count},
+          {"dropped", object.statistics().dropped_count()},
           {"queue_max", object.waiting_max},
           {"heap_bytes_max", object.arena == nullptr ? 0 : object.arena->bytes_in_use_max()},
-          {"stack_bytes_max", object.stack_max},
+          {"stack_bytes_max", object.statistics().stack_max()},
           {"stack_bytes_ocf", object.limits.stack_bytes},
-          {"handler_us_max", object.handler_ns_max / 1000}};
+          {"handler_us_max", object.statistics().handler_ns_max() / 1000}};
 }
 
 Json FindingReport(const Finding& finding) {

@@ -51,7 +51,7 @@ std::string Format(const char* format, va_list arguments) {
 void NoteState(openr_host::Object* object, OSyslogPriority priority, const std::string& text) {
   constexpr char kPrefix[] = "state: ";
   if (priority != osyslogINFO || object == nullptr || !text.starts_with(kPrefix)) return;
-  object->state = text.substr(sizeof kPrefix - 1);
+  object->statistics().set_state(text.substr(sizeof kPrefix - 1));
 }
 
 }  // namespace

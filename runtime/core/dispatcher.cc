@@ -176,7 +176,7 @@ void Dispatcher::RunMeasured(Object* object) {
   CallEntry(object);
   if (clock != nullptr) {
     const ApiScope scope;  // without this scope, clock() would return the time of the robot
-    object->handler_ns_max = std::max(object->handler_ns_max, clock() - begin_ns);
+    object->statistics().NoteHandler(clock() - begin_ns);
   }
   FinishHandler(object);
 }

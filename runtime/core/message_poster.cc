@@ -44,7 +44,7 @@ int32_t MessagePoster::RefuseAsFull(const Message& message, Object* target) {
       fmt::format("sel={} ({}): the schedule refuses a message, as a full queue "
                   "does, sError = 13",
                   message.selector, target->EntryName(message.selector)));
-  ++target->dropped_count;
+  target->statistics().NoteDropped();
   return sFULLMSGQENTRY;
 }
 
@@ -58,7 +58,7 @@ int32_t MessagePoster::ReportFullQueue(const Message& message, Object* target) {
                   "sel={} ({}); the robot refuses the message, sError = 13",
                   target->queue_max, message.selector, target->EntryName(message.selector)));
   if (!is_strict) return sSUCCESS;
-  ++target->dropped_count;
+  target->statistics().NoteDropped();
   return sFULLMSGQENTRY;
 }
 

@@ -60,7 +60,7 @@ std::vector<StandingReady> Object::StandingReadies() const {
 }
 
 void Object::HandleUndelivered(const Message& message) {
-  if (message.kind != PayloadKind::kReady) ++dropped_count;
+  if (message.kind != PayloadKind::kReady) statistics_.NoteDropped();
   if (message.kind == PayloadKind::kNotify) RefuseNotification(this, message);
 }
 
@@ -77,10 +77,8 @@ void Object::Succeed(const Object& old) {
   ASSERT(old.id == id && predecessors_ == 0, "object {} cannot replace object {}", id, old.id);
   predecessors_ = old.predecessors_ + 1;
   message_count = old.message_count;
-  dropped_count = old.dropped_count;
+  statistics_.Succeed(old.statistics_);
   waiting_max = old.waiting_max;
-  handler_ns_max = old.handler_ns_max;
-  stack_max = old.stack_max;
   // Copies the number of messages that wait for the old object and does not set it to 0, because a
   // gate (schedule.h) may keep some of these messages, which the new object will receive.
   waiting = old.waiting;

@@ -16,6 +16,7 @@
 #include "runtime/core/entry_names.h"
 #include "runtime/core/fp_flags.h"
 #include "runtime/core/message.h"
+#include "runtime/core/object_statistics.h"
 #include "runtime/core/time_events.h"
 
 class RCRegion;
@@ -170,6 +171,9 @@ class Object {
   // tells which service it is.
   std::string NameService(uint32_t selector, const char* kind);
 
+  const ObjectStatistics& statistics() const { return statistics_; }
+  ObjectStatistics& statistics() { return statistics_; }
+
   // ---- The life of the object
 
   // Returns whether the object is a part of the robot and not of the application.
@@ -216,15 +220,6 @@ class Object {
   const int robot;
   std::string name;  // OBJECT_NAME of the .ocf file, unique per robot
   std::string path;  // /MS/... of an image; empty for objects built in code
-
-  // Text after "state: " in the last INFO line that the object has printed with OSYSLOG1.  This
-  // member and the next three members are statistics for the report of the run.
-  std::string state;
-  // Number of data and messages that were lost: data that were dropped, for example because newer
-  // data replaced them, and messages that were refused or could not be delivered.
-  uint64_t dropped_count = 0;
-  int64_t handler_ns_max = 0;  // longest handler, wall time; 0 without SystemOptions::wall_clock_ns
-  size_t stack_max = 0;  // most stack bytes that a handler used; see SystemOptions::measure_stacks
 
   // The memory blocks that NewRegion() (MCOOP.h) has returned to this object.  Nothing may depend
   // on the order of the set, because addresses differ from run to run.
@@ -293,6 +288,7 @@ class Object {
   std::vector<uint32_t> early_regions_;
   TimeEvents::Events early_events_;
   EntryNames entry_names_;
+  ObjectStatistics statistics_;
 };
 
 }  // namespace openr_host

@@ -45,7 +45,7 @@ void Disconnect(Object* other, Object* gone) {
   for (const auto& subject : other->subjects) {
     for (ObserverLink& link : subject->links) {
       if (link.target != id) continue;
-      other->dropped_count += link.units.size();
+      other->statistics().NoteDropped(link.units.size());
       subject->Clear(&link);
     }
     std::erase_if(subject->links, [id](const ObserverLink& link) { return link.target == id; });

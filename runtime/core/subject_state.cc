@@ -31,7 +31,7 @@ RCRegion* RegionList::TakeFirst() {
 
 void SubjectState::DropOldestData(ObserverLink* link) {
   link->fresh.TakeFirst()->RemoveReference();
-  ++object->dropped_count;
+  object->statistics().NoteDropped();
   system->AddFinding(Severity::kWarning,
                      fmt::format("{}: more than {} data set before a notify; the oldest is dropped",
                                  service, MAX_NUM_DATA));
@@ -143,7 +143,7 @@ OStatus SubjectState::Notify(ObserverLink* link) {
   // is ready.  So data that the observer can take now are sent and not lost.
   while (link->units.size() > link->max) {
     DropOldestUnit(link);
-    ++object->dropped_count;
+    object->statistics().NoteDropped();
     if (++link->replaced == 1) ReportReplaced(*this, *link);
   }
   if (!link->units.empty() && link->waiting_since_us < 0) link->waiting_since_us = system->now_us();
@@ -190,7 +190,7 @@ void SubjectState::TakeBack(ObserverLink* link, const ONotifyMessage& notify) {
   // handler that has sent the refused message may have sent more notifications after it.
   while (link->units.size() > link->max) {
     DropOldestUnit(link);
-    ++object->dropped_count;
+    object->statistics().NoteDropped();
     if (++link->replaced == 1) ReportReplaced(*this, *link);
   }
 }

@@ -20,7 +20,7 @@ void OutgoingChannel::Notify(const ONotifyEvent& event) {
   // Drops data that the subject sends while the gateway has no connection to the other computer.
   // The subject may have sent them before it received the "not ready" that Down() sends.
   if (!connection_.is_up()) {
-    gateway_->host().dropped_count += 1;
+    gateway_->host().statistics().NoteDropped();
     return;
   }
   GatewaySet set;
@@ -65,7 +65,7 @@ void OutgoingChannel::Received(std::string_view bytes) {
 void OutgoingChannel::Down() {
   stream_ = {};
   peer_is_ready_ = false;
-  if (!held_.empty()) gateway_->host().dropped_count += 1;
+  if (!held_.empty()) gateway_->host().statistics().NoteDropped();
   held_.clear();
   observer_->DeassertReady();
 }

@@ -31,7 +31,7 @@ std::vector<std::string> Graph::MoverStates() const {
 bool Graph::RunToStanding() {
   const Object* const mover = system().FindObject(0, "JointMover");
   if (mover == nullptr) return false;
-  const auto accepts = [&] { return mover->state == "accepting-commands"; };
+  const auto accepts = [&] { return mover->statistics().state() == "accepting-commands"; };
   if (!system().RunUntil(accepts, 20'000'000)) return false;
   system().RunFor(500'000);
   return true;

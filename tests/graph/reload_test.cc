@@ -14,7 +14,7 @@ TEST(ReloadTest, TheControllerIsReplacedAndTheDogGoesOnStanding) {
     graph.system().RunFor(2'000'000);
     EXPECT_EQ(graph.Findings(), "");
     EXPECT_GT(graph.system().object(id)->message_count, before + 50);  // sensors arrive
-    EXPECT_EQ(graph.system().object(id)->state, "running");
+    EXPECT_EQ(graph.system().object(id)->statistics().state(), "running");
     EXPECT_TRUE(graph.Standing());
   });
 }
@@ -25,7 +25,7 @@ TEST(ReloadTest, RcServerListensAgainAfterItWasReplaced) {
     graph.system().object_table().Reload(id);
     graph.system().RunFor(1'000'000);
     EXPECT_EQ(graph.Findings(), "");
-    EXPECT_EQ(graph.system().object(id)->state, "listening");
+    EXPECT_EQ(graph.system().object(id)->statistics().state(), "listening");
   });
 }
 

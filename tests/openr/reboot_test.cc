@@ -40,7 +40,7 @@ class RebootTest : public testing::Test {
   double HeightM(int robot = 0) { return dog(robot).body().state().X_WB.translation().z(); }
   std::string StateOf(const std::string& object, int robot = 0) {
     const Object* const found = system().FindObject(robot, object);
-    return found == nullptr ? "(absent)" : found->state;
+    return found == nullptr ? "(absent)" : found->statistics().state();
   }
 
   // Shuts robot number `robot` down with a boot timer of `timer_s`, as an object does.

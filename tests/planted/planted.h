@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 class Actor : public CodeObject {
  protected:
   // As OSYSLOG1((osyslogINFO, "state: ...")) does.
-  void Say(const std::string& state) { host().state = state; }
+  void Say(const std::string& state) { host().statistics().set_state(state); }
   void Post(ObjectId target, Selector entry, int64_t delay_us = 0) {
     system().Post(system().NewMessage(target, entry), delay_us);
   }

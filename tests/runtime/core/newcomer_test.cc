@@ -315,7 +315,7 @@ TEST_F(LeftMessagesTest, WhatLeavesAtTheEndOfAHandlersTimeIsNotForTheSuccessor) 
   Work();
   ReplaceAndFinish();
   EXPECT_THAT(log_, ElementsAre("init"));
-  EXPECT_EQ(system_.FindObject(0, "newcomer")->dropped_count, 1u);
+  EXPECT_EQ(system_.FindObject(0, "newcomer")->statistics().dropped_count(), 1u);
 }
 
 TEST_F(LeftMessagesTest, NorIsWhatWaitsForTheProcessor) {
@@ -324,7 +324,7 @@ TEST_F(LeftMessagesTest, NorIsWhatWaitsForTheProcessor) {
   system_.RunFor(kWorkUs / 3);
   ReplaceAndFinish();
   EXPECT_THAT(log_, ElementsAre("init"));
-  EXPECT_EQ(system_.FindObject(0, "newcomer")->dropped_count, 1u);
+  EXPECT_EQ(system_.FindObject(0, "newcomer")->statistics().dropped_count(), 1u);
 }
 
 }  // namespace

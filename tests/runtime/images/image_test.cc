@@ -56,7 +56,7 @@ uint32_t ReplaceHeadersVersion(const fs::path& file, uint32_t version) {
 TEST_F(ImageTest, BootsSaysItsStateAndAnswers) {
   Start();
   EXPECT_EQ(Findings(), "");
-  EXPECT_EQ(system->FindObject(0, "probe")->state, "probing");
+  EXPECT_EQ(system->FindObject(0, "probe")->statistics().state(), "probing");
   EXPECT_EQ(system->FindObject(0, "probe")->limits.priority, 144);
   EXPECT_EQ(talker->Ask("oid"), "known");
   EXPECT_EQ(talker->Ask("stream"), "3.25 1 ff");

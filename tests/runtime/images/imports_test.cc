@@ -47,9 +47,9 @@ TEST_F(ImportsTest, WhatTheLibraryUsesIsNoStackOfTheObject) {
   Start({.measure_stacks = true});
   const Object* const probe = system->FindObject(0, "probe");
   talker->Ask("sort");
-  const size_t shallow = probe->stack_max;
+  const size_t shallow = probe->statistics().stack_max();
   talker->Ask("digits");  // the C library needs some thousand bytes for them
-  EXPECT_LT(probe->stack_max, shallow + 1000);
+  EXPECT_LT(probe->statistics().stack_max(), shallow + 1000);
 }
 
 TEST_F(ImportsTest, ConstructorsRunOnTheStackOfHandlers) {

@@ -24,12 +24,12 @@ TEST_F(ImageTest, TheStackItUsesIsMeasured) {
   Start({.measure_stacks = true});
   const Object* const probe = system->FindObject(0, "probe");
   talker->Ask("count");
-  const size_t shallow = probe->stack_max;
+  const size_t shallow = probe->statistics().stack_max();
   EXPECT_GT(shallow, 100u);
   EXPECT_LT(shallow, 10000u);
   talker->Ask("deep");  // 12,000 bytes in one frame
-  EXPECT_GT(probe->stack_max, 12000u);
-  EXPECT_LT(probe->stack_max, 12000u + shallow + 2000u);
+  EXPECT_GT(probe->statistics().stack_max(), 12000u);
+  EXPECT_LT(probe->statistics().stack_max(), 12000u + shallow + 2000u);
 }
 #endif
 
@@ -45,7 +45,7 @@ TEST_F(ImageTest, TheLongestHandlerIsMeasuredWithTheClockOfTheHost) {
   g_is_asked_by_image = false;
   Start({.wall_clock_ns = &SlowClock});
   talker->Ask("count");
-  EXPECT_GE(system->FindObject(0, "probe")->handler_ns_max, 1000);
+  EXPECT_GE(system->FindObject(0, "probe")->statistics().handler_ns_max(), 1000);
   EXPECT_FALSE(g_is_asked_by_image);
 }
 

@@ -53,7 +53,7 @@ TEST_F(WatchTest, ReplacedDataAreReportedOnceAConnection) {
   ASSERT_EQ(findings().size(), 1u);
   EXPECT_EQ(findings()[0].object, "sender");
   EXPECT_EQ(findings()[0].count, 1u);
-  EXPECT_EQ(sender->host().dropped_count, 4u);
+  EXPECT_EQ(sender->host().statistics().dropped_count(), 4u);
 }
 
 TEST_F(WatchTest, ASystemServiceMayReplaceItsData) {
@@ -68,7 +68,7 @@ TEST_F(WatchTest, WhatASystemServiceWasNotReadyForIsDroppedWithoutAFinding) {
   Boot();
   for (int i = 0; i < 5; ++i) Send(i);
   EXPECT_TRUE(findings().empty());
-  EXPECT_EQ(sender->host().dropped_count, 4u);
+  EXPECT_EQ(sender->host().statistics().dropped_count(), 4u);
 }
 
 TEST_F(WatchTest, ALargerBufferKeepsThem) {
