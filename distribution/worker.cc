@@ -380,7 +380,8 @@ void Worker::SendStopped(Object* object) {
       WireArena::View(object->statistics().state().data(), object->statistics().state().size());
   stopped.dropped = object->statistics().dropped_count();
   stopped.stack_max = object->statistics().stack_max();
-  if (object->arena != nullptr) stopped.heap_max = object->arena->bytes_in_use_max();
+  if (object->memory().arena() != nullptr)
+    stopped.heap_max = object->memory().arena()->bytes_in_use_max();
   stopped.heap_here = HeapOfThisProcess(object->robot);
   for (const auto& subject : object->subjects) {
     for (const ObserverLink& link : subject->links) stopped.pending += link.units.size();

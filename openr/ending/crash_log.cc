@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <bit>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
@@ -134,7 +133,7 @@ bool ContinueInSignal(const siginfo_t& info, void* context) {
   const bool stops_the_robot = kind == kFpInvalid || kind == kFpDenormal;
   if (stops_the_robot && t_current.system->options().strict) return false;
   const CrashStack stack(*t_current.object, context);
-  t_current.object->number_faults[std::countr_zero(kind)] = stack.OwnAddress();
+  t_current.object->number_faults().NoteInstruction(kind, stack.OwnAddress());
   static_cast<ucontext_t*>(context)->uc_mcontext.fpregs->mxcsr |= kind << kFpMaskShift;
   if (t_current.watch != nullptr) t_current.watch->DisableTrap(kind);
   return true;

@@ -87,7 +87,8 @@ Json ObjectReport(const Object& object) {
           {"messages", object.message_count},
           {"dropped", object.statistics().dropped_count()},
           {"queue_max", object.waiting_max},
-          {"heap_bytes_max", object.arena == nullptr ? 0 : object.arena->bytes_in_use_max()},
+          {"heap_bytes_max",
+           object.memory().arena() == nullptr ? 0 : object.memory().arena()->bytes_in_use_max()},
           {"stack_bytes_max", object.statistics().stack_max()},
           {"stack_bytes_ocf", object.limits.stack_bytes},
           {"handler_us_max", object.statistics().handler_ns_max() / 1000}};

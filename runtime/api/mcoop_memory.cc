@@ -3,8 +3,6 @@
 #include <MCOOP.h>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cstdlib>
 #include <cstring>
 
 #include "runtime/api/region_memory.h"
@@ -41,22 +39,14 @@ sError NewRegion(size_t size, void** base) {
   if (t_current.object == nullptr || base == nullptr) return sINVALIDARG;
   *base = nullptr;
   if (size > kRobotMemoryBytes) return sNOMEMORY;
-  // Takes the private memory for the program from the object's heap, where addresses are the same
-  // in every run.  If addresses are not planned, the object has no heap, and the memory comes from
-  // the host's heap.
-  Arena* const arena = t_current.object->arena.get();
-  *base = arena == nullptr ? std::calloc(1, std::max<size_t>(size, 1)) : arena->Allocate(size);
-  if (*base == nullptr) return sNOMEMORY;
-  t_current.object->private_regions.emplace(*base);
-  return sSUCCESS;
+  *base = t_current.object->memory().NewPrivateRegion(size);
+  return *base == nullptr ? sNOMEMORY : sSUCCESS;
 }
 
 sError DeleteRegion(void* base) {
   const ApiScope scope;
   if (t_current.object == nullptr) return sFAIL;
-  if (t_current.object->private_regions.erase(base) == 0) return sINVALIDARG;
-  Arena::FreeAny(base);
-  return sSUCCESS;
+  return t_current.object->memory().DeletePrivateRegion(base) ? sSUCCESS : sINVALIDARG;
 }
 
 sError NewSharedMemoryRegion(size_t size, MemoryProtectionInfo info, MemoryRegionID* id,

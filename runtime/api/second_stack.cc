@@ -40,7 +40,7 @@ struct OpenrSecondStack {
   bool has_left = false;  // true while the function `body` waits to be continued
 
   static char* Address() {
-    const auto& addresses = t_current.object->addresses;
+    const openr_host::ObjectAddresses* const addresses = t_current.object->memory().addresses();
     return addresses == nullptr ? nullptr : addresses->stack(1);
   }
 

@@ -208,7 +208,7 @@ void __ubsan_handle_divrem_overflow(ArithmeticData* data, uintptr_t, uintptr_t d
 void __ubsan_handle_float_cast_overflow(CastData* data, uintptr_t value) {
   const double number = ValueOf(*data->from, value);
   if (!TrapsOnTheRobot(*data, number)) return;
-  if (t_current.object != nullptr) t_current.object->has_reported_cast = true;
+  if (t_current.object != nullptr) t_current.object->number_faults().NoteReportedCast();
   Report(&data->place,
          fmt::format("conversion of {} to {}, which does not hold it,", number,
                      static_cast<const char*>(data->to->name)),

@@ -53,9 +53,10 @@ bool IsInHeader(std::string_view place) {
 
 std::vector<const void*> CallsInImage() {
   const Object* const object = t_current.object;
-  if (object == nullptr || object->addresses == nullptr || object->addresses->image() == nullptr)
+  if (object == nullptr || object->memory().addresses() == nullptr ||
+      object->memory().addresses()->image() == nullptr)
     return {};
-  CallSearch search{object->addresses->image(), {}};
+  CallSearch search{object->memory().addresses()->image(), {}};
   _Unwind_Backtrace(&CollectFrame, &search);
   return search.found;
 }

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <sys/mman.h>
 
-#include <bit>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -73,7 +72,7 @@ ImageObject::~ImageObject() {
   files.CloseAll();
   const CurrentScope scope(system, this);
   if (handle_ != nullptr) dlclose(handle_);
-  if (has_thunks_) munmap(addresses->thunks(), ObjectAddresses::kThunkBytes);
+  if (has_thunks_) munmap(memory().addresses()->thunks(), ObjectAddresses::kThunkBytes);
 }
 
 std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
@@ -117,15 +116,15 @@ std::string ImageObject::MoveToOwnAddresses(const std::string& original) {
   HoldConstructors(&bytes);
   auto taken = std::make_unique<ObjectAddresses>(id);
   if (taken->heap() == nullptr) return bytes;
-  addresses = std::move(taken);
+  memory().Plan(std::move(taken), &system->robot(robot).memory);
+  if (system->options().find_leaks) memory().arena()->KeepCalls();
+  const ObjectAddresses& addresses = *memory().addresses();
   // Under Valgrind the image is not moved, because Valgrind expects that debug information matches
   // the addresses in the file.
   if (!IsUnderValgrind())
-    RebaseImage(&bytes, reinterpret_cast<uintptr_t>(addresses->image()),
+    RebaseImage(&bytes, reinterpret_cast<uintptr_t>(addresses.image()),
                 ObjectAddresses::kImageBytes);
-  arena = std::make_unique<Arena>(*addresses, &system->robot(robot).memory);
-  if (system->options().find_leaks) arena->KeepCalls();
-  stack_ = std::make_unique<HandlerStack>(addresses->stack(0));
+  stack_ = std::make_unique<HandlerStack>(addresses.stack(0));
   return bytes;
 }
 
@@ -156,6 +155,7 @@ std::string ImageObject::CheckVersions() {
 // or the reason of a failure.
 std::string ImageObject::RedirectOwnImports() {
   const char* const info = static_cast<const char*>(dlsym(handle_, "ObjectEntryTable"));
+  const ObjectAddresses* const addresses = memory().addresses();
   if (addresses == nullptr || IsStackWatched() || info < addresses->image() ||
       info >= addresses->image() + ObjectAddresses::kImageBytes)
     return "";
@@ -244,7 +244,7 @@ bool ImageObject::HasEntry(uint32_t selector) const {
 bool ImageObject::Dispatch(uint32_t selector, void* payload) {
   if (!HasEntry(selector)) return false;
   if (FpFlags() != 0) ClearFpFlags();  // clears flags of code that ran before this handler
-  has_reported_cast = false;
+  number_faults().BeginHandler();
   ArithmeticWatch* const watch = t_current.watch;
   if (watch != nullptr && !watch->has_begun()) watch->Begin(kFpCaught & ~fp_seen_);
   Run(reinterpret_cast<void (*)(void*)>(entries_[selector]), payload);
@@ -258,12 +258,12 @@ void ImageObject::ReportFpFlags(uint32_t selector) {
   // Does not report kFpInvalid (an operation without a valid result) again after a conversion to an
   // integer that checked_code.cc has reported, because such a conversion sets the flag kFpInvalid,
   // too.
-  const unsigned reported = has_reported_cast ? unsigned{kFpInvalid} : 0u;
+  const unsigned reported = number_faults().has_reported_cast() ? unsigned{kFpInvalid} : 0u;
   const unsigned fresh = FpFlags() & ~fp_seen_ & ~reported;
   const bool makes_denormals = ((fp_seen_ | fresh) & kFpUnderflow) != 0;
   fp_seen_ |= fresh;
   const auto warn = [&](unsigned kind, const char* what, const char* then) {
-    const std::string place = NameOfPlace(number_faults[std::countr_zero(kind)]);
+    const std::string place = NameOfPlace(number_faults().InstructionOf(kind));
     system->AddFindingAbout(
         this, Severity::kWarning,
         fmt::format("{}{}{}: {}; {}: exception 15, the robot powers off", EntryName(selector),
@@ -286,7 +286,7 @@ void ImageObject::ReportFpFlags(uint32_t selector) {
   // 0, too, so a denormal number that the watch has found (`is_found`) is reported.  Without a
   // watch the host's operations may make denormal numbers that the robot would not make.  Then one
   // is reported only if no operation of this object has made one.
-  const bool is_found = number_faults[std::countr_zero<unsigned>(kFpDenormal)] != nullptr;
+  const bool is_found = number_faults().InstructionOf(kFpDenormal) != nullptr;
   if ((fresh & kFpDenormal) && (is_found || !makes_denormals)) {
     warn(kFpDenormal,
          "a denormal number was used in a floating-point operation (an int taken for a float, "

@@ -97,16 +97,17 @@ bool IsLess(const HiddenAddress& a, const HiddenAddress& b) { return a.value() <
 
 void LeakSearch::CollectBlocks() {
   for (const auto& object : system_->objects()) {
-    if (object == nullptr || object->arena == nullptr) continue;
-    holes_.push_back({HiddenAddress(object->arena.get()), sizeof(Arena)});
-    object->arena->ForEachBlock([&](char* block, size_t bytes, const Arena::Calls& calls) {
+    if (object == nullptr || object->memory().arena() == nullptr) continue;
+    holes_.push_back({HiddenAddress(object->memory().arena()), sizeof(Arena)});
+    object->memory().arena()->ForEachBlock([&](char* block, size_t bytes,
+                                               const Arena::Calls& calls) {
       nodes_.push_back(
           {.begin = HiddenAddress(block), .bytes = bytes, .object = object.get(), .calls = &calls});
     });
     // NewRegion() (MCOOP.h) has given this memory to the object.  Adds the memory to nodes_, the
     // list of the blocks and regions that the search looks for.  The memory gets no owner, so that
     // it is never reported as a leak: it belongs to the object until DeleteRegion().
-    for (void* const region : object->private_regions)
+    for (void* const region : object->memory().private_regions())
       nodes_.push_back({.begin = HiddenAddress(region), .bytes = Arena::UsableSize(region)});
   }
 }
@@ -116,7 +117,7 @@ void LeakSearch::CollectRegions() {
   const auto [memory, bytes] = table.own_memory();
   holes_.push_back({HiddenAddress(memory), bytes});
   for (const auto& object : system_->objects()) {
-    if (object == nullptr || !object->is_image || object->arena == nullptr) continue;
+    if (object == nullptr || !object->is_image || object->memory().arena() == nullptr) continue;
     table.ForEachOf(object->id, [&](uint32_t id, char* base, size_t size) {
       // Skips a region in the host's heap, because ReadHost() searches that heap as a whole.
       if (!IsPlanned(base)) return;
@@ -225,8 +226,8 @@ void LeakSearch::ReadAround(const char* begin, const char* end) {
 bool IsOfImage(const System& system, const char* address) {
   const auto& objects = system.objects();
   return std::any_of(objects.begin(), objects.end(), [address](const auto& object) {
-    if (object == nullptr || object->addresses == nullptr) return false;
-    const char* const image = object->addresses->image();
+    if (object == nullptr || object->memory().addresses() == nullptr) return false;
+    const char* const image = object->memory().addresses()->image();
     return image != nullptr && address >= image && address < image + ObjectAddresses::kImageBytes;
   });
 }
@@ -274,8 +275,8 @@ void LeakSearch::Run(const char* stack) {
   // Marks the memory that NewRegion() (MCOOP.h) has given to objects as reachable, so that blocks
   // to which it points are no leaks.
   for (const auto& object : system_->objects()) {
-    if (object == nullptr || object->arena == nullptr) continue;
-    for (void* const region : object->private_regions)
+    if (object == nullptr || object->memory().arena() == nullptr) continue;
+    for (void* const region : object->memory().private_regions())
       MarkAddress(reinterpret_cast<uintptr_t>(region));
   }
   ReadReached();
@@ -315,7 +316,8 @@ void LeakSearch::Report() const {
 // worker process, because its leaks cannot be found.
 void ReportUnknown(System* system) {
   for (const auto& object : system->objects()) {
-    if (object == nullptr || !object->is_image || object->is_absent() || object->arena != nullptr)
+    if (object == nullptr || !object->is_image || object->is_absent() ||
+        object->memory().arena() != nullptr)
       continue;
     system->AddFindingAbout(object.get(), Severity::kNote,
                             "leaks were not looked for: its heap is in another process, or "

@@ -23,7 +23,7 @@ Object::Object(System* the_system, ObjectId the_id, int the_robot, bool the_is_i
 
 Object::~Object() {
   files.CloseAll();
-  for (void* const region : private_regions) Arena::FreeAny(region);
+  memory_.DeletePrivateRegions();
 }
 
 void OpenFiles::CloseAll() {
@@ -66,6 +66,11 @@ void Object::HandleUndelivered(const Message& message) {
 
 void Object::ReturnRegion(RCRegion* region) {
   if (!is_leaving_ && !subjects.empty()) region->RemoveReference();
+}
+
+int Object::NextRandom() {
+  random_state_ = random_state_ * 1103515245u + 12345u;
+  return static_cast<int>((random_state_ >> 1) & 0x7fffffff);
 }
 
 void Object::BeginReplacement() {

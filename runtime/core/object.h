@@ -10,12 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/core/address_plan.h"
-#include "runtime/core/arena.h"
 #include "runtime/core/delivery_state.h"
 #include "runtime/core/entry_names.h"
-#include "runtime/core/fp_flags.h"
 #include "runtime/core/message.h"
+#include "runtime/core/number_faults.h"
+#include "runtime/core/object_memory.h"
 #include "runtime/core/object_statistics.h"
 #include "runtime/core/time_events.h"
 
@@ -174,6 +173,18 @@ class Object {
   const ObjectStatistics& statistics() const { return statistics_; }
   ObjectStatistics& statistics() { return statistics_; }
 
+  const ObjectMemory& memory() const { return memory_; }
+  ObjectMemory& memory() { return memory_; }
+
+  const NumberFaults& number_faults() const { return number_faults_; }
+  NumberFaults& number_faults() { return number_faults_; }
+
+  // Returns the next number of the object's own rand().  Every object has a generator of its own,
+  // so its numbers do not depend on how often other objects call rand().  All generators start with
+  // seed 1, like the generator of the C library.
+  int NextRandom();
+  void SeedRandom(uint32_t seed) { random_state_ = seed; }
+
   // ---- The life of the object
 
   // Returns whether the object is a part of the robot and not of the application.
@@ -221,23 +232,9 @@ class Object {
   std::string name;  // OBJECT_NAME of the .ocf file, unique per robot
   std::string path;  // /MS/... of an image; empty for objects built in code
 
-  // The memory blocks that NewRegion() (MCOOP.h) has returned to this object.  Nothing may depend
-  // on the order of the set, because addresses differ from run to run.
-  std::set<void*> private_regions;
-
-  uint32_t random_state = 1;  // state of the object's own rand()
-
   // The part of handler.passed_us that Wait() (MCOOP.h) has added.  It has no meaning while
   // handler.passed_us is 0, so a delivery need not set it.
   uint64_t waited_us = 0;
-
-  // For each floating-point flag, the instruction that first raised the flag.  The index is the bit
-  // number of the flag (fp_flags.h).  CrashLog sets the elements.  An element is null if no
-  // instruction raised the flag or the instruction is not known.
-  const void* number_faults[kFpKinds] = {};
-  // True if checked_code.cc has reported, in the running handler, a floating-point number that is
-  // too large for the integer type to which it is converted.
-  bool has_reported_cast = false;
 
   OpenFiles files;
   ReplyBoxes boxes;
@@ -246,11 +243,10 @@ class Object {
   ProcessorState processor;
   DeliveryState delivery;
 
-  // The part of the address plan that belongs to the object.  Null for objects that are no images,
-  // and where addresses are not planned (address_plan.h).
-  std::unique_ptr<ObjectAddresses> addresses;
-  // The heap of the object, at its `addresses`.  Null if `addresses` is null.
-  std::unique_ptr<Arena> arena;
+ private:
+  ObjectMemory memory_;  // outlives the members below, whose memory may be in its heap
+
+ public:
   std::vector<std::unique_ptr<SubjectState>> subjects;
   std::vector<std::unique_ptr<ObserverState>> observers;
 
@@ -287,6 +283,8 @@ class Object {
   int predecessors_ = 0;
   std::vector<uint32_t> early_regions_;
   TimeEvents::Events early_events_;
+  uint32_t random_state_ = 1;
+  NumberFaults number_faults_;
   EntryNames entry_names_;
   ObjectStatistics statistics_;
 };

@@ -268,7 +268,7 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
   // its object until it ends.  The heap of the old object does not count as memory of the robot any
   // more, because on the robot the object would be gone.
   if (old->handler.running != nullptr || old->delivery.is_busy()) {
-    if (old->arena != nullptr) old->arena->LeaveBudget();
+    if (old->memory().arena() != nullptr) old->memory().arena()->LeaveBudget();
     replaced_running_.push_back(std::move(objects_[static_cast<size_t>(id)]));
   }
   objects_[static_cast<size_t>(id)] = std::move(fresh);

@@ -195,8 +195,8 @@ void RegionAccess::UseReadOnlyCopy(RCRegion* region) {
   System* const system = t_current.system;
   const Object* const self = t_current.object;
   if (self->is_system() || system->region_shares().MayWrite(self->id, region->id_)) return;
-  char* const copy =
-      system->guard_pages()->NewCopy(self->addresses.get(), region->source_->Base(), region->size_);
+  char* const copy = system->guard_pages()->NewCopy(self->memory().addresses(),
+                                                    region->source_->Base(), region->size_);
   if (copy != nullptr) region->base_ = copy;
 }
 

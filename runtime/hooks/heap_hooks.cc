@@ -35,7 +35,9 @@ void __libc_free(void*);
 
 namespace {
 
-Arena* CurrentArena() { return openr_host::InObject() ? t_current.object->arena.get() : nullptr; }
+Arena* CurrentArena() {
+  return openr_host::InObject() ? t_current.object->memory().arena() : nullptr;
+}
 
 // Adds a finding that says why malloc() returns null to an object: how much memory the object asked
 // for and how much memory it holds already.
@@ -45,7 +47,7 @@ void ReportNoMemory(size_t size) {
   const openr_host::ApiScope scope;
   const openr_host::Current& current = t_current;
   const openr_host::MemoryBudget& memory = current.system->robot(current.object->robot).memory;
-  const size_t held = current.object->arena->bytes_in_use();
+  const size_t held = current.object->memory().arena()->bytes_in_use();
   const bool is_limited = memory.limit_bytes != SIZE_MAX;
   current.system->AddFinding(
       openr_host::Severity::kError,

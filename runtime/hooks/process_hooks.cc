@@ -29,15 +29,6 @@ constexpr int64_t kRobotEpochS = 946'684'800;
 
 int64_t VirtualUs() { return t_current.system->now_us(); }
 
-// Returns the next random number of the current object.  Every object has a generator of its own,
-// so its numbers do not depend on how often other objects call rand().  All generators start with
-// seed 1, like the generator of the C library.
-int ObjectRandom() {
-  uint32_t& state = t_current.object->random_state;
-  state = state * 1103515245u + 12345u;
-  return static_cast<int>((state >> 1) & 0x7fffffff);
-}
-
 // Reports that an object has called `function` (sleep() and similar), which does nothing here,
 // because the robot has no sleep.
 void ReportSleep(const char* function) {
@@ -160,13 +151,13 @@ int nanosleep(const struct timespec* time, struct timespec* left) {
 
 int rand() noexcept {
   static const auto next = NextSymbol<int()>("rand");
-  return InObject() ? ObjectRandom() : next();
+  return InObject() ? t_current.object->NextRandom() : next();
 }
 
 void srand(unsigned seed) noexcept {
   static const auto next = NextSymbol<void(unsigned)>("srand");
   if (InObject()) {
-    t_current.object->random_state = seed;
+    t_current.object->SeedRandom(seed);
   } else {
     next(seed);
   }
@@ -174,13 +165,13 @@ void srand(unsigned seed) noexcept {
 
 long random() noexcept {
   static const auto next = NextSymbol<long()>("random");
-  return InObject() ? ObjectRandom() : next();
+  return InObject() ? t_current.object->NextRandom() : next();
 }
 
 void srandom(unsigned seed) noexcept {
   static const auto next = NextSymbol<void(unsigned)>("srandom");
   if (InObject()) {
-    t_current.object->random_state = seed;
+    t_current.object->SeedRandom(seed);
   } else {
     next(seed);
   }

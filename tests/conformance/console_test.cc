@@ -38,7 +38,7 @@ TEST_F(ConsoleConformance, AReaderThatWasReloadedUsesNoMemoryOfTheRobot) {
       25'000'000);  // DoStop and DoDestroy of the old object are given up after 10 s each
   size_t used = 0;
   for (const auto& object : system->objects()) {
-    if (object->arena != nullptr) used += object->arena->bytes_in_use();
+    if (object->memory().arena() != nullptr) used += object->memory().arena()->bytes_in_use();
   }
   EXPECT_EQ(system->robot(0).memory.used_bytes, used);
 }

@@ -129,7 +129,7 @@ class LimitsTest : public testing::Test {
       const Object* const object = graph.system().FindObject(0, name);
       ASSERT_NE(object, nullptr) << name;
       marks_.push_back({name, object->statistics().stack_max(), object->limits.stack_bytes,
-                        object->arena->bytes_in_use_max(), object->limits.heap_bytes});
+                        object->memory().arena()->bytes_in_use_max(), object->limits.heap_bytes});
     }
     if (std::getenv("OPENR_PRINT_LIMITS") == nullptr) return;
     for (const Mark& mark : marks_) {

@@ -32,7 +32,7 @@ TEST(LongRunTest, TenMinutesOfVirtualTimeTakeNoMoreMemoryThanOne) {
   EXPECT_LE(AllocatedBytes(), before + 1024);
   size_t heap = 0;
   for (const auto& object : system.objects()) {
-    if (object->arena != nullptr) heap += object->arena->bytes_in_use_max();
+    if (object->memory().arena() != nullptr) heap += object->memory().arena()->bytes_in_use_max();
   }
   EXPECT_GT(heap, 0u) << "the objects of the stick have not run";
 }

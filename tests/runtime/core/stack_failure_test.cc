@@ -75,9 +75,9 @@ class WaitingImage : public ImageObject {
  public:
   WaitingImage(System* the_system, ObjectId the_id) : ImageObject(the_system, the_id, 0) {
     name = "waiting";
-    addresses = std::make_unique<ObjectAddresses>(id);
+    auto addresses = std::make_unique<ObjectAddresses>(id);
     if (addresses->heap() != nullptr)
-      arena = std::make_unique<Arena>(*addresses, &system->robot(robot).memory);
+      memory().Plan(std::move(addresses), &system->robot(robot).memory);
   }
   bool HasEntry(uint32_t) const override { return true; }
   bool Dispatch(uint32_t, void*) override {
@@ -94,7 +94,7 @@ TEST(StackFailureTest, AWaitTakesNoMemoryOfTheObjectsHeap) {
   system.AddRobot("ERS-210", nullptr);
   const ObjectId id = system.object_table().IdFor(0, "waiting");
   auto image = std::make_unique<WaitingImage>(&system, id);
-  const Arena* const arena = image->arena.get();
+  const Arena* const arena = image->memory().arena();
   if (arena == nullptr) GTEST_SKIP() << "sanitizers bring a heap of their own";
   system.object_table().Adopt(std::move(image));
   system.Post(system.NewMessage(id, oentryBASE));

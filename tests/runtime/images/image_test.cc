@@ -342,9 +342,9 @@ TEST_F(ImageTest, ItsHeapIsItsOwnAndCounted) {
   Start();
   const Object* const probe = system->FindObject(0, "probe");
   EXPECT_EQ(talker->Ask("heap"), "999");
-  const size_t before = probe->arena->bytes_in_use();
+  const size_t before = probe->memory().arena()->bytes_in_use();
   talker->Ask("keep");
-  EXPECT_GE(probe->arena->bytes_in_use(), before + 100000);
+  EXPECT_GE(probe->memory().arena()->bytes_in_use(), before + 100000);
 }
 
 // The path of a file on the host has another length on each host, so it must not be in the heap.

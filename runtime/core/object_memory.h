@@ -1,0 +1,43 @@
+// ObjectMemory: the memory of one object, that is, its part of the address plan (address_plan.h),
+// its heap, and the memory blocks that NewRegion() (MCOOP.h) has given to it.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <set>
+
+#include "runtime/core/address_plan.h"
+#include "runtime/core/arena.h"
+
+namespace openr_host {
+
+class ObjectMemory {
+ public:
+  // Gives the object its part of the address plan and a heap there, whose bytes count in `budget`.
+  // `budget` must outlive the heap.  REQUIRES: called once.
+  void Plan(std::unique_ptr<ObjectAddresses> addresses, MemoryBudget* budget);
+
+  // Returns the object's part of the address plan.  Null for objects that are no images, and where
+  // addresses are not planned.
+  ObjectAddresses* addresses() const { return addresses_.get(); }
+  // Returns the heap of the object, at its addresses.  Null if addresses() is null.
+  Arena* arena() const { return arena_.get(); }
+
+  // Takes `size` bytes for NewRegion(): from the heap, where addresses are the same in every run,
+  // or from the host's heap if there is no heap at planned addresses.  Returns null if there is no
+  // memory.
+  void* NewPrivateRegion(size_t size);
+  // Frees memory that NewPrivateRegion() has returned.  Returns false if `base` is no such memory.
+  bool DeletePrivateRegion(void* base);
+  // Frees the memory that is not deleted yet.
+  void DeletePrivateRegions();
+  // Nothing may depend on the order of the set, because addresses differ from run to run.
+  const std::set<void*>& private_regions() const { return private_regions_; }
+
+ private:
+  std::set<void*> private_regions_;
+  std::unique_ptr<ObjectAddresses> addresses_;
+  std::unique_ptr<Arena> arena_;
+};
+
+}  // namespace openr_host
