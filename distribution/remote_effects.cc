@@ -134,7 +134,7 @@ void RemoteEffects::ApplyForgotten(const openr_wire_ToMaster& to_master) {
 // Returns whether `message` answers the request that the handler of `self` is serving, or forwards
 // that request to another object.  In both cases the object owes no answer any more.
 bool RemoteEffects::Answers(const Message& message, const Object* self) {
-  const Message* const request = self == nullptr ? nullptr : self->handler.running.get();
+  const Message* const request = self == nullptr ? nullptr : self->running();
   return request != nullptr && message.reply_box != 0 && message.reply_box == request->reply_box &&
          (message.is_reply ? message.target : message.sender) == request->sender;
 }
@@ -147,7 +147,7 @@ void RemoteEffects::CheckEnds(const openr_wire_Message& in, const Object* self) 
   const auto is_own = [&](ObjectId id) {
     return self == nullptr ? id == kNoObject || resources_->objects().contains(id) : id == self->id;
   };
-  const Message* const request = self == nullptr ? nullptr : self->handler.running.get();
+  const Message* const request = self == nullptr ? nullptr : self->running();
   const bool is_forwarded = request != nullptr && !in.is_reply && in.reply_box != 0 &&
                             in.reply_box == request->reply_box && in.sender == request->sender;
   if (!is_own(in.sender) && !is_forwarded)
@@ -212,7 +212,7 @@ int32_t RemoteEffects::Post(const openr_wire_PostedMessage& posted, Object* self
   // Marks the request, to which this message is the reply, as answered.  Without this mark the
   // master would answer the request again if the worker is lost before the handler ends
   // (RemoteObject::SendEmptyReply()).
-  if (answers && error == sSUCCESS) self->handler.running->reply_box = 0;
+  if (answers && error == sSUCCESS) self->running()->reply_box = 0;
   // Records that the observer is not ready any more.  After a notification, an observer must assert
   // ready again before it gets the next notification.
   if (is_notify && error == sSUCCESS) resources_->objects().at(self->id)->UseReady(used);

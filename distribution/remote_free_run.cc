@@ -42,7 +42,7 @@ std::optional<HandlerStop> RemoteFreeRun::WaitForStop(RemoteObject* object) {
   // which says nothing about the wall time that the worker needs.  So Requests::Call() waits again
   // after the time-out while `object` has the mark.  DoStop and DoDestroy get no mark, because the
   // end of a run has a time limit that no worker may extend.
-  const uint32_t selector = object->handler.running->selector;
+  const uint32_t selector = object->running()->selector;
   object->wait.is_untimed = selector != oentrySTOP && selector != oentryDESTROY;
   bool timed_out = false;
   resources_->system()->requests().Await(box, -1, wait_reason_, &timed_out);
@@ -55,7 +55,7 @@ std::optional<HandlerStop> RemoteFreeRun::WaitForStop(RemoteObject* object) {
 size_t RemoteFreeRun::CountUndelivered() const {
   size_t count = 0;
   for (const auto& [id, box] : running_) {
-    const Message& message = *resources_->objects().at(id)->handler.running;
+    const Message& message = *resources_->objects().at(id)->running();
     const bool is_bytes =
         message.kind != PayloadKind::kNotify && message.kind != PayloadKind::kReady;
     if (id != loss_.crashed_object && is_bytes && message.selector > oentryDESTROY) ++count;

@@ -58,7 +58,8 @@ bool RemoteHandlers::WillSendMore() const {
   if (next == nullptr || next->is_reply) return false;
   const auto* const target =
       dynamic_cast<const RemoteObject*>(resources_->system()->object(next->target));
-  return target != nullptr && target->delivery.blocked() == nullptr && !target->delivery.is_busy();
+  return target != nullptr && target->delivery().blocked() == nullptr &&
+         !target->delivery().is_busy();
 }
 
 std::optional<HandlerStop> RemoteHandlers::WaitForStop(RemoteObject* object) {

@@ -24,9 +24,7 @@ std::unique_ptr<RemoteObject> RemoteObject::NewInstance() const {
 }
 
 void RemoteObject::SetDescription(const openr_wire_LoadedObject& in) {
-  limits.priority = std::clamp(in.priority, 0, 255);
-  limits.stack_bytes = in.stack_bytes;
-  limits.heap_bytes = in.heap_bytes;
+  set_limits({std::clamp(in.priority, 0, 255), in.stack_bytes, in.heap_bytes});
   std::set<uint32_t> selectors;
   for (uint32_t i = 0; i < in.selectors._length; ++i)
     selectors.insert(static_cast<uint32_t>(in.selectors._buffer[i]));
@@ -36,11 +34,11 @@ void RemoteObject::SetDescription(const openr_wire_LoadedObject& in) {
 }
 
 bool RemoteObject::Dispatch(uint32_t, void*) {
-  if (handler.running->kind == PayloadKind::kReady) RecordReady();
+  if (running()->kind == PayloadKind::kReady) RecordReady();
   if (process_->is_lost()) {
-    HandleUndelivered(*handler.running);
+    HandleUndelivered(*running());
   } else if (!Run()) {
-    SendEmptyReply(*handler.running);
+    SendEmptyReply(*running());
   }
   return true;
 }
@@ -49,7 +47,7 @@ bool RemoteObject::Dispatch(uint32_t, void*) {
 // worker was lost.
 bool RemoteObject::Run() {
   try {
-    return process_->handlers().Run(this, *handler.running);
+    return process_->handlers().Run(this, *running());
   } catch (const ProcessCrashed& crash) {
     lost_(this, Loss::kCrashed, crash.what());
   } catch (const ProcessLost& lost) {
@@ -62,8 +60,8 @@ void RemoteObject::RecordReady() {
   // Records also in the master that an observer is ready for data of this object.  If the worker is
   // lost, its record is lost too, and the master tells the restarted worker which observers are
   // ready.
-  const auto& ready = *reinterpret_cast<const OReadyMessage*>(handler.running->payload);
-  const StandingReady standing = {handler.running->selector, ObjectIdOf(ready.observerID.GetOID()),
+  const auto& ready = *reinterpret_cast<const OReadyMessage*>(running()->payload);
+  const StandingReady standing = {running()->selector, ObjectIdOf(ready.observerID.GetOID()),
                                   ready.observerID.GetSelector()};
   if (ready.command == objcommCMD_ASSERT_READY) {
     readies_.insert(standing);

@@ -307,11 +307,11 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
   // Makes the message due at the present time, because the master sends each message to the worker
   // only when the message is due.
   message->due_us = system_->now_us();
-  if (!message->is_reply) ++object->waiting;
+  if (!message->is_reply) object->NoteQueued();
   // Removes the wait of the handler that continues with this message.  If the handler waits again,
   // RecordWait() records the new wait.
   waits_.erase(object->id);
-  system_->queue().Push(std::move(message), object->limits.priority);
+  system_->queue().Push(std::move(message), object->limits().priority);
   if (is_free_) {
     RunTimed(object->id);
   } else {

@@ -144,9 +144,9 @@ openr_wire_LoadedObject Worker::Describe(const Object& object) {
   out.id = object.id;
   out.name = arena_.Text(object.name);
   out.problem = arena_.Text("");
-  out.priority = object.limits.priority;
-  out.stack_bytes = object.limits.stack_bytes;
-  out.heap_bytes = object.limits.heap_bytes;
+  out.priority = object.limits().priority;
+  out.stack_bytes = object.limits().stack_bytes;
+  out.heap_bytes = object.limits().heap_bytes;
   out.heap_here = HeapOfThisProcess(object.robot);
   std::vector<uint64_t> selectors;
   for (uint32_t i = 0; i < kSelectorMax; ++i) {

@@ -153,7 +153,7 @@ void Bench::LoadStick() {
   openr_host::LoadStick(system_.get(), 0, stand_ins, {openr_host::GatewayImage(system_.get(), 0)});
   std::vector<std::string> known;
   for (const auto& object : system_->objects()) {
-    if (object->is_image) known.push_back(object->name);
+    if (object->is_image()) known.push_back(object->name);
   }
   for (const auto& [name, was_used] : used) {
     if (was_used) continue;
@@ -225,7 +225,7 @@ std::vector<std::string> Bench::KnownServices() {
     // Reads names of services also from the image's file, because an object that is loaded from an
     // image gives names to its services only while it boots, and this function may be called before
     // the boot.
-    if (!object->is_image) continue;
+    if (!object->is_image()) continue;
     const std::string file = stick_->Locate(object->path).path;
     for (std::string& text : openr_host::ServicesInImage(openr_host::ReadImageFile(file).bytes))
       services.push_back(std::move(text));

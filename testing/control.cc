@@ -48,10 +48,9 @@ bool ControlledScope::Refuse(const char* what) {
   const openr_host::Object* const object = openr_host::t_current.object;
   std::string who = "the test";
   if (object != nullptr) who = object->name;
-  if (object != nullptr && object->handler.running != nullptr) {
-    who +=
-        fmt::format(", in {} (message #{}),", object->EntryName(object->handler.running->selector),
-                    object->handler.running->number);
+  if (object != nullptr && object->running() != nullptr) {
+    who += fmt::format(", in {} (message #{}),", object->EntryName(object->running()->selector),
+                       object->running()->number);
   }
   t_scope->refused_.push_back(fmt::format("{} asked for {}", who, what));
   return true;

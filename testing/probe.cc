@@ -139,7 +139,7 @@ void Probe::AddObserverEnd(const std::string& service) {
 void Probe::Hear(ProbeObserver* observer, const ONotifyEvent& event) {
   ReceivedEvent received;
   received.time_us = system().now_us();
-  received.number = host().handler.running->number;
+  received.number = host().running()->number;
   received.from = NameOf(system(), event.SenderID().GetSubjectID());
   received.notify_count = event.NumOfNotify();
   for (int i = 0; i < event.NumOfData(); ++i) {

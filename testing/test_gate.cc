@@ -108,7 +108,7 @@ bool TestGate::DropIfAsked(const Message& message) {
     --dropped.left_;
     dropped.texts_.push_back(seen.Text());
     openr_host::Object* const target = system_->object(message.target);
-    if (!message.is_reply) --target->waiting;
+    if (!message.is_reply) target->NoteTaken();
     target->statistics().NoteDropped();
     ReturnRegions(system_, message);
     return true;

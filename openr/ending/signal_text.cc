@@ -104,13 +104,13 @@ SignalText& SignalText::AddQuoted(const SignalText& text) {
 
 void AddCurrentEntry(SignalText* text) {
   const Object& object = *t_current.object;
-  if (object.handler.running == nullptr) {
+  if (object.running() == nullptr) {
     text->Add("constructors of its globals");
     return;
   }
-  const char* const entry = EntryOf(object, object.handler.running->selector);
+  const char* const entry = EntryOf(object, object.running()->selector);
   text->Add(entry).Add(*entry == 0 ? "" : " ");
-  text->Add("(selector ").AddNumber(object.handler.running->selector).Add(")");
+  text->Add("(selector ").AddNumber(object.running()->selector).Add(")");
 }
 
 bool AddCurrentHandler(SignalText* text) {
@@ -120,16 +120,15 @@ bool AddCurrentHandler(SignalText* text) {
   text->Add(object->name.c_str());
   text->Add(", ");
   AddCurrentEntry(text);
-  if (object->handler.running != nullptr)
-    text->Add(", message ").AddNumber(object->handler.running->number);
+  if (object->running() != nullptr) text->Add(", message ").AddNumber(object->running()->number);
   text->Add(", t=").AddNumber(static_cast<uint64_t>(system->now_us())).Add(" us");
   return true;
 }
 
 void AddCurrentMessage(SignalText* text) {
   const Object* const object = t_current.object;
-  if (object == nullptr || object->handler.running == nullptr) return;
-  const Message& message = *object->handler.running;
+  if (object == nullptr || object->running() == nullptr) return;
+  const Message& message = *object->running();
   text->Add("MESSAGE").Add(KindInWords(message));
   // Looks the sender up only if a signal has interrupted the object's own code.  If a signal has
   // interrupted the runtime, the runtime may have been changing the table of objects.
@@ -152,8 +151,8 @@ void WriteEndingAsJson(const SignalText& record, const SignalText& finding, cons
   about.Add(",\"findings\":[{\"severity\":\"error\",\"robot\":");
   about.AddNumber(object == nullptr ? 0 : static_cast<uint64_t>(object->robot));
   about.Add(",\"object\":").AddQuoted(name.Add(object == nullptr ? "" : object->name.c_str()));
-  const bool handles = object != nullptr && object->handler.running != nullptr;
-  about.Add(",\"message\":").AddNumber(handles ? object->handler.running->number : 0);
+  const bool handles = object != nullptr && object->running() != nullptr;
+  about.Add(",\"message\":").AddNumber(handles ? object->running()->number : 0);
   const int64_t now_us = current.system == nullptr ? 0 : current.system->now_us();
   about.Add(",\"time_s\":").AddNumber(static_cast<uint64_t>(now_us / 1'000'000)).Add(".");
   for (int64_t unit = 100'000; unit > 0; unit /= 10)

@@ -67,7 +67,7 @@ void EndTheHandler() {
 void OnTickSignal(int) {
   const Object* const object = t_current.object;
   const uint64_t message =
-      object == nullptr || object->handler.running == nullptr ? 0 : object->handler.running->number;
+      object == nullptr || object->running() == nullptr ? 0 : object->running()->number;
   g_seen = message != 0 && message == g_message ? g_seen + 1 : 0;
   g_message = message;
   if (g_seen >= kTicks && !DeferredEnd::Defer(&EndTheHandler)) EndTheHandler();

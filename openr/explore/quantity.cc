@@ -32,13 +32,13 @@ struct ObjectField {
 constexpr ObjectField kOfObject[] = {
     {"state", [](const Object& object) -> Value { return object.statistics().state(); }},
     {"messages",
-     [](const Object& object) -> Value { return static_cast<double>(object.message_count); }},
+     [](const Object& object) -> Value { return static_cast<double>(object.message_count()); }},
     {"dropped",
      [](const Object& object) -> Value {
        return static_cast<double>(object.statistics().dropped_count());
      }},
     {"queue_max",
-     [](const Object& object) -> Value { return static_cast<double>(object.waiting_max); }}};
+     [](const Object& object) -> Value { return static_cast<double>(object.waiting_max()); }}};
 
 // Returns the quantity `field` of an object.  Looks the object up at each reading, because the
 // object is replaced when the robot boots or when the object's image is loaded again.  If a boot

@@ -48,7 +48,7 @@ GraphView CollectGraph(System* system_pointer) {
     seen.state = object->statistics().state();
     seen.is_system = object->is_system();
     seen.services = ServicesOf(system.robot(object->robot), object->id);
-    if (!seen.services.empty() || object->is_image) graph.objects.push_back(std::move(seen));
+    if (!seen.services.empty() || object->is_image()) graph.objects.push_back(std::move(seen));
   }
   for (const Connection& wire : system.connections()) {
     GraphConnection seen{wire.robot, wire.subject, wire.observer, wire.where, false, 0};

@@ -71,7 +71,7 @@ void StepPrinter::Print(const std::string& what) {
       if (object != nullptr)
         fmt::print(
             "{:<20} {}, {} waiting, {} dropped{}\n", object->name,
-            Counted(object->message_count, "message"), object->waiting,
+            Counted(object->message_count(), "message"), object->waiting(),
             object->statistics().dropped_count(),
             object->statistics().state().empty() ? "" : ", state: " + object->statistics().state());
     }

@@ -101,8 +101,8 @@ Json AnswerObjects(const RequestContext& context) {
     objects.push_back({{"robot", object->robot},
                        {"name", object->name},
                        {"state", object->statistics().state()},
-                       {"messages", object->message_count},
-                       {"waiting", object->waiting},
+                       {"messages", object->message_count()},
+                       {"waiting", object->waiting()},
                        {"waits_for", object->wait.why}});
   }
   return {{"time_s", TimeOf(context)}, {"objects", objects}};
@@ -152,9 +152,9 @@ Json AnswerObject(const RequestContext& context) {
           {"name", object->name},
           {"path", object->path},
           {"state", object->statistics().state()},
-          {"messages", object->message_count},
+          {"messages", object->message_count()},
           {"dropped", object->statistics().dropped_count()},
-          {"waiting", object->waiting},
+          {"waiting", object->waiting()},
           {"waits_for", object->wait.why},
           {"subjects", subjects},
           {"observers", observers},

@@ -193,7 +193,8 @@ void LiveEvents::UpdateRates() {
     rate->per_s = passed_us > 0 ? static_cast<double>(more) / InSeconds(passed_us) : 0;
     rate->count = count;
   };
-  for (const auto& object : system.objects()) update(&objects_[object->id], object->message_count);
+  for (const auto& object : system.objects())
+    update(&objects_[object->id], object->message_count());
   for (size_t i = 0; i < system.connections().size(); ++i) {
     const Connection& each = system.connections()[i];
     update(&connections_[i], context_.history->CountOf(each.robot, each.subject, each.observer));
@@ -237,10 +238,10 @@ Json LiveEvents::Graph() {
     objects.push_back(
         {{"robot", object->robot},
          {"name", object->name},
-         {"state", object->delivery.is_off() ? "off" : object->statistics().state()},
-         {"messages", object->message_count},
+         {"state", object->delivery().is_off() ? "off" : object->statistics().state()},
+         {"messages", object->message_count()},
          {"per_s", objects_[object->id].per_s},
-         {"waiting", object->waiting},
+         {"waiting", object->waiting()},
          {"dropped", object->statistics().dropped_count()},
          {"waits_for", object->wait.why},
          {"cost_us", static_cast<double>(object->statistics().handler_ns_max()) / 1000},

@@ -84,13 +84,13 @@ Json ObjectReport(const Object& object) {
   return {{"robot", object.robot},
           {"name", object.name},
           {"state", object.statistics().state()},
-          {"messages", object.message_count},
+          {"messages", object.message_count()},
           {"dropped", object.statistics().dropped_count()},
-          {"queue_max", object.waiting_max},
+          {"queue_max", object.waiting_max()},
           {"heap_bytes_max",
            object.memory().arena() == nullptr ? 0 : object.memory().arena()->bytes_in_use_max()},
           {"stack_bytes_max", object.statistics().stack_max()},
-          {"stack_bytes_ocf", object.limits.stack_bytes},
+          {"stack_bytes_ocf", object.limits().stack_bytes},
           {"handler_us_max", object.statistics().handler_ns_max() / 1000}};
 }
 
@@ -190,8 +190,8 @@ void NoteTheEnding(const Ending& ending, Simulation* simulation) {
 }
 
 void PrintHandledMessage(const Ending& ending) {
-  if (ending.object == nullptr || ending.object->handler.running == nullptr) return;
-  const Message& message = *ending.object->handler.running;
+  if (ending.object == nullptr || ending.object->running() == nullptr) return;
+  const Message& message = *ending.object->running();
   const std::string said = DecodeHandled(*ending.object->system, message);
   // Uses fputs() because fmt::print() throws if nobody reads standard error, and no exception may
   // leave an EndingAction.

@@ -59,7 +59,7 @@ void Timeline::NameObject(const Object* object) {
 // robot) and for a reply, because handling them takes no processor time.
 std::optional<double> Timeline::CostOf(const Object& object, const Message& message) const {
   if (system_->dispatcher().cpus().empty() || object.is_system() || message.is_reply) return {};
-  if (!object.delivery.is_busy()) return 0;
+  if (!object.delivery().is_busy()) return 0;
   const Cpu& cpu = *system_->dispatcher().cpus()[static_cast<size_t>(object.robot)];
   return static_cast<double>(cpu.EndUs() - system_->now_us());
 }

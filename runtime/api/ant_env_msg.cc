@@ -75,7 +75,7 @@ antError antEnvMsg::Call(antStackRef target, int size) {
   const ApiScope scope;
   IpStack* const stack = StackFor(target, this);
   if (stack == nullptr || dstSelector > Entry_antEnv_External) return ANT_FAIL;
-  if (t_current.object->handler.running == nullptr) {
+  if (t_current.object->running() == nullptr) {
     t_current.system->AddFinding(
         Severity::kError, fmt::format("Call() of a {} message in a constructor fails: only a "
                                       "handler can wait for an answer; do it in DoInit",

@@ -41,20 +41,12 @@ sError CheckBox(const RID& rbox) {
 // no object can wait, adds a finding that names `function`, the function of MCOOP.h that the
 // program has called.
 bool CanWait(const char* function) {
-  if (t_current.object->handler.running != nullptr) return true;
+  if (t_current.object->running() != nullptr) return true;
   t_current.system->AddFinding(
       Severity::kError, fmt::format("{}() in a constructor or destructor fails: only a handler can "
                                     "wait for an answer; do it in DoInit or DoDestroy",
                                     function));
   return false;
-}
-
-// Adds `us` to the time that has passed in the running handler of `object`.  `wait_us` is the part
-// of `us` that counts as waiting: `us` if Wait() adds this time, and 0 if GetSystemTime() adds it.
-void PassTime(openr_host::Object* object, uint64_t us, uint64_t wait_us) {
-  if (object->handler.passed_us == 0) object->waited_us = 0;
-  object->handler.passed_us += us;
-  object->waited_us += wait_us;
 }
 
 }  // namespace
@@ -65,8 +57,8 @@ sError GetSystemTime(SystemTime* time) {
   const ApiScope scope;
   openr_host::Object* const object = t_current.object;
   if (object == nullptr || time == nullptr) return sINVALIDARG;
-  PassTime(object, 1, 0);
-  if (object->handler.passed_us - object->waited_us == kTimeCallsMax) {
+  object->NoteTimeCall();
+  if (object->time_calls() == kTimeCallsMax) {
     t_current.system->AddFinding(
         Severity::kWarning,
         "1000000 calls of GetSystemTime() in one handler: a busy loop holds up "
@@ -79,7 +71,7 @@ sError GetSystemTime(SystemTime* time) {
   System& system = *t_current.system;
   const bool has_robot = object->robot < system.robot_count();
   const int64_t booted_us = has_robot ? system.robot(object->robot).booted_us : 0;
-  const int64_t now = system.now_us() - booted_us + static_cast<int64_t>(object->handler.passed_us);
+  const int64_t now = system.now_us() - booted_us + static_cast<int64_t>(object->passed_us());
   time->seconds = static_cast<longword>(now / 1'000'000);
   time->useconds = static_cast<longword>(now % 1'000'000);
   return sSUCCESS;
@@ -173,8 +165,8 @@ sError Reply(void* msg, size_t size) {
   // If an observer and a subject of the same object are connected, the object calls the entry of
   // its subject directly and sends no request.  The reply is then copied to the memory that this
   // call has given (self_reply).
-  if (object->self_reply != nullptr) {
-    std::memcpy(object->self_reply->data, msg, std::min(size, object->self_reply->size));
+  if (object->self_reply() != nullptr) {
+    std::memcpy(object->self_reply()->data, msg, std::min(size, object->self_reply()->size));
     return sSUCCESS;
   }
   return t_current.system->requests().Reply(t_current.system->requests().TakeTicket(), msg, size);
@@ -196,7 +188,7 @@ sError Delegate(OID oid, Selector selector, void* msg, size_t size) {
   const sError error = t_current.system->Post(std::move(message));
   // If the message to object `oid` was refused, gives the reply box back to the running handler, so
   // that this object can still reply to the request itself.
-  if (error != sSUCCESS) t_current.object->handler.running->reply_box = ticket.box;
+  if (error != sSUCCESS) t_current.object->running()->reply_box = ticket.box;
   return error;
 }
 
@@ -216,7 +208,7 @@ void Return(void* msg, size_t size) {
 
 // Ends the running handler and does not return.  Outside of a handler does nothing.
 void Exit() {
-  if (t_current.object != nullptr && t_current.object->handler.running != nullptr) {
+  if (t_current.object != nullptr && t_current.object->running() != nullptr) {
     t_current.image_code = false;
     t_current.system->AbandonHandler();
   }
@@ -230,7 +222,7 @@ void ExitFromPrologue() {}
 // time itself stands still while a handler runs.
 sError Wait(longword nanosec) {
   if (t_current.object == nullptr) return sFAIL;
-  PassTime(t_current.object, nanosec / 1000, nanosec / 1000);
+  t_current.object->NoteWait(nanosec / 1000);
   return sSUCCESS;
 }
 

@@ -82,7 +82,7 @@ sError GetResourceValue(sResource resource, slongword* current, slongword* max, 
       *current = static_cast<slongword>(kMessageMax);
       break;
     case rMAXQUEUESIZE:
-      *current = t_current.object->queue_max;
+      *current = t_current.object->queue_max();
       break;
     case rMAXEVENT:
       *current = kEventsMax;

@@ -15,7 +15,7 @@ CodeObject::CodeObject() : host_(t_current.object) {
 // Clears the Object's pointer to the table of entries, because this table is a part of the
 // CodeObject and ends with it.  This destructor runs also if the constructor of a derived class
 // throws an exception.
-CodeObject::~CodeObject() { host_->code_entries = nullptr; }
+CodeObject::~CodeObject() { host_->set_code_entries(nullptr); }
 
 void CodeObject::AddSubjectEntries(const std::string& service, OSubject* subject,
                                    std::unique_ptr<CodeEntry> entry) {
@@ -45,7 +45,7 @@ void CodeObject::AddObserverEntries(const std::string& service, OObserver* obser
 
 Selector CodeObject::AddEntry(const std::string& name, std::unique_ptr<CodeEntry> entry) {
   entries_.push_back(std::move(entry));
-  host_->code_entries = entries_.data();
+  host_->set_code_entries(entries_.data());
   const Selector selector = oentryBASE + static_cast<Selector>(entries_.size()) - 1;
   host_->entry_names().SetName(selector, name);
   return selector;
@@ -55,13 +55,13 @@ CodeHost::~CodeHost() {
   // Makes this object the current object, because destructors of its code may call functions of the
   // SDK.
   const CurrentScope scope(system, this);
-  entry_count = 0;
+  set_entry_count(0);
   code.reset();
 }
 
 void CodeHost::SetCode(std::unique_ptr<CodeObject> made) {
   code = std::move(made);
-  entry_count = oentryBASE + static_cast<uint32_t>(code->entries_.size());
+  set_entry_count(oentryBASE + static_cast<uint32_t>(code->entries_.size()));
 }
 
 bool CodeHost::HasEntry(uint32_t selector) const {
@@ -69,11 +69,11 @@ bool CodeHost::HasEntry(uint32_t selector) const {
 }
 
 bool CodeHost::Dispatch(uint32_t selector, void* payload) {
-  if (selector >= entry_count && !HasEntry(selector)) return false;
+  if (selector >= entry_count() && !HasEntry(selector)) return false;
   if (selector < oentryBASE) [[unlikely]] {
     CallSystemEntry(selector, payload);
   } else {
-    code_entries[selector - oentryBASE]->Handle(payload);
+    code_entries()[selector - oentryBASE]->Handle(payload);
   }
   return true;
 }

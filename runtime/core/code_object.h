@@ -188,9 +188,9 @@ class CodeHost final : public Object {
 // Returns the entry of a CodeObject that `object` runs; null if `object` is no CodeHost or its code
 // has no entry `selector`.
 inline CodeEntry* FindCodeEntry(const Object& object, uint32_t selector) {
-  if (object.code_entries == nullptr || selector < oentryBASE || selector >= object.entry_count)
+  if (object.code_entries() == nullptr || selector < oentryBASE || selector >= object.entry_count())
     return nullptr;
-  return object.code_entries[selector - oentryBASE].get();
+  return object.code_entries()[selector - oentryBASE].get();
 }
 
 }  // namespace openr_host

@@ -86,8 +86,8 @@ const void* CallerInImage() {
 
 std::string InHandler() {
   const Object* const object = t_current.object;
-  if (object == nullptr || object->handler.running == nullptr) return "";
-  return object->EntryName(object->handler.running->selector) + ": ";
+  if (object == nullptr || object->running() == nullptr) return "";
+  return object->EntryName(object->running()->selector) + ": ";
 }
 
 std::string AtCaller() {

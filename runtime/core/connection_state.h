@@ -71,7 +71,7 @@ void ReportForeignBytes(const Object& object);
 inline bool IsRunningMessage(const Object& object, PayloadKind kind) {
   // Returns true if `object` handles no message now, because there is no message whose kind can be
   // wrong.  This occurs only if a test calls the function of the entry directly.
-  if (object.handler.running == nullptr || object.handler.running->kind == kind) [[likely]]
+  if (object.running() == nullptr || object.running()->kind == kind) [[likely]]
     return true;
   ReportForeignBytes(object);
   return false;

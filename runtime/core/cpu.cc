@@ -16,7 +16,7 @@ namespace openr_host {
 int64_t CostModel::FrameUs() const { return kFrameUs; }
 
 bool Cpu::IsFreeFor(const Object& object) const {
-  return jobs_.empty() || object.limits.priority > jobs_.back().object->limits.priority;
+  return jobs_.empty() || object.limits().priority > jobs_.back().object->limits().priority;
 }
 
 void Cpu::Wait(Object* object, OwnedMessage message, int64_t now_us) {
@@ -44,7 +44,7 @@ void Cpu::Grant(Object* object, int64_t now_us) {
 }
 
 void Cpu::Begin(Object* object, uint32_t selector, int64_t cost_us, int64_t now_us) {
-  ASSERT(cost_us > 0 && IsFreeFor(*object) && !object->delivery.is_busy(),
+  ASSERT(cost_us > 0 && IsFreeFor(*object) && !object->delivery().is_busy(),
          "{} begins a handler of {} us", object->name, cost_us);
   // Adds no finding about DoInit, DoStart, DoStop and DoDestroy, even if they take long, because
   // they run only when the robot starts or ends.
@@ -60,7 +60,7 @@ void Cpu::Begin(Object* object, uint32_t selector, int64_t cost_us, int64_t now_
   // interrupted handler becomes shorter by the time since it last got the processor.
   if (!jobs_.empty()) jobs_.back().left_us -= now_us - jobs_.back().since_us;
   jobs_.push_back({object, cost_us, now_us});
-  object->delivery.set_busy(true);
+  object->delivery().set_busy(true);
 }
 
 int64_t Cpu::EndUs() const {
@@ -72,7 +72,7 @@ void Cpu::End(int64_t now_us) {
   Object* const object = jobs_.back().object;
   jobs_.pop_back();
   if (!jobs_.empty()) jobs_.back().since_us = now_us;
-  object->delivery.set_busy(false);
+  object->delivery().set_busy(false);
   // Posts the messages to their receivers.  Post() puts a message into an outbox only while an
   // object is current.  No object is current here, so Post() really sends the messages.
   for (ProcessorState::Outgoing& outgoing : std::exchange(object->processor.outbox, {})) {

@@ -50,11 +50,11 @@ namespace openr_host {
     if (entry->observer_state != nullptr) PrefetchLines(entry->observer_state, 2);
   }
   PrefetchLines(entry_of(second));
-  PrefetchLines(reinterpret_cast<uintptr_t>(objects.GetKnown(third->target)->code_entries) +
+  PrefetchLines(reinterpret_cast<uintptr_t>(objects.GetKnown(third->target)->code_entries()) +
                 sizeof(void*) * uintptr_t{third->selector - oentryBASE});
   const Object* const receiver = objects.GetKnown(fourth->target);
   PrefetchLines(receiver);
-  PrefetchLines(&receiver->entry_count);
+  PrefetchLines(receiver->delivery_line());
   PrefetchLines(fourth->next, 3);
 }
 

@@ -123,11 +123,11 @@ bool Dispatcher::MayContinue() const {
 // from the queue to the handler.
 
 [[gnu::always_inline]] inline void Dispatcher::FinishHandler(Object* object) {
-  if (object->is_image) [[unlikely]]
+  if (object->is_image()) [[unlikely]]
     FinishImage(object);
   t_current.object = nullptr;
-  object->handler.running.reset();
-  if (!object->delivery.is_busy()) object->ReturnHeld();
+  object->EndHandler();
+  if (!object->delivery().is_busy()) object->ReturnHeld();
 }
 
 // Ends the measurements of a handler whose code is in an image: ends the watch for floating-point
@@ -136,14 +136,14 @@ void Dispatcher::FinishImage(Object* object) {
   if (t_current.watch != nullptr) std::exchange(t_current.watch, nullptr)->End();
   auto* const image = static_cast<ImageObject*>(object);
   if (system_->options().measure_stacks) NoteStackUse(object, image->StackUsed());
-  image->CheckNumbers(object->handler.running->selector);
+  image->CheckNumbers(object->running()->selector);
   t_current.image_code = false;
 }
 
 // Calls the entry (function) of `object` for the message that the object is to handle
-// (handler.running).  An uncaught exception or an unknown selector becomes a finding.
+// (Object::running()).  An uncaught exception or an unknown selector becomes a finding.
 [[gnu::always_inline]] inline void Dispatcher::CallEntry(Object* object) {
-  Message* const message = object->handler.running.get();
+  Message* const message = object->running();
   try {
     // Calls the entry of a CodeObject (an object that is part of this program and not loaded from a
     // file) directly.  This saves the virtual call of Object::Dispatch(), which would read one more
@@ -171,8 +171,8 @@ void Dispatcher::RunMeasured(Object* object) {
   // object.  While an image is the current object, `clock` would return the time of the robot.
   const auto clock = system_->options().wall_clock_ns;
   const int64_t begin_ns = clock == nullptr ? 0 : clock();
-  const bool is_watched = object->is_image && ArithmeticWatch::Catches();
-  t_current = {system_, object, object->is_image, is_watched ? &watch : nullptr};
+  const bool is_watched = object->is_image() && ArithmeticWatch::Catches();
+  t_current = {system_, object, object->is_image(), is_watched ? &watch : nullptr};
   CallEntry(object);
   if (clock != nullptr) {
     const ApiScope scope;  // without this scope, clock() would return the time of the robot
@@ -181,21 +181,18 @@ void Dispatcher::RunMeasured(Object* object) {
   FinishHandler(object);
 }
 
-// Counts `message`, records it in the trace, and stores it in handler.running of `object` as the
+// Counts `message`, records it in the trace, and stores it in running() of `object` as the
 // message that the object handles now.  From then on `object` owns the message.
 [[gnu::always_inline]] inline void Dispatcher::BeginDelivery(Object* object, Message* message) {
-  --object->waiting;
-  ASSERT(object->waiting >= 0, "{} gets a message, none was counted as waiting", object->name);
+  object->NoteTaken();
   if (++delivered_ >= crowded_at_) [[unlikely]]
     NoteManyDeliveries(object);
-  ASSERT(object->handler.running == nullptr, "{} runs one handler at a time", object->name);
   // The object owns the message.  A local variable would be lost with the running stack if the
   // handler is abandoned.  The object gets the message before Deliver() is called, because
   // Deliver() may throw an exception.
-  object->handler.running.reset(message);
+  object->BeginHandler(message);
   system_->trace().Deliver(*message, system_->now_us());
-  ++object->message_count;
-  object->handler.passed_us = 0;
+  object->NoteDelivered();
   // The code of a handler was compiled for SSE.  It would run slowly if AVX code, such as the
   // string functions of the C library, has left bits in the upper halves of the vector registers
   // (upper_registers.h).
@@ -206,16 +203,17 @@ void Dispatcher::RunMeasured(Object* object) {
 // the message was dropped, was delivered as a reply (which needs no new handler), or is kept for
 // later.
 OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
-  if (object->delivery.is_off()) {
-    if (!message->is_reply) --object->waiting;
+  if (object->delivery().is_off()) {
+    if (!message->is_reply) object->NoteTaken();
     return nullptr;
   }
   // Holds the message while the last handler of the receiver waits or still has the processor
   // (`is_in_handler`), and while the receiver is in its boot (IsTooEarly()).  A reply is never
   // held, because the handler that waits needs it.
-  const bool is_in_handler = object->delivery.blocked() != nullptr || object->delivery.is_busy();
+  const bool is_in_handler =
+      object->delivery().blocked() != nullptr || object->delivery().is_busy();
   if (!message->is_reply && (is_in_handler || system_->manager().IsTooEarly(*message))) {
-    object->delivery.Hold(std::move(message));
+    object->delivery().Hold(std::move(message));
     return nullptr;
   }
   // A gate (schedule.h), which a test has set, may keep the message and put it back into the queue
@@ -258,7 +256,7 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
 [[gnu::always_inline]] inline void Dispatcher::Deliver(Message* message) {
   PrefetchDeliveries(*message, system_->object_table());
   Object* const object = system_->object_table().GetKnown(message->target);
-  const bool is_plain = object->is_plain && are_deliveries_free_ && !message->is_reply;
+  const bool is_plain = object->is_plain() && are_deliveries_free_ && !message->is_reply;
   if (!is_plain) [[unlikely]]
     return DeliverChecked(object, OwnedMessage(message));
   BeginDelivery(object, message);
@@ -268,10 +266,10 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
   t_current.watch = nullptr;
   CallEntry(object);
   t_current.object = nullptr;
-  object->handler.running.reset();
+  object->EndHandler();
   // Messages to the object may have been held while the handler waited.  In this case
-  // Object::is_plain is false, and FinishHandler() puts these messages back into the queue.
-  if (!object->is_plain) [[unlikely]]
+  // Object::is_plain() is false, and FinishHandler() puts these messages back into the queue.
+  if (!object->is_plain()) [[unlikely]]
     FinishHandler(object);
 }
 
@@ -287,7 +285,7 @@ void Dispatcher::ReportSelector(uint32_t selector) {
 // of the exception, or "" if the exception has no text.
 void Dispatcher::ReportException(const Object& object, const std::string& what) {
   t_current.image_code = false;
-  const std::string entry = object.EntryName(object.handler.running->selector);
+  const std::string entry = object.EntryName(object.running()->selector);
   system_->AddFinding(Severity::kError,
                       fmt::format("uncaught exception in {}{}; on the robot abort()", entry, what));
 }
@@ -392,12 +390,12 @@ void Dispatcher::DeliverReply(Object* object, OwnedMessage message) {
   // If the handler does not wait for this reply, the reply stays in its box until the object asks
   // for it in a later call.  If the object has ordered messages for the arrival of this reply
   // (reply events), they are posted now.
-  if (object->delivery.blocked() == nullptr || object->wait.box != box) {
+  if (object->delivery().blocked() == nullptr || object->wait.box != box) {
     system_->time_events().ReplyArrived(object->id, box);
     return;
   }
-  Fiber* const waiting = object->delivery.blocked();
-  object->delivery.set_blocked(nullptr);
+  Fiber* const waiting = object->delivery().blocked();
+  object->delivery().set_blocked(nullptr);
   idle_.push_back(running_);  // lets TakeIdleFiber() continue the loop of this fiber later
   SwitchTo(waiting);          // continues WaitFor(), which makes `object` the current object again
 }
@@ -414,7 +412,7 @@ OwnedMessage Dispatcher::WaitFor(uint64_t box) {
     // `object`.
     const Current saved = t_current;
     t_current = {system_, nullptr};
-    object->delivery.set_blocked(running_);
+    object->delivery().set_blocked(running_);
     object->wait.box = box;
     object->wait.since_us = system_->now_us();
     SwitchTo(next);
@@ -433,7 +431,7 @@ void Dispatcher::Abandon() {
   // If the object has called an entry of its own directly, self_reply points to a variable on the
   // stack that is given up here.  Clears this pointer, because later replies of the object would be
   // written to that variable.
-  t_current.object->self_reply = nullptr;
+  t_current.object->set_self_reply(nullptr);
   FinishHandler(t_current.object);
   // Does not prepare the running fiber (stack) for its next use here, because this code still runs
   // on it.  Recycle() does so after the switch to the next fiber.

@@ -22,7 +22,7 @@ class HostAddresses {
   // if the message holds an address of this process.
   void Check(const Message& message) {
     const Object* const sender = t_current.object;
-    if (sender != nullptr && sender->is_image) [[unlikely]]
+    if (sender != nullptr && sender->is_image()) [[unlikely]]
       Report(message);
   }
 

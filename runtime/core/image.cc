@@ -207,15 +207,16 @@ std::string ImageObject::ReadTables() {
     if (entry->selector >= entries_.size()) entries_.resize(entry->selector + 1, nullptr);
     entries_[entry->selector] = entry->entry;
   }
-  // Counts the entries before the first gap in the object's table of entries.  Object::entry_count
+  // Counts the entries before the first gap in the object's table of entries. Object::entry_count()
   // must not count entries that do not exist.
-  while (ImageObject::HasEntry(entry_count)) ++entry_count;
+  uint32_t count = 0;
+  while (ImageObject::HasEntry(count)) ++count;
+  set_entry_count(count);
   const OcfResult ocf = ParseOcf(path + " (.ocf)", info_->ocf);
   if (!ocf.ocf) return "has a bad .ocf text: " + Render(ocf.diagnostics);
   name = ocf.ocf->name;
-  limits.priority = ocf.ocf->priority;
-  limits.stack_bytes = static_cast<uint32_t>(ocf.ocf->stack_bytes);
-  limits.heap_bytes = static_cast<uint32_t>(ocf.ocf->heap_bytes);
+  set_limits({ocf.ocf->priority, static_cast<uint32_t>(ocf.ocf->stack_bytes),
+              static_cast<uint32_t>(ocf.ocf->heap_bytes)});
   const auto* extras = static_cast<const char* const*>(dlsym(handle_, "openr_extra_names"));
   int extra_count = 0;
   while (extras != nullptr && extras[extra_count] != nullptr) ++extra_count;

@@ -117,7 +117,7 @@ void LeakSearch::CollectRegions() {
   const auto [memory, bytes] = table.own_memory();
   holes_.push_back({HiddenAddress(memory), bytes});
   for (const auto& object : system_->objects()) {
-    if (object == nullptr || !object->is_image || object->memory().arena() == nullptr) continue;
+    if (object == nullptr || !object->is_image() || object->memory().arena() == nullptr) continue;
     table.ForEachOf(object->id, [&](uint32_t id, char* base, size_t size) {
       // Skips a region in the host's heap, because ReadHost() searches that heap as a whole.
       if (!IsPlanned(base)) return;
@@ -196,7 +196,7 @@ void LeakSearch::ReadReached() {
 bool LeakSearch::HasWaitingHandler() const {
   const auto& objects = system_->objects();
   return std::any_of(objects.begin(), objects.end(), [](const auto& object) {
-    return object != nullptr && object->handler.running != nullptr;
+    return object != nullptr && object->running() != nullptr;
   });
 }
 
@@ -316,7 +316,7 @@ void LeakSearch::Report() const {
 // worker process, because its leaks cannot be found.
 void ReportUnknown(System* system) {
   for (const auto& object : system->objects()) {
-    if (object == nullptr || !object->is_image || object->is_absent() ||
+    if (object == nullptr || !object->is_image() || object->is_absent() ||
         object->memory().arena() != nullptr)
       continue;
     system->AddFindingAbout(object.get(), Severity::kNote,

@@ -59,7 +59,7 @@ size_t LocalCalls::ReadLine(char* buffer, size_t size) {
   return system_->console_input().Read(buffer, size);
 }
 
-void LocalCalls::SetQueueMax(int32_t messages) { t_current.object->queue_max = messages; }
+void LocalCalls::SetQueueMax(int32_t messages) { t_current.object->set_queue_max(messages); }
 
 uint32_t LocalCalls::AddTimedEvent(const TimeEvents::EventMessage& message, int64_t first_us,
                                    int64_t period_us) {

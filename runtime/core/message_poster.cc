@@ -56,7 +56,7 @@ int32_t MessagePoster::ReportFullQueue(const Message& message, Object* target) {
       target, is_strict ? Severity::kError : Severity::kWarning,
       fmt::format("MCOOPMailer::intraDeliver Exceed max size of queue: queueSize={}, "
                   "sel={} ({}); the robot refuses the message, sError = 13",
-                  target->queue_max, message.selector, target->EntryName(message.selector)));
+                  target->queue_max(), message.selector, target->EntryName(message.selector)));
   if (!is_strict) return sSUCCESS;
   target->statistics().NoteDropped();
   return sFULLMSGQENTRY;
@@ -67,12 +67,12 @@ int32_t MessagePoster::Post(OwnedMessage&& message, Object* target, int64_t dela
   ASSERT(delay_us >= 0, "message to {} in {} us", target->name, delay_us);
   // While the sender's handler still takes processor time, the message waits in the sender's
   // outbox.  Cpu::End() posts it when that time is over.
-  if (Object* const self = t_current.object; self != nullptr && self->delivery.is_busy()) {
+  if (Object* const self = t_current.object; self != nullptr && self->delivery().is_busy()) {
     self->processor.outbox.push_back({std::move(message), delay_us});
     return sSUCCESS;
   }
   if (!message->is_reply) {
-    if (message->selector >= target->entry_count && !target->HasEntry(message->selector))
+    if (message->selector >= target->entry_count() && !target->HasEntry(message->selector))
       return RefuseSelector(*message, *target);
     // Returns whether the message makes a system object (a part of the robot) go on with its own
     // work: the system object has posted the message to itself, or the System has posted it.  A
@@ -82,22 +82,22 @@ int32_t MessagePoster::Post(OwnedMessage&& message, Object* target, int64_t dela
     };
     if (schedule_ != nullptr && !is_own_work() && schedule_->Refuses(*message))
       return RefuseAsFull(*message, target);
-    if (target->waiting >= target->queue_max) {
+    if (target->IsQueueFull()) {
       const int32_t error = ReportFullQueue(*message, target);
       if (error != sSUCCESS) return error;
     }
-    CountWaiting(target);
+    target->NoteQueued();
   }
   Number(message.get(), delay_us);
   if (schedule_ != nullptr)
     message->due_us += schedule_->ExtraDelayUs(*message, queue_.now_us(), delay_us);
-  queue_.Push(std::move(message), target->limits.priority);
+  queue_.Push(std::move(message), target->limits().priority);
   return sSUCCESS;
 }
 
 void MessagePoster::Readmit(OwnedMessage message, const Object& target) {
   message->due_us = queue_.now_us();
-  queue_.PushFront(std::move(message), target.limits.priority);
+  queue_.PushFront(std::move(message), target.limits().priority);
 }
 
 }  // namespace openr_host

@@ -2,7 +2,6 @@
 // gives each message its number and its due time.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <memory>
 
@@ -70,10 +69,6 @@ class MessagePoster {
     message->number = ++last_number_;
     message->due_us = queue_.now_us() + delay_us + crowding_delay_us_;
   }
-  // Counts one more message that `target` will receive (Object::waiting).
-  static void CountWaiting(Object* target) {
-    target->waiting_max = std::max(target->waiting_max, ++target->waiting);
-  }
 
   // True if a post can fail only because of the receiver, which has no such entry or has a full
   // queue.  This is so if handlers post messages directly in this process and not through a master
@@ -90,13 +85,12 @@ class MessagePoster {
 
 [[gnu::always_inline]] inline bool MessagePoster::PostAtOnce(Message* message, Object* target) {
   const bool is_common = are_posts_free_ && target != nullptr &&
-                         message->selector < target->entry_count &&
-                         target->waiting < target->queue_max;
+                         message->selector < target->entry_count() && !target->IsQueueFull();
   if (!is_common) [[unlikely]]
     return false;
-  CountWaiting(target);
+  target->NoteQueued();
   Number(message, 0);
-  queue_.Push(OwnedMessage(message), target->limits.priority);
+  queue_.Push(OwnedMessage(message), target->limits().priority);
   return true;
 }
 

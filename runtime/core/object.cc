@@ -18,8 +18,8 @@ Object::Object(System* the_system, ObjectId the_id, int the_robot, bool the_is_i
     : system(the_system),
       id(the_id),
       robot(the_robot),
-      delivery(&is_plain, the_is_image),
-      is_image(the_is_image) {}
+      delivery_(&is_plain_, the_is_image),
+      is_image_(the_is_image) {}
 
 Object::~Object() {
   files.CloseAll();
@@ -37,11 +37,11 @@ void OpenFiles::CloseAll() {
 
 std::string Object::NameService(uint32_t selector, const char* kind) {
   // Finds the service by `entry`, the selector of its Control or Connect entry, which is running
-  // now.  The object has called this entry itself (self_reply), or the entry handles a message
-  // (handler.running).
-  const uint32_t entry = self_reply != nullptr        ? self_reply->selector
-                         : handler.running != nullptr ? handler.running->selector
-                                                      : UNDEF;
+  // now.  The object has called this entry itself (self_reply_), or the entry handles a message
+  // (running_).
+  const uint32_t entry = self_reply_ != nullptr ? self_reply_->selector
+                         : running_ != nullptr  ? running_->selector
+                                                : UNDEF;
   const std::string* const found = entry_names_.FindService(entry);
   const std::string service = found == nullptr ? name : *found;
   system->calls().NameEntry(selector, fmt::format("{} ({})", service, kind));
@@ -81,12 +81,12 @@ void Object::BeginReplacement() {
 void Object::Succeed(const Object& old) {
   ASSERT(old.id == id && predecessors_ == 0, "object {} cannot replace object {}", id, old.id);
   predecessors_ = old.predecessors_ + 1;
-  message_count = old.message_count;
+  message_count_ = old.message_count_;
   statistics_.Succeed(old.statistics_);
-  waiting_max = old.waiting_max;
+  waiting_max_ = old.waiting_max_;
   // Copies the number of messages that wait for the old object and does not set it to 0, because a
   // gate (schedule.h) may keep some of these messages, which the new object will receive.
-  waiting = old.waiting;
+  waiting_ = old.waiting_;
   // A reply to a request of the old object may still come.  It names only the object's id and a
   // reply box, so a box of the new object must not have the same number.
   boxes.last = std::max(boxes.last, old.boxes.last);
@@ -101,7 +101,7 @@ void Object::KeepEarly(std::vector<uint32_t> regions, TimeEvents::Events events)
 void Object::ReturnHeld() {
   // Puts the held messages back, the newest first.  Readmit() puts each message at the front of the
   // queue, so at the end the oldest message is at the front.
-  while (!delivery.held().empty()) system->Readmit(delivery.TakeNewestHeld());
+  while (!delivery_.held().empty()) system->Readmit(delivery_.TakeNewestHeld());
 }
 
 }  // namespace openr_host

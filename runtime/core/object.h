@@ -1,7 +1,10 @@
 // Object: what a System knows about one OPEN-R object, which is a program of the robot.
 #pragma once
 
+#include <algorithm>
 #include <compare>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -10,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/base/assert.h"
 #include "runtime/core/delivery_state.h"
 #include "runtime/core/entry_names.h"
 #include "runtime/core/message.h"
@@ -45,15 +49,6 @@ struct StandingReady {
   uint32_t notify_selector;  // selector of the observer's entry for notifications
 
   auto operator<=>(const StandingReady&) const = default;
-};
-
-// The state of an object's handler while the handler runs.
-struct HandlerState {
-  OwnedMessage running;  // the message being handled; null if no handler runs
-  // The time that has passed in this handler.  Each call of GetSystemTime() adds 1 us, so that a
-  // loop that waits for a certain time ends.  Each call of Wait() (MCOOP.h) adds the time of the
-  // wait.
-  uint64_t passed_us = 0;
 };
 
 // The wait of a handler for a reply.  The members are valid only while DeliveryState::blocked() is
@@ -185,6 +180,86 @@ class Object {
   int NextRandom();
   void SeedRandom(uint32_t seed) { random_state_ = seed; }
 
+  // ---- The delivery of messages
+
+  // Returns whether the object was loaded from a file (an image).
+  bool is_image() const { return is_image_; }
+
+  const ObjectLimits& limits() const { return limits_; }
+  void set_limits(const ObjectLimits& limits) { limits_ = limits; }
+  void set_priority(int priority) { limits_.priority = priority; }
+
+  // The reasons why a message may not be passed to the handler at once.
+  const DeliveryState& delivery() const { return delivery_; }
+  DeliveryState& delivery() { return delivery_; }
+  // Returns whether delivery needs only a call of the handler.
+  bool is_plain() const { return static_cast<bool>(is_plain_); }
+
+  // Returns the class of the messages that the object posts.  The order of delivery compares the
+  // classes of messages first, then the priorities of their receivers.
+  MessageClass post_class() const { return post_class_; }
+  void set_post_class(MessageClass post_class) { post_class_ = post_class; }
+
+  // Returns the number of messages to the object, except replies, that are not delivered yet.
+  int waiting() const { return waiting_; }
+  int waiting_max() const { return waiting_max_; }  // the highest value of waiting() so far
+  int queue_max() const { return queue_max_; }      // the limit of waiting()
+  void set_queue_max(int messages) { queue_max_ = messages; }
+  bool IsQueueFull() const { return waiting_ >= queue_max_; }
+  // Counts one more message, no reply, that the object will receive.
+  void NoteQueued() { waiting_max_ = std::max(waiting_max_, ++waiting_); }
+  // Counts messages that wait no longer, because they are delivered now or will never be.
+  // REQUIRES: NoteQueued() has counted them.
+  void NoteTaken(int count = 1) {
+    waiting_ -= count;
+    ASSERT(waiting_ >= 0, "{} has fewer waiting messages than were taken", name);
+  }
+
+  // Returns the number of messages delivered to the object.
+  uint64_t message_count() const { return message_count_; }
+  void NoteDelivered() {
+    ++message_count_;
+    passed_us_ = 0;
+  }
+
+  // The object has the entries 0 to entry_count() - 1.  For a larger selector, HasEntry() must be
+  // called to find out whether the object has this entry.
+  uint32_t entry_count() const { return entry_count_; }
+  // Returns the entries of a CodeHost (code_object.h): the entry with selector oentryBASE + i is
+  // code_entries()[i].  Null for other objects.
+  const std::unique_ptr<CodeEntry>* code_entries() const { return code_entries_; }
+  void set_code_entries(const std::unique_ptr<CodeEntry>* entries) { code_entries_ = entries; }
+
+  // Returns the address of the cache line that has all members that the delivery of every message
+  // reads.
+  const void* delivery_line() const { return &entry_count_; }
+
+  // ---- The handler that runs
+
+  // Returns the message being handled; null if no handler runs.
+  Message* running() const { return running_.get(); }
+  // Makes the object handle `message`, which it owns from now on.  REQUIRES: no handler runs.
+  void BeginHandler(Message* message) {
+    ASSERT(running_ == nullptr, "{} runs one handler at a time", name);
+    running_.reset(message);
+  }
+  void EndHandler() { running_.reset(); }
+
+  // Returns the time that has passed in this handler.  Each call of GetSystemTime() adds 1 us, so
+  // that a loop that waits for a certain time ends.  Each call of Wait() (MCOOP.h) adds the time of
+  // the wait.
+  uint64_t passed_us() const { return passed_us_; }
+  // Returns how often the handler has called GetSystemTime().
+  uint64_t time_calls() const { return passed_us_ - waited_us_; }
+  // Adds the time of a call of GetSystemTime(), 1 us, or of Wait().
+  void NoteTimeCall() { PassTime(1, 0); }
+  void NoteWait(uint64_t us) { PassTime(us, us); }
+
+  // Returns what receives the reply of the entry that the object calls itself; null if the object
+  // calls no entry of its own now.
+  const SelfReply* self_reply() const { return self_reply_; }
+  void set_self_reply(SelfReply* reply) { self_reply_ = reply; }
+
   // ---- The life of the object
 
   // Returns whether the object is a part of the robot and not of the application.
@@ -232,16 +307,10 @@ class Object {
   std::string name;  // OBJECT_NAME of the .ocf file, unique per robot
   std::string path;  // /MS/... of an image; empty for objects built in code
 
-  // The part of handler.passed_us that Wait() (MCOOP.h) has added.  It has no meaning while
-  // handler.passed_us is 0, so a delivery need not set it.
-  uint64_t waited_us = 0;
-
   OpenFiles files;
   ReplyBoxes boxes;
   WaitState wait;
-  SelfReply* self_reply = nullptr;  // null if the object calls no entry of its own now
   ProcessorState processor;
-  DeliveryState delivery;
 
  private:
   ObjectMemory memory_;  // outlives the members below, whose memory may be in its heap
@@ -250,32 +319,21 @@ class Object {
   std::vector<std::unique_ptr<SubjectState>> subjects;
   std::vector<std::unique_ptr<ObserverState>> observers;
 
-  // ---- The members of Object that the delivery of every message reads.  They lie on one cache
-  // line, because with thousands of objects a delivery spends most of its time waiting for memory.
-
-  // The object has the entries 0 to entry_count - 1.  For a larger selector, HasEntry() must be
-  // called to find out whether the object has this entry.
-  alignas(64) uint32_t entry_count = 0;
-  // The number of messages to the object, except replies, that are not delivered yet.
-  int waiting = 0;
-  int queue_max = 32;   // limit of `waiting` (field-notes.md, 2.3), set with SetResourceValue()
-  int waiting_max = 0;  // the highest value of `waiting` so far
-  ObjectLimits limits;
-  // The class of the messages that the object posts.  The order of delivery compares the classes of
-  // messages first, then the priorities of their receivers.
-  MessageClass post_class = MessageClass::kObject;
-  const bool is_image;  // whether the object was loaded from a file (an image)
-  DeliveryState::PlainFlag is_plain{delivery};  // true if delivery needs only a call of the handler
-  uint64_t message_count = 0;                   // number of messages delivered to the object
-  HandlerState handler;
-  // The entries of a CodeHost (code_object.h): the entry with selector oentryBASE + i is
-  // code_entries[i].  Null for other objects.
-  const std::unique_ptr<CodeEntry>* code_entries = nullptr;
-
  protected:
   void set_absent() { is_absent_ = true; }
+  // Sets the number of the object's first entries without a gap; see entry_count().
+  void set_entry_count(uint32_t count) { entry_count_ = count; }
 
  private:
+  // The size of a line of the processor's cache.
+  static constexpr size_t kLineBytes = 64;
+
+  void PassTime(uint64_t us, uint64_t wait_us) {
+    if (passed_us_ == 0) waited_us_ = 0;
+    passed_us_ += us;
+    waited_us_ += wait_us;
+  }
+
   bool is_system_ = false;
   bool is_leaving_ = false;
   bool is_lost_ = false;
@@ -287,6 +345,25 @@ class Object {
   NumberFaults number_faults_;
   EntryNames entry_names_;
   ObjectStatistics statistics_;
+  SelfReply* self_reply_ = nullptr;
+  uint64_t waited_us_ = 0;  // has no meaning while passed_us_ is 0, so a delivery need not set it
+  DeliveryState delivery_;
+
+  // ---- The members of Object that the delivery of every message reads.  They lie on one cache
+  // line, because with thousands of objects a delivery spends most of its time waiting for memory.
+
+  alignas(kLineBytes) uint32_t entry_count_ = 0;
+  int waiting_ = 0;
+  int queue_max_ = 32;  // field-notes.md, 2.3
+  int waiting_max_ = 0;
+  ObjectLimits limits_;
+  MessageClass post_class_ = MessageClass::kObject;
+  const bool is_image_;
+  DeliveryState::PlainFlag is_plain_{delivery_};
+  uint64_t message_count_ = 0;
+  OwnedMessage running_;
+  uint64_t passed_us_ = 0;
+  const std::unique_ptr<CodeEntry>* code_entries_ = nullptr;
 };
 
 }  // namespace openr_host

@@ -116,7 +116,7 @@ bool ObjectManager::IsDue(Selector selector, int value) {
     return true;
   }
   system().AddFindingAbout(
-      system().object(host().handler.running->sender), Severity::kError,
+      system().object(host().running()->sender), Severity::kError,
       fmt::format("a message to the object manager that only the system sends: {}; nothing is done",
                   host().EntryName(selector)));
   return false;
@@ -139,7 +139,8 @@ void ObjectManager::ReleaseEarlyMessages() {
     if (!starting->second) continue;
     Object* const object = system().object(starting->first);
     starting_.erase(starting);
-    if (object->delivery.blocked() == nullptr && !object->delivery.is_busy()) object->ReturnHeld();
+    if (object->delivery().blocked() == nullptr && !object->delivery().is_busy())
+      object->ReturnHeld();
   }
 }
 
@@ -200,7 +201,7 @@ void ObjectManager::RunShutdown(int robot) {
 // is stopped, so nothing changes if it cannot be loaded.
 void ObjectManager::RunReload(ObjectId id) {
   Object* const old = system().object(id);
-  if (old == nullptr || !old->is_image)
+  if (old == nullptr || !old->is_image())
     return;  // only an object that this process has loaded from a file can be loaded again
   std::unique_ptr<Object> fresh = OpenImage(&system(), old->robot, old->id, old->path, "reload");
   if (fresh == nullptr) return;
@@ -278,7 +279,7 @@ void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
   if (entry == oentryINIT) uninitialised_.erase(object->id);
   if (uninitialised_.contains(object->id))
     return;  // sends nothing more: without DoInit the object has no subjects or observers
-  if (object->delivery.is_off()) return;  // the robot of `object` was switched off meanwhile
+  if (object->delivery().is_off()) return;  // the robot of `object` was switched off meanwhile
   OReasonMessage message = MessageOf(*object, reason);
   OStatusMessage reply;
   const sError error = system().requests().Call(object->id, entry, &message, sizeof message, &reply,

@@ -82,10 +82,10 @@ class AbsentObject : public Object {
   explicit AbsentObject(const Object& gone) : Object(gone.system, gone.id, gone.robot) {
     name = gone.name;
     path = gone.path;
-    limits = gone.limits;
+    set_limits(gone.limits());
     set_system(gone.is_system());
     set_absent();
-    delivery.set_off(true);
+    delivery().set_off(true);
   }
 
   // Accepts messages to all entries of the absent object.  The messages are dropped, because the
@@ -153,7 +153,7 @@ void ObjectTable::DisconnectOthersFrom(ObjectId id) {
 }
 
 void ObjectTable::Reload(ObjectId id) {
-  ASSERT(system_->booted() && Get(id) != nullptr && Get(id)->is_image,
+  ASSERT(system_->booted() && Get(id) != nullptr && Get(id)->is_image(),
          "only an image of a booted system can be reloaded");
   system_->manager().PostReload(id);
 }
@@ -170,7 +170,8 @@ void ObjectTable::PostReplacement(std::vector<std::unique_ptr<Object>> fresh) {
 // them ends with its object.
 std::vector<OwnedMessage> ObjectTable::TakeMessagesTo(Object* object) {
   std::vector<OwnedMessage> messages;
-  while (!object->delivery.held().empty()) messages.push_back(object->delivery.TakeNewestHeld());
+  while (!object->delivery().held().empty())
+    messages.push_back(object->delivery().TakeNewestHeld());
   std::reverse(messages.begin(), messages.end());
   for (const auto& cpu : system_->dispatcher().cpus()) {
     for (OwnedMessage& message : cpu->TakeMessagesTo(object->id))
@@ -185,8 +186,7 @@ std::vector<OwnedMessage> ObjectTable::TakeMessagesTo(Object* object) {
   // Subtracts only the messages that were taken so far from the count of waiting messages.  The
   // messages in outboxes (posted by handlers whose processor time is not over), which are taken
   // next, were never counted as waiting.
-  object->waiting -= static_cast<int>(messages.size());
-  ASSERT(object->waiting >= 0, "{} has {} waiting messages", object->name, object->waiting);
+  object->NoteTaken(static_cast<int>(messages.size()));
   for (const auto& sender : objects_) MoveOutgoing(sender.get(), object->id, &messages);
   for (const auto& sender : replaced_running_) MoveOutgoing(sender.get(), object->id, &messages);
   return messages;
@@ -230,7 +230,7 @@ void ObjectTable::KeepSentRegions(ObjectId id) {
     for (const OwnedMessage& message : cpu->waiting()) keep(*message);
   }
   for (const auto& object : objects_) {
-    for (const OwnedMessage& message : object->delivery.held()) keep(*message);
+    for (const OwnedMessage& message : object->delivery().held()) keep(*message);
     for (const ProcessorState::Outgoing& outgoing : object->processor.outbox)
       keep(*outgoing.message);
   }
@@ -255,7 +255,7 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
   // Ends everything that the old object still has in the System (EndAllOf()) if the old object is
   // an image that is replaced or an object of a robot that was switched off.  For all other
   // objects, whose process was lost, EndAllOf() was called before PostReplacement().
-  if (old->is_image || fresh->is_absent()) {
+  if (old->is_image() || fresh->is_absent()) {
     KeepSentRegions(id);
     EndAllOf(id);
   }
@@ -263,11 +263,11 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
   system_->time_events().PutBack(fresh->TakeEarlyEvents());
   for (const Listener& listener : replace_listeners_) listener(id);
   fresh->Succeed(*old);
-  fresh->delivery.set_off(old->delivery.is_off());
+  fresh->delivery().set_off(old->delivery().is_off());
   // Keeps an old object whose handler waits or still has the processor, because that handler needs
   // its object until it ends.  The heap of the old object does not count as memory of the robot any
   // more, because on the robot the object would be gone.
-  if (old->handler.running != nullptr || old->delivery.is_busy()) {
+  if (old->running() != nullptr || old->delivery().is_busy()) {
     if (old->memory().arena() != nullptr) old->memory().arena()->LeaveBudget();
     replaced_running_.push_back(std::move(objects_[static_cast<size_t>(id)]));
   }

@@ -94,8 +94,7 @@ int32_t Requests::Call(ObjectId target, uint32_t selector, const void* data, siz
 }
 
 ReplyTicket Requests::TakeTicket() {
-  Message* const request =
-      t_current.object == nullptr ? nullptr : t_current.object->handler.running.get();
+  Message* const request = t_current.object == nullptr ? nullptr : t_current.object->running();
   if (request == nullptr || request->reply_box == 0) return {};
   const ReplyTicket ticket{request->sender, request->reply_box};
   // Marks the right to reply to the request as taken, because each request gets only one reply.

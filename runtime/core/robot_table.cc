@@ -60,7 +60,7 @@ void RobotTable::SwitchObjectsOff(int index) {
     // Does not mark the object manager as off, because it serves all robots of the System.
     if (object == nullptr || object->robot != index || object.get() == &system_->manager().host())
       continue;
-    object->delivery.set_off(true);
+    object->delivery().set_off(true);
   }
 }
 

@@ -12,14 +12,14 @@ namespace openr_host {
 namespace {
 
 bool IsSurelyTooMuch(const Object& object) {
-  return object.statistics().stack_max() > 2 * size_t{object.limits.stack_bytes};
+  return object.statistics().stack_max() > 2 * size_t{object.limits().stack_bytes};
 }
 
 std::string Describe(const Object& object) {
   return fmt::format(
       "a handler's own functions used {} bytes of stack, the .ocf file gives {}: on the robot an "
       "overflow damages other memory without a word; give it more there",
-      object.statistics().stack_max(), object.limits.stack_bytes);
+      object.statistics().stack_max(), object.limits().stack_bytes);
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ void NoteStackUse(Object* object, size_t bytes) {
   const bool was_too_much = IsSurelyTooMuch(*object);
   object->statistics().set_stack_max(bytes);
   System* const system = object->system;
-  if (!system->options().strict || object->limits.stack_bytes == 0 || was_too_much ||
+  if (!system->options().strict || object->limits().stack_bytes == 0 || was_too_much ||
       !IsSurelyTooMuch(*object))
     return;
   system->AddFindingAbout(object, Severity::kError,
@@ -42,8 +42,8 @@ void NoteStackUse(Object* object, size_t bytes) {
 
 void ReportStacks(System* system) {
   for (const auto& object : system->objects()) {
-    if (object == nullptr || !object->is_image || object->limits.stack_bytes == 0) continue;
-    if (object->statistics().stack_max() <= object->limits.stack_bytes) continue;
+    if (object == nullptr || !object->is_image() || object->limits().stack_bytes == 0) continue;
+    if (object->statistics().stack_max() <= object->limits().stack_bytes) continue;
     // Adds no warning about this object, because with --strict NoteStackUse() has already added an
     // error about its stack.
     if (system->options().strict && IsSurelyTooMuch(*object)) continue;

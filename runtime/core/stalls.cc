@@ -43,7 +43,7 @@ void FindInLink(const Object& object, const SubjectState& subject, const Observe
 }
 
 void FindIn(const Object& object, int64_t now_us, std::vector<Stall>* stalls) {
-  if (object.delivery.blocked() != nullptr) {
+  if (object.delivery().blocked() != nullptr) {
     stalls->push_back(
         {object.id, object.wait.since_us,
          fmt::format("{} waits for {} since t={:.3f} s", object.name, object.wait.why,
@@ -70,7 +70,8 @@ void FindIn(const Object& object, int64_t now_us, std::vector<Stall>* stalls) {
 std::vector<Stall> FindStalls(const System& system, int64_t least_us) {
   std::vector<Stall> stalls;
   for (const auto& object : system.objects()) {
-    if (object != nullptr && !object->delivery.is_off()) FindIn(*object, system.now_us(), &stalls);
+    if (object != nullptr && !object->delivery().is_off())
+      FindIn(*object, system.now_us(), &stalls);
   }
   std::erase_if(stalls, [latest_us = system.now_us() - least_us](const Stall& stall) {
     return stall.since_us > latest_us;

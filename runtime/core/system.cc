@@ -40,7 +40,7 @@ std::string RunContext() {
   return fmt::format(
       "  t={} us, object {}, message {}, seed {}\n", system->now_us(),
       object == nullptr ? "(none)" : object->name,
-      object == nullptr || object->handler.running == nullptr ? 0 : object->handler.running->number,
+      object == nullptr || object->running() == nullptr ? 0 : object->running()->number,
       system->options().seed);
 }
 
@@ -71,7 +71,7 @@ System::System(SystemOptions options)
   }
   manager_ = AddObject<ObjectManager>(0, "oobjectManager");
   manager_->host().set_system(true);
-  manager_->host().limits.priority = 0;
+  manager_->host().set_priority(0);
   AddSystemInputs(this);
   table_.OnEnd([this](ObjectId id) { time_events_.ForgetObject(id); });
 }
@@ -182,7 +182,7 @@ void System::AddFindingAboutRobot(int robot, Severity severity, std::string text
 
 void System::RecordFinding(const Object* object, Severity severity, std::string text) {
   const Object* const current = t_current.object;
-  const Message* const running = current == nullptr ? nullptr : current->handler.running.get();
+  const Message* const running = current == nullptr ? nullptr : current->running();
   Finding finding;
   finding.severity = severity;
   finding.robot = object == nullptr ? 0 : object->robot;
@@ -223,10 +223,10 @@ uint64_t System::state_hash() {
   });
   for (const auto& object : objects()) {
     hasher.AddText(object->name);
-    hasher.Add(object->waiting);
+    hasher.Add(object->waiting());
     for (const auto& subject : object->subjects) subject->HashState(&hasher);
     object->HashState(&hasher);
-    for (const OwnedMessage& message : object->delivery.held()) hasher.Add(message->number);
+    for (const OwnedMessage& message : object->delivery().held()) hasher.Add(message->number);
     for (const ProcessorState::Outgoing& outgoing : object->processor.outbox)
       // Hashes the number of the message that caused this message, because a message in an outbox
       // (posted by a handler whose processor time is not over) has no number of its own yet.

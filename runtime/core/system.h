@@ -136,10 +136,10 @@ class System {
   // object, or the System if there is no current object.
   [[gnu::always_inline]] OwnedMessage NewMessage(ObjectId target, uint32_t selector) {
     const Object* const sender = t_current.object;
-    const Message* const cause = sender == nullptr ? nullptr : sender->handler.running.get();
+    const Message* const cause = sender == nullptr ? nullptr : sender->running();
     OwnedMessage message = poster_.queue().Allocate(
         sender == nullptr ? kNoObject : sender->id, cause == nullptr ? 0 : cause->number,
-        sender == nullptr ? MessageClass::kObject : sender->post_class);
+        sender == nullptr ? MessageClass::kObject : sender->post_class());
     message->target = target;
     message->selector = selector;
     return message;

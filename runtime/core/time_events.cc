@@ -12,8 +12,7 @@ namespace openr_host {
 
 uint32_t TimeEvents::Add(Event event) {
   const Object* const self = t_current.object;
-  if (self != nullptr && self->handler.running != nullptr)
-    event.cause = self->handler.running->number;
+  if (self != nullptr && self->running() != nullptr) event.cause = self->running()->number;
   events_[++last_id_] = std::move(event);
   return last_id_;
 }
@@ -82,7 +81,7 @@ int64_t TimeEvents::NextUs() const {
 bool TimeEvents::IsOff(const Event& event) const {
   for (const ObjectId id : {event.message.owner, event.message.target}) {
     const Object* const object = system_->object(id);
-    if (object == nullptr || object->delivery.is_off()) return true;
+    if (object == nullptr || object->delivery().is_off()) return true;
   }
   return false;
 }

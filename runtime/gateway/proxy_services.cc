@@ -22,7 +22,7 @@ constexpr size_t kGainsBytes = 6 * sizeof(word);
 // worker process (--place, --isolate) cannot: while its handler runs, this process waits for the
 // worker and cannot receive an answer from the network.
 bool CanWait(const Object* object) {
-  return object != nullptr && object->handler.running != nullptr &&
+  return object != nullptr && object->running() != nullptr &&
          (dynamic_cast<const CodeHost*>(object) != nullptr ||
           dynamic_cast<const ImageObject*>(object) != nullptr);
 }

@@ -41,7 +41,7 @@ TcpGateway::TcpGateway(const GatewayConfig& config) {
   // Makes the gateway's message queue large enough for all its channels (services).  A channel has
   // only a few messages at a time (answers of the network, data, readies), so 8 for each channel
   // are enough.
-  host().queue_max = std::max(host().queue_max, 8 * static_cast<int>(channels_.size()));
+  host().set_queue_max(std::max(host().queue_max(), 8 * static_cast<int>(channels_.size())));
 }
 
 TcpGateway::~TcpGateway() = default;
@@ -73,7 +73,7 @@ void TcpGateway::AddProxies(const GatewayConfig& config) {
   proxy_client_ = client.get();
   channels_.push_back(std::move(client));
   call_ = AddExtra("Call", [this](void* payload) {
-    proxy_client_->AddRequest(payload, host().handler.running->size);
+    proxy_client_->AddRequest(payload, host().running()->size);
   });
   expire_ = AddExtra("Expire", [this](void*) { proxy_client_->Expire(); });
 }

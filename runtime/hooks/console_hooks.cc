@@ -27,7 +27,7 @@ namespace {
 ssize_t ReadConsole(char* buffer, size_t size) {
   const ApiScope scope;
   std::fflush(stdout);  // shows a prompt that the object has printed
-  if (t_current.object->handler.running == nullptr) {
+  if (t_current.object->running() == nullptr) {
     t_current.system->AddFinding(Severity::kError,
                                  "the console is read in a constructor: only a handler can wait "
                                  "for a line; it gets the end of the input");

@@ -22,7 +22,7 @@ using openr_host::t_current;
 
 namespace {
 
-bool InHandler() { return InObject() && t_current.object->handler.running != nullptr; }
+bool InHandler() { return InObject() && t_current.object->running() != nullptr; }
 
 // The beginning of the robot's calendar, 2000, in seconds since 1970.
 constexpr int64_t kRobotEpochS = 946'684'800;

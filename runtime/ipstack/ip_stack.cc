@@ -54,7 +54,7 @@ IpStack::IpStack(std::shared_ptr<Network> network, IpStackOptions options)
       tcp_ports_(this),
       next_port_(IPPORT_RESERVED) {
   host().set_system(true);
-  host().post_class = MessageClass::kInput;
+  host().set_post_class(MessageClass::kInput);
   if (options_.reports_settings) {
     for (const Diagnostic& diagnostic : parameters_.diagnostics())
       system().AddFindingAbout(&host(), diagnostic.severity, RenderWithoutKind(diagnostic));
@@ -133,7 +133,7 @@ void IpStack::WarnIfChanged(const Operation& operation, const void* data, size_t
 
 // Handles a message that an object has sent to the network stack with antEnvMsg::Send() or Call().
 void IpStack::HandleMessage(void* payload) {
-  const Message& request = *host().handler.running;
+  const Message& request = *host().running();
   Operation operation;
   const auto& message = *static_cast<const antEnvMsg*>(payload);
   if (request.size < sizeof(antEnvMsg) || request.size < AntMessageSize(message)) {

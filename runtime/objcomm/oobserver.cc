@@ -109,7 +109,7 @@ std::optional<OControlReplyMessage> AskSubject(ObserverState* state, const OServ
                          ? objcommCMD_ADDOBSERVER_SELF
                          : objcommCMD_REMOVEOBSERVER_SELF;
   SelfReply self{&reply, sizeof reply, entry.GetSelector()};
-  state->object->self_reply = &self;
+  state->object->set_self_reply(&self);
   // A destructor ends the direct call, so that the call also ends if the program's function for
   // Control throws an exception.  Otherwise the object would write later replies to `self`, which
   // no longer exists then.
@@ -117,13 +117,13 @@ std::optional<OControlReplyMessage> AskSubject(ObserverState* state, const OServ
     openr_host::Object* object;
     ~CallEnd() {
       t_current.image_code = false;
-      object->self_reply = nullptr;
+      object->set_self_reply(nullptr);
     }
   };
   const CallEnd end{state->object};
   // Sets image_code, because the Control entry of the subject, which is called here, is code of the
   // object and must use the object's heap and files, not the host's.
-  t_current.image_code = state->object->is_image;
+  t_current.image_code = state->object->is_image();
   state->object->Dispatch(entry.GetSelector(), control);
   return reply;
 }
@@ -175,7 +175,7 @@ namespace {
 // NotifyObservers().  The hash of the data then differs from the hash that was stored when the
 // subject sent the data.  Called only with SystemOptions::guard_regions.
 void CheckUnchanged(ObserverState* state, const ONotifyMessage& notify) {
-  const Message* const message = state->object->handler.running.get();
+  const Message* const message = state->object->running();
   uint32_t size = 0;
   if (message == nullptr || PayloadHash(*message, &size) == message->payload_hash) return;
   const openr_host::Object* const sender = state->system->object(message->sender);

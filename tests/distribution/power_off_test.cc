@@ -100,10 +100,10 @@ TEST_F(PowerOffTest, OnlyObjectsOfTheRunningRobotAreRestarted) {
   Run(20);
   EXPECT_THAT(said_, HasSubstr("process 'payee' is back"));
   EXPECT_EQ(StartCount(), 3);
-  const uint64_t off = payee(0).message_count, on = payee(1).message_count;
+  const uint64_t off = payee(0).message_count(), on = payee(1).message_count();
   Run(20);
-  EXPECT_EQ(payee(0).message_count, off);
-  EXPECT_GT(payee(1).message_count, on + 100);
+  EXPECT_EQ(payee(0).message_count(), off);
+  EXPECT_GT(payee(1).message_count(), on + 100);
   ASSERT_EQ(system().findings().all().size(), 1u);
   EXPECT_THAT(system().findings().all()[0].text, HasSubstr("was killed"));
 }
@@ -116,8 +116,8 @@ TEST_F(PowerOffTest, AnObjectThatWasOffIsNotStarted) {
   Run(20);
   EXPECT_THAT(said_, HasSubstr("process 'payee' is back"));
   EXPECT_EQ(StartCount(), 3);
-  EXPECT_TRUE(payee(1).delivery.is_off());
-  EXPECT_FALSE(payee(0).delivery.is_off());
+  EXPECT_TRUE(payee(1).delivery().is_off());
+  EXPECT_FALSE(payee(0).delivery().is_off());
 }
 
 TEST_F(PowerOffTest, ARunThatIsOverRestartsNoWorker) {

@@ -32,15 +32,9 @@ std::string PlayRequest(const std::string& file) {
   return static_cast<char>(file.size()) + file + std::string("\1\0\0", 3);
 }
 
-// Stacks are measured in the first handlers of an object and in samples later; this begins anew.
-void MeasureEveryHandler(Graph* graph) {
-  for (const char* name : kObjects) graph->system().FindObject(0, name)->message_count = 0;
-}
-
 // A connection for some packets; returns how many bytes came back.
 size_t Ask(Graph* graph, openr::testing::TcpClient* client, const std::string& packets,
            std::chrono::milliseconds time) {
-  MeasureEveryHandler(graph);
   const size_t heard = client->heard().size();
   client->Connect(RC_PORT).Send(packets);
   graph->RunFor(time);
@@ -111,7 +105,6 @@ void AskEverything(Graph* graph) {
 
 // PowerMonitor has something to do.
 void ShutDown(Graph* graph) {
-  MeasureEveryHandler(graph);
   graph->PressPause();
   graph->RunFor(std::chrono::seconds(1));
 }
@@ -128,8 +121,8 @@ class LimitsTest : public testing::Test {
     for (const char* name : kObjects) {
       const Object* const object = graph.system().FindObject(0, name);
       ASSERT_NE(object, nullptr) << name;
-      marks_.push_back({name, object->statistics().stack_max(), object->limits.stack_bytes,
-                        object->memory().arena()->bytes_in_use_max(), object->limits.heap_bytes});
+      marks_.push_back({name, object->statistics().stack_max(), object->limits().stack_bytes,
+                        object->memory().arena()->bytes_in_use_max(), object->limits().heap_bytes});
     }
     if (std::getenv("OPENR_PRINT_LIMITS") == nullptr) return;
     for (const Mark& mark : marks_) {

@@ -9,11 +9,11 @@ namespace {
 TEST(ReloadTest, TheControllerIsReplacedAndTheDogGoesOnStanding) {
   WhenStanding({}, [](Graph& graph) {
     const ObjectId id = graph.system().FindObject(0, "Controller")->id;
-    const uint64_t before = graph.system().object(id)->message_count;
+    const uint64_t before = graph.system().object(id)->message_count();
     graph.system().object_table().Reload(id);
     graph.system().RunFor(2'000'000);
     EXPECT_EQ(graph.Findings(), "");
-    EXPECT_GT(graph.system().object(id)->message_count, before + 50);  // sensors arrive
+    EXPECT_GT(graph.system().object(id)->message_count(), before + 50);  // sensors arrive
     EXPECT_EQ(graph.system().object(id)->statistics().state(), "running");
     EXPECT_TRUE(graph.Standing());
   });

@@ -216,7 +216,7 @@ TEST_F(RebootTest, ARobotThatWaitsForItsTimerCanBeSwitchedOffForGood) {
 
 TEST_F(RebootTest, OneOfTwoRobotsBootsAgainAndTheOtherGoesOn) {
   Start(2);
-  const uint64_t other = system().FindObject(1, "Controller")->message_count;
+  const uint64_t other = system().FindObject(1, "Controller")->message_count();
   Reboot(1);
   EXPECT_FALSE(system().robot(0).powered_off);
   EXPECT_TRUE(system().robot(1).powered_off);
@@ -225,7 +225,7 @@ TEST_F(RebootTest, OneOfTwoRobotsBootsAgainAndTheOtherGoesOn) {
   EXPECT_EQ(StateOf("JointMover", 1), "accepting-commands");
   EXPECT_EQ(system().robot(0).boots, 1);
   EXPECT_EQ(system().robot(1).boots, 2);
-  EXPECT_GT(system().FindObject(1, "Controller")->message_count, other);
+  EXPECT_GT(system().FindObject(1, "Controller")->message_count(), other);
   EXPECT_EQ(Findings(), "");
 }
 

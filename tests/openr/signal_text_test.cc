@@ -64,12 +64,12 @@ class CurrentMessageTest : public testing::Test {
     const int robot = system_.AddRobot("ERS-210", nullptr);
     sender_ = &system_.AddObject<Receiver>(robot, "Sender")->host();
     receiver_ = &system_.AddObject<Receiver>(robot, "Receiver")->host();
-    receiver_->handler.running = system_.queue().Allocate();
+    receiver_->BeginHandler(system_.queue().Allocate().release());
     message().sender = sender_->id;
   }
-  ~CurrentMessageTest() override { receiver_->handler.running.reset(); }
+  ~CurrentMessageTest() override { receiver_->EndHandler(); }
 
-  Message& message() const { return *receiver_->handler.running; }
+  Message& message() const { return *receiver_->running(); }
 
   // Returns the line about the message.  `image_code` is true if a signal has interrupted code of
   // the object.
@@ -124,7 +124,7 @@ TEST_F(CurrentMessageTest, TheSenderIsLeftOutWhileTheRuntimeRuns) {
 }
 
 TEST_F(CurrentMessageTest, WithoutAMessageThereIsNoLine) {
-  receiver_->handler.running.reset();
+  receiver_->EndHandler();
   EXPECT_EQ(Line(), "");
 }
 

@@ -94,7 +94,7 @@ TEST(PlantedWaitingTest, TheDeadlockIsFoundAmongAllOrders) {
 class Hog : public Actor {
  public:
   Hog() {
-    host().limits.priority = 144;
+    host().set_priority(144);
     work_ = AddExtra("Work", [this](void*) { Post(host().id, work_); });
   }
   OStatus DoStart(const OSystemEvent&) override {

@@ -16,7 +16,7 @@ OVirtualRobotAudioComm::OVirtualRobotAudioComm(RobotParts* robot) : robot_(*robo
                          [this](const ONotifyEvent& event) { NotifySpeaker(event); });
   mic_ = AddSubject("OVirtualRobotAudioComm.Mic.OSoundVectorData.S");
   frame_ = AddExtra("Frame", [this](void*) { Frame(); });
-  host().post_class = MessageClass::kVector;
+  host().set_post_class(MessageClass::kVector);
 }
 
 OVirtualRobotAudioComm::~OVirtualRobotAudioComm() = default;

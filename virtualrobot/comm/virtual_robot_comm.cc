@@ -23,7 +23,7 @@ OVirtualRobotComm::OVirtualRobotComm(RobotParts* robot) : robot_(*robot) {
   // Accepts connections to the service Alert but never sends, because the service is obsolete on
   // the robot.
   AddSubject("OVirtualRobotComm.Alert.OPrimitiveMapData.S");
-  host().post_class = MessageClass::kVector;
+  host().set_post_class(MessageClass::kVector);
 }
 
 OVirtualRobotComm::~OVirtualRobotComm() = default;

@@ -17,7 +17,7 @@ class DispatcherTest : public testing::Test {
 
   Recorder* Add(const std::string& name, int priority = 128) {
     Recorder* const object = system.AddObject<Recorder>(0, name, &log);
-    object->host().limits.priority = priority;
+    object->host().set_priority(priority);
     return object;
   }
   int32_t Post(Recorder* target, int value, int64_t delay_us = 0,

@@ -72,7 +72,7 @@ TEST_F(ScheduleTest, ItChoosesTheReceiverAndKeepsTheOrderOfEach) {
 TEST_F(ScheduleTest, PrioritiesHold) {
   LastFirst schedule;
   system->set_schedule(&schedule);
-  objects["a"]->host().limits.priority = 144;
+  objects["a"]->host().set_priority(144);
   EXPECT_EQ(RunTies(), (Log{"a:1@0", "a:2@0", "c:1@0", "c:2@0", "b:1@0", "b:2@0"}));
 }
 
@@ -210,7 +210,7 @@ TEST_F(CpuTest, WhatAHandlerPostsLeavesAtItsEnd) {
 }
 
 TEST_F(CpuTest, HigherPriorityTakesTheProcessorAndLengthensTheOther) {
-  objects["c"]->host().limits.priority = 144;
+  objects["c"]->host().set_priority(144);
   objects["a"]->on_message = [&](int) { PostTo(objects["b"], 7); };
   PostTo(objects["a"], 1);
   PostTo(objects["c"], 2, 30);
@@ -226,7 +226,7 @@ TEST_F(CpuTest, EqualPriorityWaits) {
 }
 
 TEST_F(CpuTest, ASecondMessageWaitsForItsObject) {
-  objects["c"]->host().limits.priority = 144;
+  objects["c"]->host().set_priority(144);
   PostTo(objects["c"], 1);
   PostTo(objects["c"], 2, 10);
   PostTo(objects["a"], 3, 20);
@@ -307,11 +307,11 @@ class LateRefusalTest : public testing::Test {
 TEST_F(LateRefusalTest, ANotificationWaitsForTheNextOne) {
   Start("busy", "receiver");
   sender_->on_ready = [this](const OReadyEvent&) { sender_->Send(1); };
-  receiver_->host().queue_max = 0;
+  receiver_->host().set_queue_max(0);
   system_.RunFor(1000);
   EXPECT_EQ(system_.findings().all().size(), 1u);
   EXPECT_EQ(sender_->out->IsReady(), 1);
-  receiver_->host().queue_max = 32;
+  receiver_->host().set_queue_max(32);
   RunAs(sender_, [this] { sender_->Send(2); });
   system_.RunFor(1000);
   EXPECT_EQ(receiver_->events, (Log{"1,2"}));
@@ -325,10 +325,10 @@ TEST_F(LateRefusalTest, ANotificationIsReplacedByALaterOneOfItsHandler) {
     sender_->Send(1);
     sender_->Send(2);
   };
-  receiver_->host().queue_max = 0;
+  receiver_->host().set_queue_max(0);
   system_.RunFor(1000);
   EXPECT_EQ(system_.regions().CountOf(sender_->host().id), 1);
-  receiver_->host().queue_max = 32;
+  receiver_->host().set_queue_max(32);
   RunAs(sender_, [this] { sender_->Send(3); });
   system_.RunFor(1000);
   EXPECT_EQ(receiver_->events, (Log{"2,3"}));
@@ -339,9 +339,9 @@ TEST_F(LateRefusalTest, SeveralNotificationsOfAMessageStaySeveral) {
   sender_->on_ready = [this](const OReadyEvent&) {
     for (int value = 1; value <= 3; ++value) sender_->Send(value);
   };
-  receiver_->host().queue_max = 0;
+  receiver_->host().set_queue_max(0);
   system_.RunFor(1000);
-  receiver_->host().queue_max = 32;
+  receiver_->host().set_queue_max(32);
   RunAs(sender_, [this] { sender_->Send(4); });
   system_.RunFor(1000);
   EXPECT_EQ(receiver_->events, (Log{"1,2,3,4"}));
@@ -359,7 +359,7 @@ TEST_F(LateRefusalTest, TheRegionsOfAReadyGoBack) {
     sender_->out->NotifyObservers();
   });
   EXPECT_EQ(region->NumberOfReference(), 2);
-  sender_->host().queue_max = 0;
+  sender_->host().set_queue_max(0);
   system_.RunFor(1000);
   EXPECT_EQ(receiver_->events.size(), 1u);
   EXPECT_EQ(region->NumberOfReference(), 1);
@@ -370,7 +370,7 @@ TEST_F(LateRefusalTest, ARequestEndsTheWaitForItsReply) {
   Log log;
   Recorder* const asker = system_.AddObject<Recorder>(0, "busy", &log);
   Recorder* const other = system_.AddObject<Recorder>(0, "other", &log);
-  other->host().queue_max = 0;
+  other->host().set_queue_max(0);
   asker->on_message = [&](int value) {
     const int32_t error =
         system_.requests().Call(other->host().id, other->entry, &value, sizeof value, nullptr, 0);

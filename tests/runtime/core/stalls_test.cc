@@ -73,7 +73,7 @@ TEST(StallsTest, AnObjectWithoutProcessorIsOneAndAFindingOnceItRuns) {
   system.AddRobot("ERS-210", nullptr);
   Recorder* const hog = system.AddObject<Recorder>(0, "hog", &log);
   Recorder* const meek = system.AddObject<Recorder>(0, "meek", &log);
-  hog->host().limits.priority = 144;
+  hog->host().set_priority(144);
   hog->on_message = [&](int left) {
     if (left > 0) PostTo(hog, left - 1);
   };

@@ -57,7 +57,7 @@ TEST_F(ImageTest, BootsSaysItsStateAndAnswers) {
   Start();
   EXPECT_EQ(Findings(), "");
   EXPECT_EQ(system->FindObject(0, "probe")->statistics().state(), "probing");
-  EXPECT_EQ(system->FindObject(0, "probe")->limits.priority, 144);
+  EXPECT_EQ(system->FindObject(0, "probe")->limits().priority, 144);
   EXPECT_EQ(talker->Ask("oid"), "known");
   EXPECT_EQ(talker->Ask("stream"), "3.25 1 ff");
 }

@@ -348,9 +348,9 @@ TEST_F(SoundTest, OptionalBytesOfSoundGoToTheSensorVectorsToo) {
 TEST_F(SoundTest, WithoutSoundTheSoundObjectIsNeverWoken) {
   Boot();
   const Object* const sound = system.FindObject(dog, "OVirtualRobotAudioComm");
-  const uint64_t before = sound->message_count;
+  const uint64_t before = sound->message_count();
   RunToFrame(100);
-  EXPECT_EQ(sound->message_count, before);
+  EXPECT_EQ(sound->message_count(), before);
 }
 
 TEST_F(SoundTest, TheStateHashSeesTheSpeaker) {
