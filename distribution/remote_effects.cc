@@ -201,7 +201,7 @@ int32_t RemoteEffects::Post(const openr_wire_PostedMessage& posted, Object* self
     // Refuses a reply if the object that asked has closed its reply box meanwhile.  A run with one
     // process refuses such a reply, too.
     const Object* const asker = resources_->system()->object(message->target);
-    if (asker == nullptr || !asker->boxes.open.contains(message->reply_box)) return sRBOXWASCLEANED;
+    if (asker == nullptr || !asker->boxes().IsOpen(message->reply_box)) return sRBOXWASCLEANED;
   }
   const bool is_notify = message->kind == PayloadKind::kNotify && self != nullptr;
   const StandingReady used = {is_notify ? posted.message.payload._u.notify.selector : 0,

@@ -31,7 +31,7 @@ RemoteFreeRun::RemoteFreeRun(RemoteConnection* connection, RemoteResources* reso
 std::optional<HandlerStop> RemoteFreeRun::WaitForStop(RemoteObject* object) {
   const uint64_t session = connection_->session();
   const uint64_t box = kFirstWakeBox + ++wake_box_count_;
-  object->boxes.open.insert(box);
+  object->boxes().OpenApart(box);
   // Measures the worker's silence from now on, because the worker gets work now and an idle worker
   // sends nothing.
   if (running_.empty()) last_heard_ms_ = WallClockMs();
@@ -43,7 +43,7 @@ std::optional<HandlerStop> RemoteFreeRun::WaitForStop(RemoteObject* object) {
   // after the time-out while `object` has the mark.  DoStop and DoDestroy get no mark, because the
   // end of a run has a time limit that no worker may extend.
   const uint32_t selector = object->running()->selector;
-  object->wait.is_untimed = selector != oentrySTOP && selector != oentryDESTROY;
+  object->wait().set_untimed(selector != oentrySTOP && selector != oentryDESTROY);
   bool timed_out = false;
   resources_->system()->requests().Await(box, -1, wait_reason_, &timed_out);
   if (connection_->IsOver(session)) return std::nullopt;
@@ -128,12 +128,12 @@ void RemoteFreeRun::HandleSample(const openr_wire_ToMaster& to_master) {
   if (found == running_.end()) connection_->Refuse("the end of a handler that was not begun");
   stops_[object] = effects_->ApplyStop(to_master);
   resources_->Wake(object, found->second);
-  resources_->ObjectOf(object)->wait.is_untimed = false;
+  resources_->ObjectOf(object)->wait().set_untimed(false);
   running_.erase(object);
 }
 
 void RemoteFreeRun::ForgetHandlers() {
-  for (const auto& [id, box] : running_) resources_->ObjectOf(id)->wait.is_untimed = false;
+  for (const auto& [id, box] : running_) resources_->ObjectOf(id)->wait().set_untimed(false);
   running_.clear();
   stops_.clear();
   is_silent_ = false;

@@ -17,7 +17,7 @@ std::unique_ptr<RemoteObject> RemoteObject::NewInstance() const {
   auto fresh = std::make_unique<RemoteObject>(system, id, robot, process_, lost_);
   fresh->name = name;
   fresh->path = path;
-  fresh->boxes.last = boxes.last;
+  fresh->boxes().set_last(boxes().last());
   fresh->set_lost(is_lost());
   fresh->undelivered_count = undelivered_count;
   return fresh;

@@ -77,7 +77,7 @@ void RemoteResources::ReleaseAll() {
     // Ends the wait of a RemoteObject, the master's stand-in for an object of the worker, if its
     // handler in the worker had not returned.  The lost worker will never report the end of this
     // handler.
-    if (object->delivery().blocked() != nullptr) Wake(id, object->wait.box);
+    if (object->delivery().blocked() != nullptr) Wake(id, object->wait().box());
   }
   calls_->ReleasePins();
   // Removes the lost process's counts of lost data and messages and its heap use, because the next

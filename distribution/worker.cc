@@ -383,7 +383,7 @@ void Worker::SendStopped(Object* object) {
   if (object->memory().arena() != nullptr)
     stopped.heap_max = object->memory().arena()->bytes_in_use_max();
   stopped.heap_here = HeapOfThisProcess(object->robot);
-  for (const auto& subject : object->subjects) {
+  for (const auto& subject : object->subjects()) {
     for (const ObserverLink& link : subject->links) stopped.pending += link.units.size();
   }
   MoveEffectsTo(&to_master);
@@ -414,7 +414,7 @@ void Worker::SendState(ObjectId id) {
   Hasher hasher(&subjects);
   std::vector<openr_wire_RegionBytes> regions;
   if (const Object* const object = system_->object(id)) {
-    for (const auto& subject : object->subjects) subject->HashState(&hasher);
+    for (const auto& subject : object->subjects()) subject->HashState(&hasher);
     system_->regions().ForEachOf(id, [&](uint32_t region, char* base, size_t size) {
       regions.push_back({region, WireArena::View(base, size)});
     });

@@ -41,10 +41,10 @@ size_t WorkerCalls::ReadLine(char* buffer, size_t size) {
   Object* const self = t_current.object;
   const uint64_t box = system_->requests().OpenBox();
   master_->RecordWaitForLine(box, size);
-  self->wait.why = ConsoleInput::kWaitReason;
+  self->wait().set_why(ConsoleInput::kWaitReason);
   const OwnedMessage line = system_->dispatcher().WaitFor(box);
-  self->wait.why.clear();
-  self->boxes.open.erase(box);
+  self->wait().set_why("");
+  self->boxes().Close(box);
   const size_t count = std::min<size_t>(line->size, size);
   std::memcpy(buffer, line->payload, count);
   return count;

@@ -191,7 +191,7 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
     const Object& object = *system_->objects()[member->objects_sent];
     objects.push_back({object.id, object.robot, arena->Text(object.name), arena->Text(object.path),
                        object.is_system(), object.name == IpStack::kName,
-                       member->objects.contains(object.id), object.boxes.last});
+                       member->objects.contains(object.id), object.boxes().last()});
   }
   // Sends the heap use of all robots with every Load, and not only of new robots, because objects
   // in other processes may have used more heap since the previous Load.

@@ -120,7 +120,7 @@ void Worker::AddObject(const openr_wire_ObjectEntry& entry,
   if (entry.is_own) {
     Object* const object = LoadImage(system_.get(), entry.robot, StringOf(entry.path), "join");
     if (object != nullptr) {
-      object->boxes.last = entry.last_box;
+      object->boxes().set_last(entry.last_box);
       own_object_names_.insert(object->name);
       loaded->push_back(Describe(*object));
       return;

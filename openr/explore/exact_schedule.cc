@@ -115,7 +115,7 @@ void ExactSchedule::AddMemoryOf(ObjectId id) {
 }
 
 void ExactSchedule::AddHeld(const Object& object) {
-  for (const auto& observer : object.observers) {
+  for (const auto& observer : object.observers()) {
     for (const ObserverState::Held& held : observer->held) {
       if (!held.regions.empty()) AddMemoryOf(ObjectIdOf(held.subject.GetOID()));
     }

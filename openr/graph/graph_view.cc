@@ -26,7 +26,7 @@ const ObserverLink* FindLink(const System& system, const Connection& wire) {
   const auto observer = FindService(system, wire.robot, wire.observer, ServiceSide::kObserver);
   if (found == robot.directory.end() || !observer) return nullptr;
   const OServiceEntry observer_id(OidOf(observer->object), observer->selector);
-  for (const auto& subject : system.object(found->second.first)->subjects) {
+  for (const auto& subject : system.object(found->second.first)->subjects()) {
     if (subject->service == wire.subject) return subject->Find(observer_id);
   }
   return nullptr;

@@ -103,7 +103,7 @@ Json AnswerObjects(const RequestContext& context) {
                        {"state", object->statistics().state()},
                        {"messages", object->message_count()},
                        {"waiting", object->waiting()},
-                       {"waits_for", object->wait.why}});
+                       {"waits_for", object->wait().why()}});
   }
   return {{"time_s", TimeOf(context)}, {"objects", objects}};
 }
@@ -127,7 +127,7 @@ Json AnswerObject(const RequestContext& context) {
                              DidYouMean(name, known)));
   }
   Json subjects = Json::array(), observers = Json::array(), findings = Json::array();
-  for (const auto& subject : object->subjects) {
+  for (const auto& subject : object->subjects()) {
     for (const ObserverLink& link : subject->links) {
       subjects.push_back({{"service", subject->service},
                           {"observer", ServiceAt(system, link.observer, link.target)},
@@ -136,7 +136,7 @@ Json AnswerObject(const RequestContext& context) {
                           {"sent", link.sent}});
     }
   }
-  for (const auto& observer : object->observers) {
+  for (const auto& observer : object->observers()) {
     for (const OSubjectInfo& info : observer->subjects) {
       const ObjectId subject = ObjectIdOf(info.GetSubjectID().GetOID());
       observers.push_back({{"service", ServiceAt(system, observer->id, object->id)},
@@ -155,7 +155,7 @@ Json AnswerObject(const RequestContext& context) {
           {"messages", object->message_count()},
           {"dropped", object->statistics().dropped_count()},
           {"waiting", object->waiting()},
-          {"waits_for", object->wait.why},
+          {"waits_for", object->wait().why()},
           {"subjects", subjects},
           {"observers", observers},
           {"findings", findings}};

@@ -44,7 +44,7 @@ const ObserverLink* LinkOf(System* system, const Connection& connection) {
   if (from == directory.end() || to == directory.end()) return nullptr;
   const Object* const object = system->object(from->second.first);
   if (object == nullptr) return nullptr;
-  for (const auto& subject : object->subjects) {
+  for (const auto& subject : object->subjects()) {
     if (subject->service != connection.subject) continue;
     for (const ObserverLink& link : subject->links) {
       const Object* const observer = system->object(link.target);
@@ -243,7 +243,7 @@ Json LiveEvents::Graph() {
          {"per_s", objects_[object->id].per_s},
          {"waiting", object->waiting()},
          {"dropped", object->statistics().dropped_count()},
-         {"waits_for", object->wait.why},
+         {"waits_for", object->wait().why()},
          {"cost_us", static_cast<double>(object->statistics().handler_ns_max()) / 1000},
          {"findings", findings[{object->robot, object->name}]}});
   }

@@ -34,7 +34,7 @@ sError CheckBox(const RID& rbox) {
   const openr_host::Object* const self = t_current.object;
   if (self == nullptr || !rbox.IsValid()) return sINVALIDRID;
   if (ObjectIdOf(rbox.GetMailer()) != self->id) return sRIDCANNOTBETREATED;
-  return self->boxes.open.contains(rbox.GetValue()) ? sSUCCESS : sRIDNOTFOUND;
+  return self->boxes().IsOpen(rbox.GetValue()) ? sSUCCESS : sRIDNOTFOUND;
 }
 
 // Returns whether the current object can wait for a reply.  In a constructor or destructor, where

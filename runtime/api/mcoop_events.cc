@@ -51,7 +51,7 @@ sError SetReplyEvent(RID rbox, OID oid, Selector selector, void* msg, size_t siz
   openr_host::Object* const self = t_current.object;
   if (!rbox.IsValid()) return sINVALIDRID;
   if (ObjectIdOf(rbox.GetMailer()) != self->id) return sRIDCANNOTBETREATED;
-  if (!self->boxes.open.contains(rbox.GetValue())) return sRIDNOTFOUND;
+  if (!self->boxes().IsOpen(rbox.GetValue())) return sRIDNOTFOUND;
   const longword id = t_current.system->calls().AddReplyEvent(
       MakeEventMessage(oid, selector, msg, size), rbox.GetValue());
   if (event != nullptr) event->value = id;

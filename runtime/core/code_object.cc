@@ -22,10 +22,10 @@ void CodeObject::AddSubjectEntries(const std::string& service, OSubject* subject
   const Selector control = AddExtra(service + " (Control)", [subject](void* message) {
     subject->ControlHandler(*static_cast<OControlMessage*>(message));
   });
-  // The last element of host_->subjects is the SubjectState of `subject`, because `subject` was
+  // The last element of host_->subjects() is the SubjectState of `subject`, because `subject` was
   // made together with `entry`, immediately before this call.
-  ASSERT(!host_->subjects.empty(), "{} has no subject", service);
-  entry->subject_state = host_->subjects.back().get();
+  ASSERT(!host_->subjects().empty(), "{} has no subject", service);
+  entry->subject_state = host_->subjects().back().get();
   const Selector ready = AddEntry(service + " (Ready)", std::move(entry));
   subject->SetReadyEntry(OServiceEntry(myOID_, ready));
   RegisterServiceEntry(OServiceEntry(myOID_, control), service.c_str());
@@ -36,8 +36,8 @@ void CodeObject::AddObserverEntries(const std::string& service, OObserver* obser
   const Selector connect = AddExtra(service + " (Connect)", [observer](void* message) {
     observer->ConnectHandler(*static_cast<OConnectMessage*>(message));
   });
-  ASSERT(!host_->observers.empty(), "{} has no observer", service);
-  entry->observer_state = host_->observers.back().get();
+  ASSERT(!host_->observers().empty(), "{} has no observer", service);
+  entry->observer_state = host_->observers().back().get();
   const Selector notify = AddEntry(service + " (Notify)", std::move(entry));
   observer->SetNotifyEntry(OServiceEntry(myOID_, notify));
   RegisterServiceEntry(OServiceEntry(myOID_, connect), service.c_str());

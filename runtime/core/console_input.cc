@@ -26,7 +26,7 @@ void ConsoleInput::WakeNext(Terminal* terminal) {
     const auto [id, box] = terminal->readers.front();
     terminal->readers.pop_front();
     const Object* const object = system_->object(id);
-    if (object == nullptr || object->delivery().blocked() == nullptr || object->wait.box != box)
+    if (object == nullptr || object->delivery().blocked() == nullptr || object->wait().box() != box)
       continue;
     // The message that wakes the reader (an object that waits for a line of the console) also holds
     // the line, so that the trace shows it.  The reader takes the line from the terminal and not

@@ -41,7 +41,7 @@ class ConsoleInput {
   // already shown the typed text.
   void set_echo(bool echo) { echo_ = echo; }
 
-  // Describes to users what an object that reads the console waits for (WaitState::why).
+  // Describes to users what an object that reads the console waits for (WaitState::why()).
   static constexpr std::string_view kWaitReason = "a line from the console";
 
   void HashState(Hasher* hasher) const;

@@ -20,7 +20,7 @@ bool Cpu::IsFreeFor(const Object& object) const {
 }
 
 void Cpu::Wait(Object* object, OwnedMessage message, int64_t now_us) {
-  if (object->processor.starving_since_us < 0) object->processor.starving_since_us = now_us;
+  object->processor().NoteStarving(now_us);
   waiting_.push_back(std::move(message));
 }
 
@@ -34,7 +34,7 @@ std::vector<OwnedMessage> Cpu::TakeMessagesTo(ObjectId id) {
 }
 
 void Cpu::Grant(Object* object, int64_t now_us) {
-  const int64_t since_us = std::exchange(object->processor.starving_since_us, -1);
+  const int64_t since_us = object->processor().EndStarving();
   if (since_us >= 0 && now_us - since_us > kStarvedUs) {
     system_->AddFindingAbout(object, Severity::kWarning,
                              fmt::format("got no processor time for {:.3f} s: others of the same "
@@ -75,7 +75,7 @@ void Cpu::End(int64_t now_us) {
   object->delivery().set_busy(false);
   // Posts the messages to their receivers.  Post() puts a message into an outbox only while an
   // object is current.  No object is current here, so Post() really sends the messages.
-  for (ProcessorState::Outgoing& outgoing : std::exchange(object->processor.outbox, {})) {
+  for (ProcessorState::Outgoing& outgoing : object->processor().TakeOutbox()) {
     const Message* const message = outgoing.message.get();
     // A message that Post() refuses stays in `outgoing`, so `message` is valid in HandleRefused().
     if (system_->Post(std::move(outgoing.message), outgoing.delay_us) != sSUCCESS)

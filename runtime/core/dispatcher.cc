@@ -385,12 +385,12 @@ void Dispatcher::DeliverReply(Object* object, OwnedMessage message) {
   // The reply box may have been closed since `message` was posted: by CleanRBox(), or because the
   // reply came and `message` is the time-out.  Then no handler waits for `message`, so it is
   // dropped.
-  if (!object->boxes.open.contains(box)) return;
-  object->boxes.arrived[box] = std::move(message);
+  if (!object->boxes().IsOpen(box)) return;
+  object->boxes().Put(box, std::move(message));
   // If the handler does not wait for this reply, the reply stays in its box until the object asks
   // for it in a later call.  If the object has ordered messages for the arrival of this reply
   // (reply events), they are posted now.
-  if (object->delivery().blocked() == nullptr || object->wait.box != box) {
+  if (object->delivery().blocked() == nullptr || object->wait().box() != box) {
     system_->time_events().ReplyArrived(object->id, box);
     return;
   }
@@ -403,7 +403,7 @@ void Dispatcher::DeliverReply(Object* object, OwnedMessage message) {
 OwnedMessage Dispatcher::WaitFor(uint64_t box) {
   Object* const object = t_current.object;
   ASSERT(object != nullptr && running_ != nullptr, "only a handler can wait");
-  if (!object->boxes.arrived.contains(box)) {
+  if (!object->boxes().HasReply(box)) {
     Fiber* const next = TakeIdleFiber();
     // Saves the current object, because Loop() must run without a current object.  While this
     // handler waits on its fiber, Loop() delivers messages on another fiber, until DeliverReply()
@@ -413,16 +413,11 @@ OwnedMessage Dispatcher::WaitFor(uint64_t box) {
     const Current saved = t_current;
     t_current = {system_, nullptr};
     object->delivery().set_blocked(running_);
-    object->wait.box = box;
-    object->wait.since_us = system_->now_us();
+    object->wait().Begin(box, system_->now_us());
     SwitchTo(next);
     t_current = saved;
   }
-  const auto found = object->boxes.arrived.find(box);
-  ASSERT(found != object->boxes.arrived.end(), "woken without a reply to box {}", box);
-  OwnedMessage message = std::move(found->second);
-  object->boxes.arrived.erase(found);
-  return message;
+  return object->boxes().Take(box);
 }
 
 void Dispatcher::Abandon() {

@@ -69,7 +69,7 @@ void RunFolder::Replace(const std::string& copy, const std::string& bytes) {
 }
 
 ImageObject::~ImageObject() {
-  files.CloseAll();
+  files().CloseAll();
   const CurrentScope scope(system, this);
   if (handle_ != nullptr) dlclose(handle_);
   if (has_thunks_) munmap(memory().addresses()->thunks(), ObjectAddresses::kThunkBytes);

@@ -2,7 +2,6 @@
 
 #include <sError.h>
 
-#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -23,19 +22,16 @@ int32_t LocalCalls::Post(OwnedMessage&& message, int64_t delay_us) {
 
 void LocalCalls::OpenBox(uint64_t box) {
   Object* const self = t_current.object;
-  self->boxes.open.insert(box);
-  self->boxes.last = std::max(self->boxes.last, box);
+  self->boxes().Open(box);
 }
 
 void LocalCalls::CloseBox(uint64_t box) {
   Object* const self = t_current.object;
-  self->boxes.open.erase(box);
-  self->boxes.arrived.erase(box);
-  if (self->boxes.with_event.erase(box) > 0) system_->time_events().ForgetBox(self->id, box);
+  if (self->boxes().Close(box)) system_->time_events().ForgetBox(self->id, box);
 }
 
 bool LocalCalls::AcceptsReply(ObjectId asker, uint64_t box) const {
-  return system_->object(asker)->boxes.open.contains(box);
+  return system_->object(asker)->boxes().IsOpen(box);
 }
 
 const Message* LocalCalls::BeginWait(uint64_t box, int64_t timeout_us, std::string_view) {
@@ -69,10 +65,10 @@ uint32_t LocalCalls::AddTimedEvent(const TimeEvents::EventMessage& message, int6
 uint32_t LocalCalls::AddReplyEvent(const TimeEvents::EventMessage& message, uint64_t box) {
   const uint32_t event = system_->time_events().AddReply(message, box);
   Object* const self = t_current.object;
-  self->boxes.with_event.insert(box);
+  self->boxes().NoteEvent(box);
   // If the reply is in its box already, posts `message` now.  Otherwise `message` would never be
   // posted, because the reply does not arrive a second time.
-  if (self->boxes.arrived.contains(box)) system_->time_events().ReplyArrived(self->id, box);
+  if (self->boxes().HasReply(box)) system_->time_events().ReplyArrived(self->id, box);
   return event;
 }
 

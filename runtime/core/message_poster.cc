@@ -68,7 +68,7 @@ int32_t MessagePoster::Post(OwnedMessage&& message, Object* target, int64_t dela
   // While the sender's handler still takes processor time, the message waits in the sender's
   // outbox.  Cpu::End() posts it when that time is over.
   if (Object* const self = t_current.object; self != nullptr && self->delivery().is_busy()) {
-    self->processor.outbox.push_back({std::move(message), delay_us});
+    self->processor().KeepOutgoing(std::move(message), delay_us);
     return sSUCCESS;
   }
   if (!message->is_reply) {

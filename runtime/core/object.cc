@@ -22,7 +22,7 @@ Object::Object(System* the_system, ObjectId the_id, int the_robot, bool the_is_i
       is_image_(the_is_image) {}
 
 Object::~Object() {
-  files.CloseAll();
+  files_.CloseAll();
   memory_.DeletePrivateRegions();
 }
 
@@ -50,7 +50,7 @@ std::string Object::NameService(uint32_t selector, const char* kind) {
 
 std::vector<StandingReady> Object::StandingReadies() const {
   std::vector<StandingReady> readies;
-  for (const auto& subject : subjects) {
+  for (const auto& subject : subjects_) {
     for (const ObserverLink& link : subject->links) {
       if (link.ready > 0)
         readies.push_back({subject->id.GetSelector(), link.target, link.observer.GetSelector()});
@@ -59,13 +59,21 @@ std::vector<StandingReady> Object::StandingReadies() const {
   return readies;
 }
 
+SubjectState* Object::AddSubject(std::unique_ptr<SubjectState> subject) {
+  return subjects_.emplace_back(std::move(subject)).get();
+}
+
+ObserverState* Object::AddObserver(std::unique_ptr<ObserverState> observer) {
+  return observers_.emplace_back(std::move(observer)).get();
+}
+
 void Object::HandleUndelivered(const Message& message) {
   if (message.kind != PayloadKind::kReady) statistics_.NoteDropped();
   if (message.kind == PayloadKind::kNotify) RefuseNotification(this, message);
 }
 
 void Object::ReturnRegion(RCRegion* region) {
-  if (!is_leaving_ && !subjects.empty()) region->RemoveReference();
+  if (!is_leaving_ && !subjects_.empty()) region->RemoveReference();
 }
 
 int Object::NextRandom() {
@@ -89,7 +97,7 @@ void Object::Succeed(const Object& old) {
   waiting_ = old.waiting_;
   // A reply to a request of the old object may still come.  It names only the object's id and a
   // reply box, so a box of the new object must not have the same number.
-  boxes.last = std::max(boxes.last, old.boxes.last);
+  boxes_.set_last(std::max(boxes_.last(), old.boxes_.last()));
 }
 
 void Object::KeepEarly(std::vector<uint32_t> regions, TimeEvents::Events events) {

@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,7 +19,10 @@
 #include "runtime/core/number_faults.h"
 #include "runtime/core/object_memory.h"
 #include "runtime/core/object_statistics.h"
+#include "runtime/core/processor_state.h"
+#include "runtime/core/reply_boxes.h"
 #include "runtime/core/time_events.h"
+#include "runtime/core/wait_state.h"
 
 class RCRegion;
 
@@ -51,47 +53,12 @@ struct StandingReady {
   auto operator<=>(const StandingReady&) const = default;
 };
 
-// The wait of a handler for a reply.  The members are valid only while DeliveryState::blocked() is
-// not null.
-struct WaitState {
-  uint64_t box = 0;      // the reply box for which the handler waits
-  int64_t since_us = 0;  // virtual time when the wait began
-  // The text that tells users what the handler waits for: "the answer of IPStack (Send)".
-  std::string why;
-  // True if the handler waits for something that takes wall time, so that virtual time does not
-  // tell how long the wait is.  Requests::Call() to this object then ignores time-outs, which are
-  // in virtual time.
-  bool is_untimed = false;
-};
-
 // Receives the reply when an object calls an entry of its own directly and not by a message.  An
 // object does this to connect one of its subjects with one of its observers, or to disconnect them.
 struct SelfReply {
   void* data;
   size_t size;
   uint32_t selector;  // the entry that is called
-};
-
-// The numbered boxes in which an object receives replies; see requests.h.
-struct ReplyBoxes {
-  uint64_t last = 0;                         // the number of the newest box
-  std::set<uint64_t> open;                   // boxes in which a reply may arrive, or has arrived
-  std::map<uint64_t, OwnedMessage> arrived;  // replies that no handler has received yet
-  // The boxes among `open` for which the object has ordered reply events (SetReplyEvent()).  Such
-  // events may still wait in TimeEvents when their box is closed, and must be removed then.
-  std::set<uint64_t> with_event;
-};
-
-// An object's use of the robot's processor, if handlers take time; see cpu.h.
-struct ProcessorState {
-  // The virtual time at which this object, which has a message to handle, began to wait for the
-  // processor; -1 if the object does not wait for the processor.
-  int64_t starving_since_us = -1;
-  struct Outgoing {
-    OwnedMessage message;
-    int64_t delay_us;
-  };
-  std::vector<Outgoing> outbox;  // messages of the handler; posted when its processor time is over
 };
 
 // The files of the stick that the code of one image has open.
@@ -164,6 +131,26 @@ class Object {
   // Control or Connect entry of this service runs now, because the selector of the running entry
   // tells which service it is.
   std::string NameService(uint32_t selector, const char* kind);
+
+  // ---- Parts of the object
+
+  // The ends of connections that the object has made.  Both lists only grow.  Each end belongs to
+  // the object; the functions that add one return its address.
+  const std::vector<std::unique_ptr<SubjectState>>& subjects() const { return subjects_; }
+  const std::vector<std::unique_ptr<ObserverState>>& observers() const { return observers_; }
+  SubjectState* AddSubject(std::unique_ptr<SubjectState> subject);
+  ObserverState* AddObserver(std::unique_ptr<ObserverState> observer);
+
+  OpenFiles& files() { return files_; }
+
+  const ReplyBoxes& boxes() const { return boxes_; }
+  ReplyBoxes& boxes() { return boxes_; }
+
+  const WaitState& wait() const { return wait_; }
+  WaitState& wait() { return wait_; }
+
+  const ProcessorState& processor() const { return processor_; }
+  ProcessorState& processor() { return processor_; }
 
   const ObjectStatistics& statistics() const { return statistics_; }
   ObjectStatistics& statistics() { return statistics_; }
@@ -307,18 +294,6 @@ class Object {
   std::string name;  // OBJECT_NAME of the .ocf file, unique per robot
   std::string path;  // /MS/... of an image; empty for objects built in code
 
-  OpenFiles files;
-  ReplyBoxes boxes;
-  WaitState wait;
-  ProcessorState processor;
-
- private:
-  ObjectMemory memory_;  // outlives the members below, whose memory may be in its heap
-
- public:
-  std::vector<std::unique_ptr<SubjectState>> subjects;
-  std::vector<std::unique_ptr<ObserverState>> observers;
-
  protected:
   void set_absent() { is_absent_ = true; }
   // Sets the number of the object's first entries without a gap; see entry_count().
@@ -334,6 +309,13 @@ class Object {
     waited_us_ += wait_us;
   }
 
+  OpenFiles files_;
+  ReplyBoxes boxes_;
+  WaitState wait_;
+  ProcessorState processor_;
+  ObjectMemory memory_;  // outlives the members below, whose memory may be in its heap
+  std::vector<std::unique_ptr<SubjectState>> subjects_;
+  std::vector<std::unique_ptr<ObserverState>> observers_;
   bool is_system_ = false;
   bool is_leaving_ = false;
   bool is_lost_ = false;

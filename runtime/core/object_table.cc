@@ -42,7 +42,7 @@ void ReleaseHeld(ObserverState* observer, const std::function<bool(const Subject
 void Disconnect(Object* other, Object* gone) {
   const ObjectId id = gone->id;
   const CurrentScope scope(other->system, other);
-  for (const auto& subject : other->subjects) {
+  for (const auto& subject : other->subjects()) {
     for (ObserverLink& link : subject->links) {
       if (link.target != id) continue;
       other->statistics().NoteDropped(link.units.size());
@@ -52,7 +52,7 @@ void Disconnect(Object* other, Object* gone) {
     subject->infos.remove_if(
         [&](const OObserverInfo& info) { return IsOf(info.GetObserverID(), id); });
   }
-  for (const auto& observer : other->observers) {
+  for (const auto& observer : other->observers()) {
     for (const ObserverState::Name& name : observer->names) {
       if (IsOf(name.subject, id)) observer->MissSubject(name.service);
     }
@@ -61,18 +61,6 @@ void Disconnect(Object* other, Object* gone) {
         observer.get(), [&](const SubjectID& subject) { return IsOf(subject, id); },
         [gone](RCRegion* region) { gone->ReturnRegion(region); });
   }
-}
-
-// Moves the messages to object `id`, except replies, from the outbox of `sender` to `messages`.
-// The outbox has messages of a handler whose processor time is not over.
-void MoveOutgoing(Object* sender, ObjectId id, std::vector<OwnedMessage>* messages) {
-  if (sender == nullptr) return;
-  auto& outbox = sender->processor.outbox;
-  for (ProcessorState::Outgoing& outgoing : outbox) {
-    if (outgoing.message->target == id && !outgoing.message->is_reply)
-      messages->push_back(std::move(outgoing.message));
-  }
-  std::erase_if(outbox, [](const auto& outgoing) { return outgoing.message == nullptr; });
 }
 
 // Takes the place in the ObjectTable of an object whose robot was switched off.  It keeps the id,
@@ -187,8 +175,11 @@ std::vector<OwnedMessage> ObjectTable::TakeMessagesTo(Object* object) {
   // messages in outboxes (posted by handlers whose processor time is not over), which are taken
   // next, were never counted as waiting.
   object->NoteTaken(static_cast<int>(messages.size()));
-  for (const auto& sender : objects_) MoveOutgoing(sender.get(), object->id, &messages);
-  for (const auto& sender : replaced_running_) MoveOutgoing(sender.get(), object->id, &messages);
+  for (const auto* const senders : {&objects_, &replaced_running_}) {
+    for (const auto& sender : *senders) {
+      if (sender != nullptr) sender->processor().MoveOutgoing(object->id, &messages);
+    }
+  }
   return messages;
 }
 
@@ -231,7 +222,7 @@ void ObjectTable::KeepSentRegions(ObjectId id) {
   }
   for (const auto& object : objects_) {
     for (const OwnedMessage& message : object->delivery().held()) keep(*message);
-    for (const ProcessorState::Outgoing& outgoing : object->processor.outbox)
+    for (const ProcessorState::Outgoing& outgoing : object->processor().outbox())
       keep(*outgoing.message);
   }
 }
@@ -243,7 +234,7 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
   ASSERT(old != nullptr, "there is no object {} to replace", id);
   {
     const CurrentScope scope(system_, old);
-    for (const auto& observer : old->observers) {
+    for (const auto& observer : old->observers()) {
       ReleaseHeld(
           observer.get(), [](const SubjectID&) { return true; },
           [](RCRegion* region) { region->RemoveReference(); });

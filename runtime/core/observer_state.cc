@@ -156,7 +156,7 @@ void HandleLateRefusal(Object* sender, const Message& message) {
   }
   const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
   bool is_here = false;  // whether the subject is in this process
-  for (const auto& subject : sender->subjects) {
+  for (const auto& subject : sender->subjects()) {
     if (subject->id != notify.subjectID) continue;
     is_here = true;
     const ObserverID observer = OServiceEntry(OidOf(target->id), message.selector);

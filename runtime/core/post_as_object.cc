@@ -21,7 +21,7 @@ constexpr char kFull[] = "the queue of the receiver is full";
 std::string NotConnectedText(const System& system, const ServiceEnd& subject,
                              const ServiceEnd& observer) {
   const OServiceEntry observer_id(OidOf(observer.object), observer.selector);
-  for (const auto& each : system.object(subject.object)->subjects) {
+  for (const auto& each : system.object(subject.object)->subjects()) {
     if (each->id.selector != subject.selector) continue;
     if (each->Find(observer_id) != nullptr) return "";
     return fmt::format("{} is not connected with {}", each->service,

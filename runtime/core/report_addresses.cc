@@ -19,7 +19,7 @@ std::string SenderOf(const Message& message, const Object& sender) {
   if (message.is_reply) return "an answer";
   if (message.kind == PayloadKind::kNotify) {
     const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
-    for (const auto& subject : sender.subjects) {
+    for (const auto& subject : sender.subjects()) {
       if (subject->id == notify.subjectID) return fmt::format("the subject '{}'", subject->service);
     }
   }

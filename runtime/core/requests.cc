@@ -17,15 +17,15 @@ namespace openr_host {
 uint64_t Requests::OpenBox() {
   ASSERT(t_current.object != nullptr, "only an object waits for a reply");
   Object* const self = t_current.object;
-  system_->calls().OpenBox(self->boxes.last + 1);
-  return self->boxes.last;
+  system_->calls().OpenBox(self->boxes().last() + 1);
+  return self->boxes().last();
 }
 
 int32_t Requests::Send(OwnedMessage message, uint64_t* box) {
   *box = OpenBox();
   message->reply_box = *box;
   const int32_t error = system_->Post(std::move(message));
-  if (error != sSUCCESS) t_current.object->boxes.open.erase(*box);
+  if (error != sSUCCESS) t_current.object->boxes().Close(*box);
   return error;
 }
 
@@ -33,10 +33,10 @@ OwnedMessage Requests::Await(uint64_t box, int64_t timeout_us, std::string_view 
                              bool* timed_out) {
   Object* const self = t_current.object;
   ASSERT(self != nullptr && box != 0, "only an object waits, and for a box");
-  self->wait.why = why;
+  self->wait().set_why(why);
   const Message* const wake = system_->calls().BeginWait(box, timeout_us, why);
   OwnedMessage message = system_->dispatcher().WaitFor(box);
-  self->wait.why.clear();
+  self->wait().set_why("");
   // If the wait for the reply has timed out, `message` is the empty reply that
   // LocalCalls::BeginWait() has posted from the object to itself.
   *timed_out = message->kind == PayloadKind::kHashed && message->sender == self->id;
@@ -51,11 +51,10 @@ OwnedMessage Requests::Await(uint64_t box, int64_t timeout_us, std::string_view 
   // Removes `wake`, the message that would end the wait at the time-out, because the reply came
   // before.
   if (wake != nullptr) system_->queue().TakeIf([wake](const Message& m) { return &m == wake; });
-  self->boxes.open.erase(box);
-  // Removes the reply events that the object has ordered for this reply and that were not posted:
-  // the reply has ended the wait of the handler instead.  These events can never be posted any
-  // more, but would count among the events of the object.
-  if (self->boxes.with_event.erase(box) > 0) system_->time_events().ForgetBox(self->id, box);
+  // Closes the box and removes the reply events that the object has ordered for this reply and that
+  // were not posted: the reply has ended the wait of the handler instead.  These events can never
+  // be posted any more, but would count among the events of the object.
+  if (self->boxes().Close(box)) system_->time_events().ForgetBox(self->id, box);
   return message;
 }
 
@@ -88,7 +87,7 @@ int32_t Requests::Call(ObjectId target, uint32_t selector, const void* data, siz
     const int32_t result = Wait(box, reply, reply_size, nullptr, timeout_us, why);
     // Does not repeat a wait without a limit (timeout_us < 0), because such a wait ends with
     // sTIMEOUT only if the request was refused (cpu.h).
-    const bool may_repeat = timeout_us >= 0 && system_->object(target)->wait.is_untimed;
+    const bool may_repeat = timeout_us >= 0 && system_->object(target)->wait().is_untimed();
     if (result != sTIMEOUT || !may_repeat) return result;
   }
 }

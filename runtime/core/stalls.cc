@@ -45,21 +45,21 @@ void FindInLink(const Object& object, const SubjectState& subject, const Observe
 void FindIn(const Object& object, int64_t now_us, std::vector<Stall>* stalls) {
   if (object.delivery().blocked() != nullptr) {
     stalls->push_back(
-        {object.id, object.wait.since_us,
-         fmt::format("{} waits for {} since t={:.3f} s", object.name, object.wait.why,
-                     Seconds(object.wait.since_us)),
-         object.wait.why == ConsoleInput::kWaitReason
+        {object.id, object.wait().since_us(),
+         fmt::format("{} waits for {} since t={:.3f} s", object.name, object.wait().why(),
+                     Seconds(object.wait().since_us())),
+         object.wait().why() == ConsoleInput::kWaitReason
              ? "nobody has typed one: openr run --stdin FILE"
              : "two objects that Call() each other wait for ever; with --cost, a handler "
                "may take that long"});
   }
-  if (object.processor.starving_since_us >= 0) {
-    stalls->push_back({object.id, object.processor.starving_since_us,
+  if (object.processor().starving_since_us() >= 0) {
+    stalls->push_back({object.id, object.processor().starving_since_us(),
                        fmt::format("{} waits for the processor since t={:.3f} s", object.name,
-                                   Seconds(object.processor.starving_since_us)),
+                                   Seconds(object.processor().starving_since_us())),
                        "others of the same or a higher priority leave it none"});
   }
-  for (const auto& subject : object.subjects) {
+  for (const auto& subject : object.subjects()) {
     for (const ObserverLink& link : subject->links)
       FindInLink(object, *subject, link, now_us, stalls);
   }

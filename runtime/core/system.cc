@@ -224,10 +224,10 @@ uint64_t System::state_hash() {
   for (const auto& object : objects()) {
     hasher.AddText(object->name);
     hasher.Add(object->waiting());
-    for (const auto& subject : object->subjects) subject->HashState(&hasher);
+    for (const auto& subject : object->subjects()) subject->HashState(&hasher);
     object->HashState(&hasher);
     for (const OwnedMessage& message : object->delivery().held()) hasher.Add(message->number);
-    for (const ProcessorState::Outgoing& outgoing : object->processor.outbox)
+    for (const ProcessorState::Outgoing& outgoing : object->processor().outbox())
       // Hashes the number of the message that caused this message, because a message in an outbox
       // (posted by a handler whose processor time is not over) has no number of its own yet.
       hasher.Add(outgoing.message->cause);

@@ -50,7 +50,7 @@ void FlushStream(std::FILE* stream, OpenFiles::File* file) {
 
 void ReportErrorMark(std::FILE* file) {
   const ApiScope scope;
-  OpenFiles& files = t_current.object->files;
+  OpenFiles& files = t_current.object->files();
   const auto found = files.streams.find(file);
   if (found != files.streams.end() && found->second.writes && std::ferror(file) != 0)
     ReportWriteError(&found->second, 0);
@@ -61,12 +61,13 @@ void FlushStreams(Object* object) {
   // Sorts the streams by the names of their files instead, because the findings are added in this
   // order.
   std::vector<std::pair<std::string, std::FILE*>> streams;
-  for (const auto& [stream, file] : object->files.streams) {
+  for (const auto& [stream, file] : object->files().streams) {
     if (file.writes) streams.emplace_back(file.name, stream);
   }
   std::sort(streams.begin(), streams.end());
   const CurrentScope scope(object->system, object);
-  for (const auto& [name, stream] : streams) FlushStream(stream, &object->files.streams.at(stream));
+  for (const auto& [name, stream] : streams)
+    FlushStream(stream, &object->files().streams.at(stream));
 }
 
 }  // namespace openr_host

@@ -40,7 +40,7 @@ ssize_t ReadConsole(char* buffer, size_t size) {
 // first call.
 FILE* Terminal() {
   const ApiScope scope;
-  FILE*& terminal = t_current.object->files.terminal;
+  FILE*& terminal = t_current.object->files().terminal;
   if (terminal == nullptr) {
     cookie_io_functions_t functions = {};
     functions.read = [](void*, char* buffer, size_t size) { return ReadConsole(buffer, size); };

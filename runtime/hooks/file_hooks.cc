@@ -125,8 +125,8 @@ bool MayOpen(const std::string& host, bool writes, const char* path) {
     const auto bars = [&](const auto& open) {
       return open.second.path == host && (writes || open.second.writes);
     };
-    if (std::any_of(object->files.streams.begin(), object->files.streams.end(), bars) ||
-        std::any_of(object->files.descriptors.begin(), object->files.descriptors.end(), bars)) {
+    if (std::any_of(object->files().streams.begin(), object->files().streams.end(), bars) ||
+        std::any_of(object->files().descriptors.begin(), object->files().descriptors.end(), bars)) {
       holder = object.get();
     }
   }
@@ -148,12 +148,12 @@ int OpenAt(const char* path, int flags, mode_t mode) {
   if (host.empty() || !MayOpen(host, writes, path)) return -1;
   const ApiScope scope;
   const int descriptor = next(host.c_str(), flags | O_CLOEXEC, 0666);
-  if (descriptor >= 0) t_current.object->files.descriptors[descriptor] = {host, writes, path};
+  if (descriptor >= 0) t_current.object->files().descriptors[descriptor] = {host, writes, path};
   return descriptor;
 }
 
 FILE* Remember(FILE* file, const std::string& host, bool writes, const char* path) {
-  if (file != nullptr) t_current.object->files.streams[file] = {host, writes, path};
+  if (file != nullptr) t_current.object->files().streams[file] = {host, writes, path};
   return file;
 }
 
@@ -172,10 +172,10 @@ FILE* OpenFile(const char* path, const char* mode) {
 // failed.
 OpenFiles::File ForgetStream(FILE* file) {
   const ApiScope scope;
-  const auto found = t_current.object->files.streams.find(file);
-  if (found == t_current.object->files.streams.end()) return {};
+  const auto found = t_current.object->files().streams.find(file);
+  if (found == t_current.object->files().streams.end()) return {};
   OpenFiles::File forgotten = std::move(found->second);
-  t_current.object->files.streams.erase(found);
+  t_current.object->files().streams.erase(found);
   if (forgotten.writes && ferror(file) != 0) openr_host::ReportWriteError(&forgotten, 0);
   return forgotten;
 }
@@ -191,7 +191,7 @@ mode_t ModeOf(int flags, va_list arguments) {
 // descriptor of another object.
 bool ForgetDescriptor(int descriptor) {
   for (const auto& object : t_current.system->objects()) {
-    if (object != nullptr && object->files.descriptors.erase(descriptor) == 1) return true;
+    if (object != nullptr && object->files().descriptors.erase(descriptor) == 1) return true;
   }
   return false;
 }
@@ -313,7 +313,7 @@ FILE* freopen(const char* path, const char* mode, FILE* file) {
   // Writes the bytes that the stream `file` still holds to the old file of the stream, before
   // freopen() closes that file.  freopen() would also write these bytes, but would not report an
   // error.
-  if (t_current.object->files.streams.contains(file)) static_cast<void>(fflush(file));
+  if (t_current.object->files().streams.contains(file)) static_cast<void>(fflush(file));
   ForgetStream(file);
   const bool may_open = !host.empty() && MayOpen(host, writes, path);
   const ApiScope scope;

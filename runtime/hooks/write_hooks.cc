@@ -28,7 +28,7 @@ namespace {
 OpenFiles::File* FindFile(int descriptor) {
   for (const auto& object : t_current.system->objects()) {
     if (object == nullptr) continue;
-    OpenFiles& files = object->files;
+    OpenFiles& files = object->files();
     const auto found = files.descriptors.find(descriptor);
     if (found != files.descriptors.end()) return &found->second;
     for (auto& [stream, file] : files.streams) {
@@ -52,7 +52,7 @@ void CheckWritten(int descriptor, ssize_t result, size_t size) {
 void ReportFailedStream(FILE* file) {
   const int error = errno;
   const ApiScope scope;
-  OpenFiles& files = t_current.object->files;
+  OpenFiles& files = t_current.object->files();
   const auto found = files.streams.find(file);
   if (found != files.streams.end() && found->second.writes)
     openr_host::ReportWriteError(&found->second, error);
@@ -105,7 +105,7 @@ void rewind(FILE* file) {
     // Looks for failed writes first, because rewind() writes the bytes that the stream still holds
     // and then clears the stream's mark of an error.
     const ApiScope scope;
-    OpenFiles& files = t_current.object->files;
+    OpenFiles& files = t_current.object->files();
     const auto found = files.streams.find(file);
     if (found != files.streams.end() && found->second.writes)
       openr_host::FlushStream(file, &found->second);

@@ -23,10 +23,8 @@ ostream& operator<<(ostream& out, const ObserverID& id) {
 OObserver::OObserver() {
   const ApiScope scope;
   ASSERT(t_current.object != nullptr, "an OObserver is made by the code of an object");
-  auto& observers = t_current.object->observers;
-  state_ =
-      observers.emplace_back(std::make_unique<ObserverState>(t_current.system, t_current.object))
-          .get();
+  state_ = t_current.object->AddObserver(
+      std::make_unique<ObserverState>(t_current.system, t_current.object));
 }
 
 // Deletes nothing, because the openr_host::Object owns *state_ and deletes it.

@@ -66,9 +66,8 @@ size_t SizeFrom(const OMemoryLocator& locator) {
 OSubject::OSubject() {
   const ApiScope scope;
   ASSERT(t_current.object != nullptr, "an OSubject is made by the code of an object");
-  auto& subjects = t_current.object->subjects;
-  state_ = subjects.emplace_back(std::make_unique<SubjectState>(t_current.system, t_current.object))
-               .get();
+  state_ = t_current.object->AddSubject(
+      std::make_unique<SubjectState>(t_current.system, t_current.object));
 }
 
 // Deletes nothing, because the openr_host::Object owns *state_ and deletes it.

@@ -20,7 +20,7 @@ TEST(GraphViewTest, ARefusedConnectionIsNotTakenForTheOneAfterIt) {
   say.SendText("one");
   bench.RunFor(8ms);
   // Leaves A's record of B out, as A has it after it has refused B.
-  auto& links = bench.object("A").subjects.front()->links;
+  auto& links = bench.object("A").subjects().front()->links;
   ASSERT_EQ(links.size(), 2u);
   links.erase(links.begin());
   const openr_host::GraphView graph = openr_host::CollectGraph(&bench.system());

@@ -184,7 +184,7 @@ TEST_F(DispatcherTest, ACallIgnoresItsTimeoutWhileTheCalleeWaitsForWallTime) {
   Recorder* callee = Add("callee");
   ReplyTicket ticket;
   callee->on_message = [&](int) { ticket = system.requests().TakeTicket(); };
-  callee->host().wait.is_untimed = true;
+  callee->host().wait().set_untimed(true);
   int32_t error = sFAIL;
   caller->on_message = [&](int value) {
     error = system.requests().Call(callee->host().id, callee->entry, &value, sizeof value, nullptr,
