@@ -12,7 +12,7 @@
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "runtime/core/api.h"
-#include "runtime/core/connection_state.h"
+#include "runtime/core/connection_messages.h"
 #include "runtime/core/system.h"
 #include "runtime/ipstack/ant_message.h"
 #include "runtime/ipstack/ip_stack.h"

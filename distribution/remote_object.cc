@@ -8,7 +8,7 @@
 #include "distribution/remote_process.h"
 #include "runtime/base/hasher.h"
 #include "runtime/core/api.h"
-#include "runtime/core/connection_state.h"
+#include "runtime/core/connection_messages.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {

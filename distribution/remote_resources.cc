@@ -7,7 +7,7 @@
 
 #include "distribution/remote_object.h"
 #include "runtime/core/api.h"
-#include "runtime/core/connection_state.h"
+#include "runtime/core/connection_messages.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {

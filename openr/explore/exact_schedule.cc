@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "runtime/core/api.h"
-#include "runtime/core/connection_state.h"
+#include "runtime/core/observer_state.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {

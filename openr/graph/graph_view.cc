@@ -4,8 +4,8 @@
 
 #include "runtime/base/assert.h"
 #include "runtime/core/api.h"
-#include "runtime/core/connection_state.h"
 #include "runtime/core/post_as_object.h"
+#include "runtime/core/subject_state.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {

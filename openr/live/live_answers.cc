@@ -24,8 +24,9 @@
 #include "openr/simulation/simulation.h"
 #include "runtime/base/spelling.h"
 #include "runtime/core/api.h"
-#include "runtime/core/connection_state.h"
+#include "runtime/core/observer_state.h"
 #include "runtime/core/stalls.h"
+#include "runtime/core/subject_state.h"
 #include "runtime/core/system.h"
 #include "virtualrobot/base/det_math.h"
 

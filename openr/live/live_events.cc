@@ -16,7 +16,7 @@
 #include "openr/simulation/known_run.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/base/wall_clock.h"
-#include "runtime/core/connection_state.h"
+#include "runtime/core/subject_state.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {

@@ -3,8 +3,9 @@
 #include <utility>
 
 #include "runtime/base/assert.h"
-#include "runtime/core/connection_state.h"
 #include "runtime/core/current.h"
+#include "runtime/core/observer_state.h"
+#include "runtime/core/subject_state.h"
 
 namespace openr_host {
 

@@ -14,9 +14,9 @@
 
 #include "runtime/core/address_plan.h"
 #include "runtime/core/code_place.h"
-#include "runtime/core/connection_state.h"
 #include "runtime/core/memory_map.h"
 #include "runtime/core/object.h"
+#include "runtime/core/rcregion_pool.h"
 #include "runtime/core/stack_memory.h"
 #include "runtime/core/system.h"
 
@@ -132,7 +132,7 @@ void LeakSearch::CollectRegions() {
 }
 
 void LeakSearch::CollectPool() {
-  RegionAccess::VisitPool(
+  RCRegionPool::Visit(
       [this](const void* begin, size_t bytes) {
         holes_.push_back({HiddenAddress(begin), bytes});
       },

@@ -9,7 +9,9 @@
 #include <utility>
 
 #include "runtime/base/assert.h"
-#include "runtime/core/connection_state.h"
+#include "runtime/core/connection_messages.h"
+#include "runtime/core/observer_state.h"
+#include "runtime/core/subject_state.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {

@@ -11,7 +11,7 @@
 #include "runtime/base/spelling.h"
 #include "runtime/config/service_name.h"
 #include "runtime/core/api.h"
-#include "runtime/core/connection_state.h"
+#include "runtime/core/connection_messages.h"
 #include "runtime/core/dispatcher.h"
 #include "runtime/core/image.h"
 #include "runtime/core/load_image.h"

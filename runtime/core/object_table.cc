@@ -7,10 +7,12 @@
 
 #include "runtime/base/assert.h"
 #include "runtime/core/api.h"
-#include "runtime/core/connection_state.h"
 #include "runtime/core/cpu.h"
 #include "runtime/core/dispatcher.h"
 #include "runtime/core/object_manager.h"
+#include "runtime/core/observer_state.h"
+#include "runtime/core/region_access.h"
+#include "runtime/core/subject_state.h"
 #include "runtime/core/system.h"
 #include "runtime/core/write_errors.h"
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "runtime/core/api.h"
-#include "runtime/core/connection_state.h"
+#include "runtime/core/subject_state.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {

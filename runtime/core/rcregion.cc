@@ -2,16 +2,13 @@
 #include <fmt/format.h>
 
 #include <cstddef>
-#include <new>
-#include <set>
 #include <string>
-#include <vector>
 
 #include "runtime/base/assert.h"
 #include "runtime/core/code_place.h"
-#include "runtime/core/connection_state.h"
-#include "runtime/core/guard_pages.h"
 #include "runtime/core/imported_calls.h"
+#include "runtime/core/rcregion_pool.h"
+#include "runtime/core/region_access.h"
 #include "runtime/core/system.h"
 
 using openr_host::ApiScope;
@@ -20,40 +17,6 @@ using openr_host::RegionTable;
 using openr_host::t_current;
 
 namespace {
-
-// The number of RCRegions for which the pool takes memory from the host's heap at a time.
-// RCRegions are small, many and short-lived, so single allocations would take long.  The pool is
-// never deleted, because a static object of the program may still delete regions when the program
-// ends.
-constexpr size_t kChunk = 64;
-
-// The memory of one RCRegion in the pool.  The link to the next free block lies behind the
-// RCRegion, because a program may by mistake read a region that it has given back, and must then
-// find the old content, as on the robot.
-struct Block {
-  alignas(RCRegion) std::byte region[sizeof(RCRegion)];
-  Block* next;
-};
-static_assert(offsetof(Block, region) == 0);
-thread_local constinit Block* t_free = nullptr;  // the first free block of the pool
-// The addresses of all chunks, the arrays of memory for RCRegions.  With this list, a leak checker
-// finds that the chunks are reachable.  Otherwise it would report a chunk when an object has not
-// deleted its regions.
-thread_local constinit std::vector<Block*>* t_chunks = nullptr;
-
-void GiveToPool(void* memory) {
-  Block* const block = static_cast<Block*>(memory);
-  block->next = t_free;
-  t_free = block;
-}
-
-void AddChunk() {
-  const ApiScope scope;
-  if (t_chunks == nullptr) t_chunks = new std::vector<Block*>;
-  auto* const chunk = static_cast<Block*>(::operator new(sizeof(Block) * kChunk));
-  t_chunks->push_back(chunk);
-  for (size_t i = kChunk; i > 0; --i) GiveToPool(chunk + i - 1);
-}
 
 // Returns a text about the place in the program that made the most regions: ", 65000 of them made
 // at Talker.cc:57".  Returns "" if that place is not known.
@@ -71,14 +34,11 @@ RegionTable* Table() {
 
 void* RCRegion::operator new(size_t size) {
   ASSERT(size == sizeof(RCRegion), "RCRegion is not a base class");
-  if (t_free == nullptr) AddChunk();
-  Block* const block = t_free;
-  t_free = block->next;
-  return block;
+  return openr_host::RCRegionPool::Take();
 }
 
 void RCRegion::operator delete(void* memory) {
-  if (memory != nullptr) GiveToPool(memory);
+  if (memory != nullptr) openr_host::RCRegionPool::Give(memory);
 }
 
 RCRegion::RCRegion()
@@ -162,60 +122,3 @@ void RCRegion::RemoveReference() {
   }
   delete this;
 }
-
-namespace openr_host {
-
-void RegionAccess::VisitPool(const std::function<void(const void*, size_t)>& memory,
-                             const std::function<void(const RCRegion*)>& used) {
-  if (t_chunks == nullptr) return;
-  std::set<const Block*> free;
-  for (const Block* block = t_free; block != nullptr; block = block->next) free.insert(block);
-  memory(t_chunks->data(), t_chunks->capacity() * sizeof(Block*));
-  for (const Block* const chunk : *t_chunks) {
-    memory(chunk, sizeof(Block) * kChunk);
-    for (size_t i = 0; i < kChunk; ++i) {
-      if (!free.contains(chunk + i)) used(reinterpret_cast<const RCRegion*>(chunk + i));
-    }
-  }
-}
-
-RCRegion* RegionAccess::Receive(System* system, const TransferedData& data) {
-  RCRegion* const region = new RCRegion(data.memID, data.offset, data.srcRCR->base_, data.size);
-  region->source_ = data.srcRCR;
-  system->PinRegion(data.memID);
-  if (system->guard_pages() != nullptr) [[unlikely]]
-    UseReadOnlyCopy(region);
-  return region;
-}
-
-// Makes a read-only copy of the data of `region`, an RCRegion that the current object has received,
-// and replaces the address in `region` by the address of the copy.  Does nothing if the current
-// object may write into the memory.
-void RegionAccess::UseReadOnlyCopy(RCRegion* region) {
-  System* const system = t_current.system;
-  const Object* const self = t_current.object;
-  if (self->is_system() || system->region_shares().MayWrite(self->id, region->id_)) return;
-  char* const copy = system->guard_pages()->NewCopy(self->memory().addresses(),
-                                                    region->source_->Base(), region->size_);
-  if (copy != nullptr) region->base_ = copy;
-}
-
-void RegionAccess::Complete(RCRegion* region) {
-  const RegionTable* const table = Table();
-  if (table == nullptr) return;
-  char* const base = table->BaseOf(region->id_);
-  const size_t size = table->SizeOf(region->id_);
-  if (region->base_ == nullptr && base != nullptr) region->base_ = base + region->offset_;
-  if (region->size_ == 0 && size > region->offset_) region->size_ = size - region->offset_;
-}
-
-void RegionAccess::GiveBack(System* system, RCRegion* received) {
-  if (GuardPages* const guard = system->guard_pages()) [[unlikely]]
-    guard->Retire(received->base_);
-  // Does the same as `delete received`, but without the destructor's test whether the region is a
-  // received region, because the caller knows that it is.
-  system->UnpinRegion(received->id_);
-  GiveToPool(received);
-}
-
-}  // namespace openr_host

@@ -5,8 +5,8 @@
 #include <OPENR/RCRegion.h>
 #include <fmt/format.h>
 
-#include "runtime/core/connection_state.h"
 #include "runtime/core/host_addresses.h"
+#include "runtime/core/subject_state.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {

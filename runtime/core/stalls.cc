@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "runtime/core/connection_state.h"
+#include "runtime/core/subject_state.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {

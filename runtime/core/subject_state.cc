@@ -1,6 +1,8 @@
 // Sends the data of a subject to its observers.  Data stay pending until an observer is ready.
 // References to regions are released at the moments that were measured with Sony's library
 // (measured.md, section 1).
+#include "runtime/core/subject_state.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,17 +12,9 @@
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "runtime/core/api.h"
-#include "runtime/core/connection_state.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {
-
-void ReportForeignBytes(const Object& object) {
-  object.system->AddFinding(
-      Severity::kError,
-      "bytes that an object sent to the entry of a subject or observer are "
-      "no notification and no ready; use NotifyObservers() and AssertReady()");
-}
 
 RCRegion* RegionList::TakeFirst() {
   RCRegion* const first = regions_[0];

@@ -1,5 +1,5 @@
 // OObserver, the receiving end of connections.  The runtime keeps the state of each OObserver in an
-// ObserverState (connection_state.h).
+// ObserverState (observer_state.h).
 #include <OPENR/OObserver.h>
 #include <fmt/format.h>
 
@@ -9,7 +9,9 @@
 
 #include "runtime/base/assert.h"
 #include "runtime/core/api.h"
-#include "runtime/core/connection_state.h"
+#include "runtime/core/connection_messages.h"
+#include "runtime/core/observer_state.h"
+#include "runtime/core/region_access.h"
 #include "runtime/core/system.h"
 
 using namespace openr_host;

@@ -1,5 +1,5 @@
 // OSubject, the sending end of connections.  The runtime keeps the state of each OSubject in a
-// SubjectState, which has an ObserverLink for each observer (connection_state.h).
+// SubjectState, which has an ObserverLink for each observer (subject_state.h).
 #include <OPENR/OSubject.h>
 
 #include <algorithm>
@@ -7,7 +7,9 @@
 
 #include "runtime/base/assert.h"
 #include "runtime/core/api.h"
-#include "runtime/core/connection_state.h"
+#include "runtime/core/connection_messages.h"
+#include "runtime/core/region_access.h"
+#include "runtime/core/subject_state.h"
 #include "runtime/core/system.h"
 
 using namespace openr_host;

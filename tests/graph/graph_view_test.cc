@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/core/connection_state.h"
+#include "runtime/core/subject_state.h"
 #include "testing/bench.h"
 
 namespace openr::testing {

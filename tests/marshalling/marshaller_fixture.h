@@ -12,7 +12,6 @@
 #include "distribution/marshaller.h"
 #include "runtime/core/api.h"
 #include "runtime/core/code_object.h"
-#include "runtime/core/connection_state.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {

@@ -1,6 +1,7 @@
 // Messages between two Systems without a network: what arrives, and what is refused.
 #include <gmock/gmock.h>
 
+#include "runtime/core/connection_messages.h"
 #include "tests/marshalling/marshaller_fixture.h"
 
 namespace openr_host {

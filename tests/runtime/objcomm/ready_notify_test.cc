@@ -2,7 +2,7 @@
 // section 1); each test is for one line of that section.
 #include <gtest/gtest.h>
 
-#include "runtime/core/connection_state.h"
+#include "runtime/core/rcregion_pool.h"
 #include "tests/runtime/objcomm/probe.h"
 
 namespace openr_host {
@@ -248,7 +248,7 @@ TEST_F(ReadyNotifyTest, DataForWhichThereIsNoMemoryLeaveNoRegion) {
   constexpr size_t kTooMany = size_t{1} << 40;  // bytes
   const auto count_regions = [] {
     int count = 0;
-    RegionAccess::VisitPool([](const void*, size_t) {}, [&](const RCRegion*) { ++count; });
+    RCRegionPool::Visit([](const void*, size_t) {}, [&](const RCRegion*) { ++count; });
     return count;
   };
   Boot();

@@ -1,0 +1,85 @@
+#include "runtime/core/connection_messages.h"
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+#include "runtime/core/api.h"
+#include "runtime/core/subject_state.h"
+#include "runtime/core/system.h"
+
+namespace openr_host {
+
+void ReportForeignBytes(const Object& object) {
+  object.system->AddFinding(
+      Severity::kError,
+      "bytes that an object sent to the entry of a subject or observer are "
+      "no notification and no ready; use NotifyObservers() and AssertReady()");
+}
+
+void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
+                  const std::vector<RCRegion*>& regions) {
+  System* const system = object->system;
+  Object* const sender = system->object(ObjectIdOf(subject.GetOID()));
+  if (sender == nullptr) return;
+  // A subject whose object is being replaced (is_leaving) receives no more messages, so the regions
+  // that it had sent are given back by a direct call of ReturnRegion() and not by a ready.
+  if (sender->is_leaving()) {
+    for (RCRegion* const region : regions) sender->ReturnRegion(region);
+    return;
+  }
+  const CurrentScope scope(system, object);
+  OwnedMessage message = system->NewMessage(sender->id, subject.GetSelector());
+  auto& ready = *new (message->payload) OReadyMessage;
+  ready.msgType = kDeassertOfLost;
+  ready.command = objcommCMD_DEASSERT_READY;
+  ready.observerID = OServiceEntry(OidOf(object->id), selector);
+  ready.numOfData = static_cast<int>(regions.size());
+  std::copy(regions.begin(), regions.end(), ready.rcRegion);
+  message->size = sizeof ready;
+  message->kind = PayloadKind::kReady;
+  if (system->Post(std::move(message)) == sSUCCESS) return;
+  const CurrentScope there(system, sender);
+  for (RCRegion* const region : regions) sender->ReturnRegion(region);
+}
+
+void RefuseNotification(Object* object, const Message& message) {
+  const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
+  std::vector<RCRegion*> regions;
+  for (int i = 0; i < notify.numOfData; ++i) regions.push_back(notify.data[i].srcRCR);
+  SendDeassert(object, message.selector, notify.subjectID, regions);
+}
+
+void HandleLateRefusal(Object* sender, const Message& message) {
+  System* const system = sender->system;
+  Object* const target = system->object(message.target);
+  if (message.kind == PayloadKind::kReady) {
+    const auto& ready = *reinterpret_cast<const OReadyMessage*>(message.payload);
+    const CurrentScope scope(system, target);
+    for (int i = 0; i < ready.numOfData; ++i) target->ReturnRegion(ready.rcRegion[i]);
+    return;
+  }
+  const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
+  bool is_here = false;  // whether the subject is in this process
+  for (const auto& subject : sender->subjects()) {
+    if (subject->id != notify.subjectID) continue;
+    is_here = true;
+    const ObserverID observer = OServiceEntry(OidOf(target->id), message.selector);
+    ObserverLink* const link = subject->Find(observer);
+    if (link == nullptr) continue;
+    const CurrentScope scope(system, sender);
+    return subject->TakeBack(link, notify);
+  }
+  // Gives the regions back with a message, because `sender` is in a worker process, or has removed
+  // this observer since.
+  RefuseNotification(target, message);
+  // The refused notification has used up the observer's ready, and RefuseNotification() has told
+  // the subject that the observer is not ready.  So if the subject is in a worker process, asserts
+  // ready again in the name of the observer.
+  if (!is_here) {
+    system->object_table().AssertAgain(
+        sender->id, {{notify.subjectID.GetSelector(), target->id, message.selector}});
+  }
+}
+
+}  // namespace openr_host

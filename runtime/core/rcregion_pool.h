@@ -1,0 +1,53 @@
+// RCRegionPool: the memory for the RCRegions (references to shared memory) of this thread.
+#pragma once
+
+#include <OPENR/RCRegion.h>
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace openr_host {
+
+// RCRegions are small, many and short-lived, so single allocations would take long.  The pool is
+// never deleted, because a static object of the program may still delete regions when the program
+// ends.
+class RCRegionPool {
+ public:
+  // Returns the memory for one RCRegion.
+  static void* Take() {
+    if (t_free == nullptr) [[unlikely]]
+      AddChunk();
+    Block* const block = t_free;
+    t_free = block->next;
+    return block;
+  }
+  // Takes back `memory`, which Take() has returned in this thread.
+  static void Give(void* memory) {
+    Block* const block = static_cast<Block*>(memory);
+    block->next = t_free;
+    t_free = block;
+  }
+  // Calls `memory` for each piece of memory that belongs to the pool, and `used` for every RCRegion
+  // of the pool that was made and has not been deleted.
+  static void Visit(const std::function<void(const void* begin, size_t bytes)>& memory,
+                    const std::function<void(const RCRegion* region)>& used);
+
+ private:
+  // The memory of one RCRegion in the pool.  The link to the next free block lies behind the
+  // RCRegion, because a program may by mistake read a region that it has given back, and must then
+  // find the old content, as on the robot.
+  struct Block {
+    alignas(RCRegion) std::byte region[sizeof(RCRegion)];
+    Block* next;
+  };
+  static void AddChunk();
+
+  static thread_local constinit Block* t_free;  // the first free block of the pool
+  // The addresses of all chunks, the arrays of memory for RCRegions.  With this list, a leak
+  // checker finds that the chunks are reachable.  Otherwise it would report a chunk when an object
+  // has not deleted its regions.
+  static thread_local constinit std::vector<Block*>* t_chunks;
+};
+
+}  // namespace openr_host
