@@ -1,21 +1,13 @@
-// Message, and MessageQueue, which delivers messages in a total order, so that a run can be
-// repeated exactly.
-//
-// Messages are ordered by due time; then by class; then by the receiver's priority from its .ocf
-// file, higher first; then by the numbers that they got when they were posted
-// (docs/architecture.md, "The determinism contract").
+// Message: what objects, the runtime and the robots' devices send to each other.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
-#include <vector>
 
 namespace openr_host {
 
-class MessageQueue;
-class Schedule;
+class FreeMessages;
 
 // Index of an object in its System; -1 (kNoObject) is the System itself.
 using ObjectId = int32_t;
@@ -56,9 +48,9 @@ struct alignas(64) Message {
   MessageClass message_class = MessageClass::kObject;
   PayloadKind kind = PayloadKind::kBytes;
   bool is_reply = false;  // a reply goes into `reply_box` of the target and calls no entry
-  // The queue to whose pool the message goes back when it is no longer needed; null if the message
-  // is from no pool.
-  MessageQueue* pool = nullptr;
+  // The pool to which the message goes back when it is no longer needed; null if the message is
+  // from no pool.
+  FreeMessages* pool = nullptr;
 
   // The largest number of bytes that a message can carry.  The robot's limit is 256; an
   // ONotifyMessage of a 64-bit host needs more, because its pointers have 8 bytes.
@@ -70,193 +62,37 @@ struct alignas(64) Message {
 // lines, which would make every delivery slower.
 static_assert(sizeof(void*) != 8 || offsetof(Message, payload) == 80);
 
+// The messages of a MessageQueue's pool that nobody uses.
+class FreeMessages {
+ public:
+  bool empty() const { return first_ == nullptr; }
+  const Message* first() const { return first_; }  // points to the next with Message::next
+  // Adds `message`, which is in no list.  The function is small, so that the compiler can inline
+  // the many destructors of OwnedMessage, which call it.
+  void Add(Message* message) {
+    message->next = first_;
+    first_ = message;
+  }
+  // Removes and returns the message that was added last.  REQUIRES: !empty().
+  Message* Take() {
+    Message* const message = first_;
+    first_ = message->next;
+    return message;
+  }
+
+ private:
+  Message* first_ = nullptr;
+};
+
 // The deleter of OwnedMessage (the pointer that owns a message), which gives the message back to
 // its pool.
 struct ReturnToPool {
-  void operator()(Message* message) const;
+  void operator()(Message* message) const { message->pool->Add(message); }
 };
 
 // Owns a message that is in no queue, and gives the message back to its pool.  The pool must
 // outlive the OwnedMessage.  The message that a handler runs for is owned by HandlerState::running
 // and by no local variable, because destructors on the stack of an abandoned handler never run.
 using OwnedMessage = std::unique_ptr<Message, ReturnToPool>;
-
-// The queue of all messages of one System, and the pool from which messages are allocated.
-class MessageQueue {
- public:
-  MessageQueue();
-  ~MessageQueue();  // REQUIRES: each message of the pool is queued or was given back
-  MessageQueue(const MessageQueue&) = delete;
-  MessageQueue& operator=(const MessageQueue&) = delete;
-
-  // Returns a message from the pool.  The caller must set payload, target, selector and due time;
-  // the other fields have the values given here or their default values.
-  OwnedMessage Allocate(ObjectId sender = kNoObject, uint64_t cause = 0,
-                        MessageClass message_class = MessageClass::kObject) {
-    return OwnedMessage(TakeFree(sender, cause, message_class));
-  }
-
-  // Queues `message`, whose due time, class and number are set.  `priority` is the priority of the
-  // receiver, 0 to 255.  REQUIRES: message->due_us is not before the queue's clock (Advance()).
-  void Push(OwnedMessage&& message, int priority) { Insert(message.release(), priority); }
-
-  // Queues `message`, which is due now, in front of the other messages of its class and priority.
-  // A caller that puts back several messages must begin with the last of them, so that they keep
-  // their order.
-  void PushFront(OwnedMessage message, int priority);
-
-  // Takes the first message that is due now, or returns null if no message is due.  If there are
-  // other due messages of the same class and priority, `schedule` (schedule.h) chooses one of the
-  // receivers of all these messages.  The first message to this receiver is then taken.
-  OwnedMessage Pop(Schedule* schedule = nullptr) { return OwnedMessage(TakeDue(schedule)); }
-  bool HasDue() const { return First() != nullptr; }
-  // Returns the message that Pop() without a schedule would take; null if no message is due.
-  const Message* First() const;
-
-  // Returns the due time of the first message that is not due yet; INT64_MAX if all queued messages
-  // are due.
-  int64_t NextTime() const { return later_.empty() ? INT64_MAX : later_.front().due_us; }
-
-  int64_t now_us() const { return now_us_; }  // the queue's clock
-  // Sets the queue's clock to `time_us`.  REQUIRES: !HasDue(), time_us <= NextTime(), and `time_us`
-  // is not before the clock.
-  void Advance(int64_t time_us);
-
-  // Returns the number of queued messages.  Counts them, so this function is slow.
-  size_t size() const;
-
-  // Takes every queued message for which `matches` returns true.  Returns first the messages that
-  // are due, in the order of delivery, then the other messages in no particular order.
-  std::vector<OwnedMessage> TakeIf(const std::function<bool(const Message&)>& matches);
-
-  // Calls `visit` for every queued message in order of delivery.
-  void ForEach(const std::function<void(const Message&)>& visit) const;
-
- private:
-  friend struct ReturnToPool;
-
-  static constexpr uint32_t kPriorities = 256;
-  static constexpr uint32_t kLevels = kMessageClasses * kPriorities;
-
-  struct List {
-    Message* head = nullptr;  // null if the list is empty
-    Message* tail = nullptr;  // the last message; has no meaning if the list is empty
-  };
-  struct LaterMessage {
-    int64_t due_us;
-    uint32_t level;
-    uint64_t number;
-    Message* message;
-    // Returns true if `other` comes before this message in the order of delivery.  The order is
-    // reversed, because std::push_heap() and similar functions put the greatest element first.
-    bool operator<(const LaterMessage& other) const;
-  };
-
-  // Returns the level of a message: one number for its class, which counts first, and its priority.
-  // Messages of a lower level are delivered first.
-  static uint32_t LevelOf(const Message& message, int priority) {
-    return static_cast<uint32_t>(message.message_class) * kPriorities + (kPriorities - 1) -
-           static_cast<uint32_t>(priority);
-  }
-  // Gives `message`, which is in no list of the queue, back to the pool.  The function is small, so
-  // that the compiler can inline the many destructors of OwnedMessage, which call it.
-  void Release(Message* message) {
-    message->next = free_;
-    free_ = message;
-  }
-  Message* TakeFree(ObjectId sender, uint64_t cause, MessageClass message_class);
-  void AddChunk();
-  void Insert(Message* message, int priority);
-  void InsertLater(Message* message, uint32_t level);
-  Message* TakeDue(Schedule* schedule);
-  void Append(Message* message, uint32_t level);
-  void Mark(uint32_t level) {
-    marks_[level / 64] |= uint64_t{1} << (level % 64);
-    if (level < first_level_) first_level_ = level;
-  }
-  uint32_t NextMarked(uint32_t level) const;
-  void LeaveFirstLevel();
-  Message* TakeFirst(uint32_t level, ObjectId target);
-  ObjectId ChooseTarget(const List& list, Schedule* schedule);
-
-  int64_t now_us_ = 0;
-  std::vector<List> levels_;  // messages that are due now, by level (LevelOf())
-  // Bit i is 1 if the list of level i has a message.  A level stands for a class and a priority of
-  // messages (LevelOf()).  The bit stays 1 when the last message of the list is taken, because most
-  // often the handler of this message posts another message to the same level.  TakeDue() clears
-  // the bit when it finds the list empty.
-  uint64_t marks_[kLevels / 64] = {};
-  uint32_t first_level_ = kLevels;   // the first level whose bit in marks_ is 1; kLevels if none is
-  std::vector<LaterMessage> later_;  // messages that are not due yet, as a heap (std::push_heap)
-  // The first free message; each free message points to the next with Message::next.
-  Message* free_ = nullptr;
-  // The arrays that hold the messages of the pool, from which new messages are taken.
-  std::vector<std::unique_ptr<Message[]>> chunks_;
-  // The receivers among which ChooseTarget() lets a schedule choose.  The vector is a member so
-  // that its memory is used again.
-  std::vector<ObjectId> candidates_;
-};
-
-// ---- Functions that are called for every message of a run; therefore they are inline.
-
-// Takes a message from the pool and gives its fields the values given or their default values.
-inline Message* MessageQueue::TakeFree(ObjectId sender, uint64_t cause,
-                                       MessageClass message_class) {
-  if (free_ == nullptr) [[unlikely]]
-    AddChunk();
-  Message* const message = free_;
-  free_ = message->next;
-  message->number = 0;
-  message->cause = cause;
-  message->sender = sender;
-  message->size = 0;
-  message->reply_box = 0;
-  message->payload_hash = 0;
-  message->message_class = message_class;
-  message->kind = PayloadKind::kBytes;
-  message->is_reply = false;
-  return message;
-}
-
-inline void MessageQueue::Insert(Message* message, int priority) {
-  const uint32_t level = LevelOf(*message, priority);
-  if (message->due_us == now_us_) [[likely]]
-    Append(message, level);
-  else
-    InsertLater(message, level);
-}
-
-// Appends `message`, which is due now, to the queue's list for `level` (the messages of one class
-// and priority).
-inline void MessageQueue::Append(Message* message, uint32_t level) {
-  List& list = levels_[level];
-  message->next = nullptr;
-  if (list.head == nullptr) {
-    list.head = message;
-    if (level != first_level_) Mark(level);
-  } else {
-    list.tail->next = message;
-  }
-  list.tail = message;
-}
-
-inline Message* MessageQueue::TakeDue(Schedule* schedule) {
-  for (;;) {
-    const uint32_t level = first_level_;
-    if (level == kLevels) return nullptr;
-    List& list = levels_[level];
-    Message* const message = list.head;
-    if (message == nullptr) {
-      LeaveFirstLevel();
-      continue;
-    }
-    if (schedule != nullptr && message != list.tail) [[unlikely]]
-      return TakeFirst(level, ChooseTarget(list, schedule));
-    list.head = message->next;
-    return message;
-  }
-}
-
-inline void ReturnToPool::operator()(Message* message) const { message->pool->Release(message); }
 
 }  // namespace openr_host

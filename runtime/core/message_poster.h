@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "runtime/core/message.h"
+#include "runtime/core/message_queue.h"
 #include "runtime/core/object.h"
 #include "runtime/core/schedule.h"
 

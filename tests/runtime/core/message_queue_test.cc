@@ -1,9 +1,10 @@
+#include "runtime/core/message_queue.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "runtime/core/message.h"
 #include "runtime/core/schedule.h"
 
 namespace openr_host {

@@ -1,4 +1,4 @@
-#include "runtime/core/message.h"
+#include "runtime/core/message_queue.h"
 
 #include <algorithm>
 #include <new>
@@ -24,7 +24,7 @@ MessageQueue::MessageQueue() : levels_(kLevels) {}
 MessageQueue::~MessageQueue() {
   const size_t count = kChunk * chunks_.size();
   size_t here = size();
-  for (const Message* message = free_; message != nullptr; message = message->next) ++here;
+  for (const Message* message = free_.first(); message != nullptr; message = message->next) ++here;
   ASSERT(here == count, "{} of {} messages outlive their pool", count - here, count);
 }
 
@@ -35,8 +35,8 @@ void MessageQueue::AddChunk() {
   // addresses.
   for (size_t i = kChunk; i > 0; --i) {
     Message& message = chunks_.back()[i - 1];
-    message.pool = this;
-    Release(&message);
+    message.pool = &free_;
+    free_.Add(&message);
   }
 }
 
