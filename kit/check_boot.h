@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "kit/check.h"
+#include "kit/remarks.h"
 
 namespace openr_host {
 

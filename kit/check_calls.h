@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "kit/check.h"
+#include "kit/remarks.h"
 #include "runtime/config/stub_config.h"
 
 namespace openr_host {

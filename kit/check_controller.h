@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "kit/check.h"
+#include "kit/remarks.h"
 
 namespace openr_host {
 

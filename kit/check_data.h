@@ -4,8 +4,8 @@
 // instance of such a class has a pointer to a table in the image of the sender.
 #pragma once
 
-#include "kit/check.h"
 #include "kit/project.h"
+#include "kit/remarks.h"
 
 namespace openr_host {
 

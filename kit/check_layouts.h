@@ -4,9 +4,9 @@
 // struct, or when one of the objects was not built again after the header had changed.
 #pragma once
 
-#include "kit/check.h"
 #include "kit/check_images.h"
 #include "kit/object_parts.h"
+#include "kit/remarks.h"
 #include "runtime/config/connect_config.h"
 
 namespace openr_host {

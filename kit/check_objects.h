@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "kit/check.h"
 #include "kit/object_parts.h"
 #include "kit/project.h"
+#include "kit/remarks.h"
 #include "runtime/config/stub_config.h"
 
 namespace openr_host {
