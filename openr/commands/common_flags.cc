@@ -7,7 +7,7 @@
 #include "cli/counted.h"
 #include "cli/install_paths.h"
 #include "cli/output_file.h"
-#include "openr/simulation/pacing.h"
+#include "openr/simulation/pacer.h"
 #include "runtime/base/duration.h"
 
 namespace openr_host {

@@ -22,7 +22,7 @@
 #include "openr/explore/failing_run.h"
 #include "openr/explore/fork_server.h"
 #include "openr/inspect/recorder.h"
-#include "openr/simulation/pacing.h"
+#include "openr/simulation/pacer.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {

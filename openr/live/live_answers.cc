@@ -20,7 +20,7 @@
 #include "openr/render/png_file.h"
 #include "openr/rewind/rewind.h"
 #include "openr/simulation/known_run.h"
-#include "openr/simulation/pacing.h"
+#include "openr/simulation/pacer.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/base/spelling.h"
 #include "runtime/core/api.h"

@@ -9,7 +9,7 @@
 #include "openr/run/interrupt.h"
 #include "openr/run/run_step.h"
 #include "openr/simulation/known_run.h"
-#include "openr/simulation/pacing.h"
+#include "openr/simulation/pacer.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/core/system.h"
 

@@ -13,7 +13,7 @@
 #include "openr/run/interrupt.h"
 #include "openr/run/run_step.h"
 #include "openr/simulation/activity.h"
-#include "openr/simulation/pacing.h"
+#include "openr/simulation/pacer.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/base/assert.h"
 #include "runtime/base/duration.h"

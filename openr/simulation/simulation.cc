@@ -15,7 +15,7 @@
 #include "openr/decode/decode_message.h"
 #include "openr/simulation/cost_file.h"
 #include "openr/simulation/network_setup.h"
-#include "openr/simulation/pacing.h"
+#include "openr/simulation/pacer.h"
 #include "runtime/base/wall_clock.h"
 #include "runtime/core/configured_cost.h"
 #include "runtime/core/load_stick.h"

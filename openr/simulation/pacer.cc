@@ -1,4 +1,4 @@
-#include "openr/simulation/pacing.h"
+#include "openr/simulation/pacer.h"
 
 #include <time.h>
 
