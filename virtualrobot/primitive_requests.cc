@@ -1,4 +1,6 @@
-// Answers ControlPrimitive() by a table with one row per request (robot.md, 13.3).
+// Answers requests by a table with one row per request (robot.md, 13.3).
+#include "virtualrobot/primitive_requests.h"
+
 #include <fmt/format.h>
 
 #include <cstring>
@@ -193,13 +195,14 @@ const PrimitiveRequests::Row* PrimitiveRequests::Find(OPrimitiveRequest request,
   return nullptr;
 }
 
-OStatus VirtualRobot::ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param,
-                                       size_t param_size, void* result, size_t result_size) {
-  const Primitive* const primitive = parts_.primitives.Find(id);
+OStatus CarryOutRequest(VirtualRobot* robot, OPrimitiveID id, OPrimitiveRequest request,
+                        const void* param, size_t param_size, void* result, size_t result_size) {
+  RobotParts& parts = robot->parts();
+  const Primitive* const primitive = parts.primitives.Find(id);
   if (primitive == nullptr) return oINVALID_PRIMITIVE_ID;
   const auto* const row = PrimitiveRequests::Find(request, primitive->type);
   if (row == nullptr) {
-    parts_.Warn(fmt::format("ControlPrimitive: {} has no request {}", primitive->locator, request));
+    parts.Warn(fmt::format("ControlPrimitive: {} has no request {}", primitive->locator, request));
     return oINVALID_ARG;
   }
   // Checks the sizes of the parameter and of the result, so that a program that passes the wrong
@@ -209,7 +212,7 @@ OStatus VirtualRobot::ControlPrimitive(OPrimitiveID id, OPrimitiveRequest reques
            (data != nullptr && size == wanted);
   };
   if (!fits(row->param_size, param, param_size) || !fits(row->result_size, result, result_size)) {
-    parts_.Warn(
+    parts.Warn(
         fmt::format("ControlPrimitive: request {} of {} takes {} bytes and answers {}, got room "
                     "for {} and {}",
                     request, primitive->locator, row->param_size, row->result_size,
@@ -217,8 +220,8 @@ OStatus VirtualRobot::ControlPrimitive(OPrimitiveID id, OPrimitiveRequest reques
     return oINVALID_ARG;
   }
   if (!primitive->opened())
-    parts_.Warn(fmt::format("ControlPrimitive: nobody opened {}", primitive->locator));
-  return row->act({*this, parts_, *primitive, id, param, result});
+    parts.Warn(fmt::format("ControlPrimitive: nobody opened {}", primitive->locator));
+  return row->act({*robot, parts, *primitive, id, param, result});
 }
 
 }  // namespace openr_host

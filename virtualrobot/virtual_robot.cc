@@ -14,6 +14,7 @@
 #include "runtime/stick/memory_stick.h"
 #include "virtualrobot/comm/audio_comm.h"
 #include "virtualrobot/comm/virtual_robot_comm.h"
+#include "virtualrobot/primitive_requests.h"
 
 namespace openr_host {
 
@@ -166,6 +167,11 @@ OStatus VirtualRobot::GetSensorValue(OPrimitiveID id, OSensorValue* value) {
   if (primitive == nullptr) return oINVALID_PRIMITIVE_ID;
   *value = parts_.sensors.Latest(primitive->sensor);
   return oSUCCESS;
+}
+
+OStatus VirtualRobot::ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param,
+                                       size_t param_size, void* result, size_t result_size) {
+  return CarryOutRequest(this, id, request, param, param_size, result, result_size);
 }
 
 OStatus VirtualRobot::NewSyncKey(OVRSyncKey* key) {
