@@ -22,7 +22,7 @@ void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
   System* const system = object->system;
   Object* const sender = system->object(ObjectIdOf(subject.GetOID()));
   if (sender == nullptr) return;
-  // A subject whose object is being replaced (is_leaving) receives no more messages, so the regions
+  // A subject whose object is being replaced receives no more messages, so the regions
   // that it had sent are given back by a direct call of ReturnRegion() and not by a ready.
   if (sender->is_leaving()) {
     for (RCRegion* const region : regions) sender->ReturnRegion(region);
