@@ -9,7 +9,7 @@
 #include "runtime/base/upper_registers.h"
 #include "runtime/core/cpu.h"
 #include "runtime/core/delivery_prefetch.h"
-#include "runtime/core/image.h"
+#include "runtime/core/image_object.h"
 #include "runtime/core/object_manager.h"
 #include "runtime/core/stack_report.h"
 #include "runtime/core/system.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "runtime/base/spelling.h"
-#include "runtime/core/image.h"
+#include "runtime/core/image_object.h"
 #include "runtime/core/system.h"
 #include "runtime/stick/memory_stick.h"
 

@@ -13,7 +13,7 @@
 #include "runtime/core/api.h"
 #include "runtime/core/connection_messages.h"
 #include "runtime/core/dispatcher.h"
-#include "runtime/core/image.h"
+#include "runtime/core/image_object.h"
 #include "runtime/core/load_image.h"
 #include "runtime/core/system.h"
 #include "runtime/stick/memory_stick.h"

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "runtime/core/code_object.h"
-#include "runtime/core/image.h"
+#include "runtime/core/image_object.h"
 #include "runtime/core/system.h"
 #include "runtime/gateway/gateway_stream.h"
 #include "runtime/gateway/proxy_client.h"

@@ -13,7 +13,7 @@
 
 #include "runtime/core/address_plan.h"
 #include "runtime/core/arena.h"
-#include "runtime/core/image.h"
+#include "runtime/core/image_object.h"
 #include "runtime/core/robot_fault.h"
 #include "tests/runtime/core/recorder.h"
 

@@ -1,6 +1,4 @@
 // Objects loaded from images: statics, heaps, files and ends of methods of their own.
-#include "runtime/core/image.h"
-
 #include <OPENR/RCRegion.h>
 #include <elf.h>
 #include <gtest/gtest.h>
@@ -13,6 +11,7 @@
 
 #include "runtime/core/dispatcher.h"
 #include "runtime/core/image_info.h"
+#include "runtime/core/image_object.h"
 #include "runtime/core/load_image.h"
 #include "runtime/core/load_stick.h"
 #include "tests/runtime/images/image_fixture.h"
