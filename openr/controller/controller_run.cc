@@ -4,6 +4,8 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <chrono>
+#include <cstdint>
 #include <cstdlib>
 
 #include "ControllerApi.h"
@@ -16,7 +18,8 @@ namespace openr_host {
 namespace {
 
 namespace remote = openr::remote;
-using Clock = std::chrono::steady_clock;
+
+constexpr int64_t kNsPerMs = 1'000'000;
 
 volatile sig_atomic_t g_stops = 0;  // number of the signal that ends the controller; 0: none
 
@@ -73,9 +76,9 @@ class Session {
 // when the robot stands.  Returns false if Ctrl-C or SIGTERM ends the wait.
 bool Session::WaitForStanding() {
   const auto is_ended = [this] { return g_stops != 0 || port_.Stands(); };
-  port_.ReceiveUntil(Clock::now() + std::chrono::milliseconds(100), is_ended);
+  port_.ReceiveUntil(WallClockNs() + 100 * kNsPerMs, is_ended);
   if (!is_ended()) fmt::print(stderr, "openr: waits until the robot stands\n");
-  port_.ReceiveUntil(Clock::time_point::max(), is_ended);
+  port_.ReceiveUntil(INT64_MAX, is_ended);
   return g_stops == 0;
 }
 
@@ -87,13 +90,13 @@ bool Session::WaitForNextStep() {
     int step_ms = 0;
     if (g_stops == 0 && !port_.TakeNewStep(&step_ms)) return false;
     if (clock_.iterations() == 0) first_frame_ = port_.frame();
-    const auto next = clock_.Next(Clock::now(), std::chrono::milliseconds(step_ms));
-    port_.ReceiveUntil(next, [] { return g_stops != 0; });
+    const int64_t next_ns = clock_.Next(WallClockNs(), step_ms * kNsPerMs);
+    port_.ReceiveUntil(next_ns, [] { return g_stops != 0; });
     if (g_stops != 0) {
       why_ = g_stops == SIGINT ? "Ctrl-C" : "SIGTERM";
       return false;
     }
-    const std::string late = clock_.Begin(Clock::now());
+    const std::string late = clock_.Begin(WallClockNs());
     last_frame_ = port_.frame();
     if (!late.empty()) fmt::print(stderr, "openr: {}\n", late);
     return true;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -12,18 +13,19 @@
 #include "MoverState.h"
 #include "runtime/base/read_file.h"
 #include "runtime/base/spelling.h"
+#include "runtime/base/wall_clock.h"
 
 namespace openr_host {
 namespace {
 
 namespace fs = std::filesystem;
 namespace remote = openr::remote;
-using Clock = std::chrono::steady_clock;
 
 constexpr int kFrameMs = 8;
 // Longest time for which RemotePort waits for packets of the robot, so that it soon notices when
 // Ctrl-C is pressed.
-constexpr std::chrono::milliseconds kSlice{50};
+constexpr int64_t kSliceNs = 50'000'000;
+constexpr int64_t kBetweenWarningsNs = 1'000'000'000;
 // Number of events from the robot after which RemotePort looks for the robot's answers to commands,
 // even if more events wait.  Without this limit many events could keep RemotePort from reading the
 // answers.
@@ -47,6 +49,12 @@ const RobotConstants* ConstantsOf(remote::Connection* robot) {
                                        robot->address().Text(), design));
 }
 
+// Returns a time of the wall clock as openr/remote takes it.  Both count from the origin of the
+// host's monotonic clock.
+std::chrono::steady_clock::time_point RemoteTime(int64_t time_ns) {
+  return std::chrono::steady_clock::time_point(std::chrono::nanoseconds(time_ns));
+}
+
 void Say(const std::string& text) { fmt::print(stderr, "openr: {}\n", text); }
 
 }  // namespace
@@ -61,7 +69,7 @@ RemotePort::RemotePort(const remote::Address& address, remote::Options options, 
       constants_(ConstantsOf(&robot_)),
       core_(this),
       joints_(constants_),
-      heard_(Clock::now()) {
+      heard_ns_(WallClockNs()) {
   core_.Begin(constants_);
   robot_.Subscribe(rcstreamSENSORS, RC_FRAMES_PER_VECTOR);
 }
@@ -104,24 +112,24 @@ bool RemotePort::Guarded(const Function& function, std::string* refusal) {
 
 // ---- Functions that handle events from the robot
 
-void RemotePort::ReceiveUntil(Clock::time_point deadline, const std::function<bool()>& is_ended) {
+void RemotePort::ReceiveUntil(int64_t deadline_ns, const std::function<bool()>& is_ended) {
   // Receives packets of the robot at least once, even after the deadline, because a controller
   // whose iterations are always late must get sensor values, too.
   do {
-    auto event = robot_.NextEvent(std::min(deadline, Clock::now() + kSlice));
+    auto event = robot_.NextEvent(RemoteTime(std::min(deadline_ns, WallClockNs() + kSliceNs)));
     for (int i = 0; i < kEventsAtOnce && event; ++i) {
       HandleEvent(*event);
-      event = robot_.NextEvent(Clock::time_point{});
+      event = robot_.NextEvent({});
     }
     if (event) HandleEvent(*event);
     HandleAnswers(false);
     PingIfSilent();
-  } while (Clock::now() < deadline && !is_ended());
+  } while (WallClockNs() < deadline_ns && !is_ended());
   CopyNewPicture();
 }
 
 void RemotePort::HandleEvent(const remote::Event& event) {
-  heard_ = Clock::now();
+  heard_ns_ = WallClockNs();
   if (event.stream == rcstreamSENSORS) {
     StoreSensors(robot_.Read<remote::Sensors>(event), event.frame);
   }
@@ -188,8 +196,8 @@ void RemotePort::PingIfSilent() {
   if (life_ != 0) {
     if (!robot_.IsAnswered(life_)) return;
     robot_.Drop(std::exchange(life_, 0));
-    heard_ = Clock::now();
-  } else if (Clock::now() - heard_ > options_.timeout) {
+    heard_ns_ = WallClockNs();
+  } else if (std::chrono::nanoseconds(WallClockNs() - heard_ns_) > options_.timeout) {
     life_ = robot_.Send(rcINFO);
   }
 }
@@ -199,7 +207,7 @@ void RemotePort::HandleAnswers(bool waits) {
     const Batch batch = std::move(batches_.front());
     batches_.pop_front();
     const auto answers = robot_.WaitForBatch(batch.id, batch.commands.size());
-    heard_ = Clock::now();
+    heard_ns_ = WallClockNs();
     for (size_t i = 0; i < answers.size(); ++i) {
       const RobotCommand& command = batch.commands[i];
       if (answers[i].status == rcOK) continue;
@@ -219,9 +227,9 @@ void RemotePort::HandleAnswers(bool waits) {
 // Warns the user that the robot has refused a command.  Warns at most once a second, because a
 // controller may give the command in each iteration of its loop.
 void RemotePort::WarnOfRefusal(const std::string& text) {
-  const Clock::time_point now = Clock::now();
-  if (warned_ != Clock::time_point{} && now - warned_ < std::chrono::seconds(1)) return;
-  warned_ = now;
+  const int64_t now_ns = WallClockNs();
+  if (warned_ns_ && now_ns - *warned_ns_ < kBetweenWarningsNs) return;
+  warned_ns_ = now_ns;
   Say(text);
 }
 

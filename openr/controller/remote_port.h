@@ -1,6 +1,7 @@
 // RemotePort, which gives a controller on this computer access to its robot.
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <exception>
 #include <functional>
@@ -35,11 +36,10 @@ class RemotePort : public ControllerPort {
 
   ControllerCore* core() { return &core_; }
 
-  // Receives sensor values and answers of the robot until `deadline`, or until `is_ended` returns
-  // true.  Throws remote::Error if the connection fails, or if the robot has sent nothing within
-  // the time limit.
-  void ReceiveUntil(std::chrono::steady_clock::time_point deadline,
-                    const std::function<bool()>& is_ended);
+  // Receives sensor values and answers of the robot until the wall clock (wall_clock.h) shows
+  // `deadline_ns`, or until `is_ended` returns true.  Throws remote::Error if the connection fails,
+  // or if the robot has sent nothing within the time limit.
+  void ReceiveUntil(int64_t deadline_ns, const std::function<bool()>& is_ended);
 
   // Throws the connection error that an earlier function of ControllerPort has kept.  Does nothing
   // if there was no error.
@@ -132,8 +132,8 @@ class RemotePort : public ControllerPort {
   int step_ms_ = 0;
   int rounded_ms_ = 0;  // the rounded time step that the user was told last; 0: none
   bool is_continued_ = false;
-  std::chrono::steady_clock::time_point heard_{};   // time of the robot's last event or answer
-  std::chrono::steady_clock::time_point warned_{};  // time of the last WarnOfRefusal()
+  int64_t heard_ns_;                  // time of the robot's last event or answer
+  std::optional<int64_t> warned_ns_;  // time of the last warning of WarnOfRefusal()
   // Id of the request INFO that was sent to a silent robot and is not answered yet; 0: none.
   openr::remote::RequestId life_ = 0;
 };

@@ -7,34 +7,34 @@
 namespace openr_host {
 namespace {
 
-double Milliseconds(StepClock::Duration duration) {
-  return std::chrono::duration<double, std::milli>(duration).count();
-}
+constexpr int64_t kLateWarningPauseNs = 1'000'000'000;
+
+double Milliseconds(int64_t duration_ns) { return static_cast<double>(duration_ns) / 1e6; }
 
 }  // namespace
 
-StepClock::Time StepClock::Next(Time now, Duration step) {
-  if (!has_begun_) begin_ = planned_ = now;
+int64_t StepClock::Next(int64_t now_ns, int64_t step_ns) {
+  if (!has_begun_) begin_ns_ = planned_ns_ = now_ns;
   has_begun_ = true;
-  step_ = step;
-  next_ = planned_ + step;
-  return next_;
+  step_ns_ = step_ns;
+  next_ns_ = planned_ns_ + step_ns;
+  return next_ns_;
 }
 
-std::string StepClock::Begin(Time now) {
-  const Duration took = now - begin_;
+std::string StepClock::Begin(int64_t now_ns) {
+  const int64_t took_ns = now_ns - begin_ns_;
   iterations_ += 1;
-  asked_ += step_;
-  achieved_ += took;
-  longest_ = std::max(longest_, took);
-  begin_ = now;
-  planned_ = next_;
-  if (now - next_ <= kLate) return "";
-  planned_ = now;  // a late iteration does not make the next iterations shorter
-  if (warned_ != Time{} && now - warned_ < std::chrono::seconds(1)) return "";
-  warned_ = now;
+  asked_ns_ += step_ns_;
+  achieved_ns_ += took_ns;
+  longest_ns_ = std::max(longest_ns_, took_ns);
+  begin_ns_ = now_ns;
+  planned_ns_ = next_ns_;
+  if (now_ns - next_ns_ <= kLateNs) return "";
+  planned_ns_ = now_ns;  // a late iteration does not make the next iterations shorter
+  if (warned_ns_ && now_ns - *warned_ns_ < kLateWarningPauseNs) return "";
+  warned_ns_ = now_ns;
   return fmt::format("the time step of {:g} ms cannot be held: this iteration took {:.0f} ms",
-                     Milliseconds(step_), Milliseconds(took));
+                     Milliseconds(step_ns_), Milliseconds(took_ns));
 }
 
 std::string StepClock::Summary() const {
@@ -43,8 +43,9 @@ std::string StepClock::Summary() const {
   return fmt::format(
       "{} iteration{} in {:.1f} s; asked for were {:g} ms each, achieved {:.1f} ms on average, "
       "{:.0f} ms at most",
-      iterations_, iterations_ == 1 ? "" : "s", Milliseconds(achieved_) / 1000,
-      Milliseconds(asked_) / count, Milliseconds(achieved_) / count, Milliseconds(longest_));
+      iterations_, iterations_ == 1 ? "" : "s", Milliseconds(achieved_ns_) / 1000,
+      Milliseconds(asked_ns_) / count, Milliseconds(achieved_ns_) / count,
+      Milliseconds(longest_ns_));
 }
 
 }  // namespace openr_host

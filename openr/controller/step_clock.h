@@ -1,31 +1,28 @@
 // StepClock, which paces the iterations of a controller in real time.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace openr_host {
 
 // Computes when the next iteration of the controller's loop is to begin, and measures the duration
-// of iterations.  The caller passes in the present time.
+// of iterations.  The caller passes in the present time by the wall clock (wall_clock.h).
 class StepClock {
  public:
-  using Time = std::chrono::steady_clock::time_point;
-  using Duration = std::chrono::steady_clock::duration;
-
   // The largest delay with which an iteration still counts as on time: a frame of the robot.
-  static constexpr std::chrono::milliseconds kLate{8};
+  static constexpr int64_t kLateNs = 8'000'000;
 
-  // Returns the time at which the next iteration is to begin: `step` after the planned beginning of
-  // the present iteration.  Called at the end of an iteration.  The first call takes `now` for the
-  // time at which the first iteration has begun.
-  Time Next(Time now, Duration step);
+  // Returns the time at which the next iteration is to begin: `step_ns` after the planned beginning
+  // of the present iteration.  Called at the end of an iteration.  The first call takes `now_ns`
+  // for the time at which the first iteration has begun.
+  int64_t Next(int64_t now_ns, int64_t step_ns);
 
-  // Begins the next iteration at the time `now`.  Returns a warning if `now` is more than kLate
-  // after the time that Next() has returned; else "".  Warns at most once a second.  A late
-  // iteration does not make the next iterations shorter, because they are planned from `now` on.
-  std::string Begin(Time now);
+  // Begins the next iteration at the time `now_ns`.  Returns a warning if `now_ns` is more than
+  // kLateNs after the time that Next() has returned; else "".  Warns at most once a second.  A late
+  // iteration does not make the next iterations shorter, because they are planned from `now_ns` on.
+  std::string Begin(int64_t now_ns);
 
   int64_t iterations() const { return iterations_; }  // number of iterations that have ended
 
@@ -35,12 +32,12 @@ class StepClock {
 
  private:
   bool has_begun_ = false;
-  Time begin_{};    // time at which the present iteration of the loop has begun
-  Time planned_{};  // time at which the present iteration of the loop was to begin
-  Time next_{};
-  Time warned_{};
-  Duration step_{};
-  Duration asked_{}, achieved_{}, longest_{};
+  int64_t begin_ns_ = 0;    // time at which the present iteration of the loop has begun
+  int64_t planned_ns_ = 0;  // time at which the present iteration of the loop was to begin
+  int64_t next_ns_ = 0;
+  std::optional<int64_t> warned_ns_;  // time of the last warning
+  int64_t step_ns_ = 0;
+  int64_t asked_ns_ = 0, achieved_ns_ = 0, longest_ns_ = 0;
   int64_t iterations_ = 0;
 };
 

@@ -94,36 +94,34 @@ TEST_F(JointCommandsTest, ARefusedPositionIsSentAgain) {
 class StepClockTest : public testing::Test {
  protected:
   // Makes an iteration of 32 ms whose successor begins `late` after its time.
-  std::string Iterate(milliseconds late) {
-    const auto next = clock_.Next(now_, milliseconds(32));
-    now_ = next + late;
-    return clock_.Begin(now_);
+  std::string Iterate(int late_ms) {
+    now_ns_ = clock_.Next(now_ns_, 32 * kNsPerMs) + late_ms * kNsPerMs;
+    return clock_.Begin(now_ns_);
   }
 
+  static constexpr int64_t kNsPerMs = 1'000'000;
   StepClock clock_;
-  StepClock::Time now_{std::chrono::hours(1)};
+  int64_t now_ns_ = 3'600'000 * kNsPerMs;
 };
 
 TEST_F(StepClockTest, IterationsThatBeginALittleLateAreMadeUpFor) {
-  const StepClock::Time begin = now_;
-  for (int i = 0; i < 10; ++i) EXPECT_EQ(Iterate(milliseconds(5)), "");
-  EXPECT_EQ(clock_.Next(now_, milliseconds(32)) - begin, milliseconds(11 * 32));
+  const int64_t begin_ns = now_ns_;
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(Iterate(5), "");
+  EXPECT_EQ(clock_.Next(now_ns_, 32 * kNsPerMs) - begin_ns, 11 * 32 * kNsPerMs);
   EXPECT_EQ(clock_.Summary(),
             "10 iterations in 0.3 s; asked for were 32 ms each, achieved 32.5 ms on average, "
             "37 ms at most");
 }
 
 TEST_F(StepClockTest, AStepThatIsNotHeldIsSaidOnceASecond) {
-  EXPECT_EQ(Iterate(milliseconds(68)),
-            "the time step of 32 ms cannot be held: this iteration took 100 ms");
-  for (int i = 0; i < 10; ++i) EXPECT_EQ(Iterate(milliseconds(64)), "") << i;
-  EXPECT_EQ(Iterate(milliseconds(64)),
-            "the time step of 32 ms cannot be held: this iteration took 96 ms");
+  EXPECT_EQ(Iterate(68), "the time step of 32 ms cannot be held: this iteration took 100 ms");
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(Iterate(64), "") << i;
+  EXPECT_EQ(Iterate(64), "the time step of 32 ms cannot be held: this iteration took 96 ms");
 }
 
 TEST_F(StepClockTest, ALostIterationIsNotMadeUpFor) {
-  Iterate(milliseconds(500));
-  EXPECT_EQ(clock_.Next(now_, milliseconds(32)), now_ + milliseconds(32));
+  Iterate(500);
+  EXPECT_EQ(clock_.Next(now_ns_, 32 * kNsPerMs), now_ns_ + 32 * kNsPerMs);
 }
 
 TEST_F(StepClockTest, WithoutAnIterationThereIsNothingToSay) {
