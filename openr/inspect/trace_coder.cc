@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <stdexcept>
+#include <utility>
+
 #include "cli/counted.h"
 #include "openr/inspect/trace_file.h"
 #include "runtime/base/assert.h"
@@ -54,6 +57,72 @@ NetworkEvent ReadEvent(ByteReader* in) {
   for (uint64_t i = in->Varint(); i > 0; --i) event.host.aliases.emplace_back(in->Text());
   for (uint64_t i = in->Varint(); i > 0; --i) event.host.addresses.push_back(in->U32());
   return event;
+}
+
+// Reads an entry that a program of before version kTraceVersion wrote for an input, and makes it
+// the entry kInput that a present program writes.
+void ReadOldInput(ByteReader* in, TraceEntry* entry) {
+  const TraceEntry::Kind kind = std::exchange(entry->kind, TraceEntry::Kind::kInput);
+  entry->time_us = in->Zigzag();
+  if (kind == TraceEntry::Kind::kOldConsole) {
+    entry->robot = static_cast<int32_t>(in->Varint());
+    entry->name = fmt::format("type {}", in->Text());
+  } else {
+    entry->robot = -1;
+    entry->name = kind == TraceEntry::Kind::kOldPause ? "press pause" : "shutdown";
+  }
+}
+
+// Reads the members of an entry that is neither a message nor an old input.
+void ReadPlainEntry(ByteReader* in, TraceEntry* entry) {
+  switch (entry->kind) {
+    case TraceEntry::Kind::kObject:
+      entry->id = static_cast<int32_t>(in->Zigzag());
+      entry->robot = static_cast<int32_t>(in->Varint());
+      entry->name = in->Text();
+      return;
+    case TraceEntry::Kind::kEntry:
+      entry->id = static_cast<int32_t>(in->Zigzag());
+      entry->selector = static_cast<uint32_t>(in->Varint());
+      entry->name = in->Text();
+      return;
+    case TraceEntry::Kind::kNetwork:
+      entry->robot = static_cast<int32_t>(in->Varint());
+      for (uint64_t i = in->Varint(); i > 0; --i) entry->events.push_back(ReadEvent(in));
+      return;
+    case TraceEntry::Kind::kInput:
+      entry->time_us = in->Zigzag();
+      entry->robot = static_cast<int32_t>(in->Zigzag());
+      entry->name = in->Text();
+      return;
+    case TraceEntry::Kind::kLoss:
+      entry->time_us = in->Zigzag();
+      entry->name = in->Text();
+      return;
+    case TraceEntry::Kind::kEnded:
+      entry->name = in->Text();
+      entry->payload = in->Text();
+      return;
+    case TraceEntry::Kind::kStick:
+      entry->what = ReadEnum(in, TraceEntry::PathKind::kFolder);
+      entry->name = in->Text();
+      entry->payload = in->Text();
+      return;
+    case TraceEntry::Kind::kEnd:
+      entry->time_us = in->Zigzag();
+      entry->trace_hash = in->U64();
+      entry->state_hash = in->U64();
+      return;
+    case TraceEntry::Kind::kForget:
+    case TraceEntry::Kind::kMessage:
+    case TraceEntry::Kind::kOldMessage:
+    case TraceEntry::Kind::kOldPause:
+    case TraceEntry::Kind::kOldShutdown:
+    case TraceEntry::Kind::kOldConsole:
+      break;  // cannot happen: Read() has read entries of these kinds itself
+  }
+  // Refuses the number 0, which is no kind, but with which a damaged file can begin an entry.
+  throw std::runtime_error("0 is no kind of anything");
 }
 
 }  // namespace
@@ -227,67 +296,22 @@ TraceEntry TraceCoder::Read(ByteReader* in) {
   while ((entry.kind = ReadEnum(in, TraceEntry::Kind::kForget)) == TraceEntry::Kind::kForget)
     Forget();
   switch (entry.kind) {
-    case TraceEntry::Kind::kForget:
-      break;  // cannot happen: the loop above has read every kForget
-    case TraceEntry::Kind::kObject:
-      entry.id = static_cast<int32_t>(in->Zigzag());
-      entry.robot = static_cast<int32_t>(in->Varint());
-      entry.name = in->Text();
-      return entry;
-    case TraceEntry::Kind::kEntry:
-      entry.id = static_cast<int32_t>(in->Zigzag());
-      entry.selector = static_cast<uint32_t>(in->Varint());
-      entry.name = in->Text();
-      return entry;
     case TraceEntry::Kind::kMessage:
       ReadMessage(false, in, &entry);
-      return entry;
+      break;
     case TraceEntry::Kind::kOldMessage:
       entry.kind = TraceEntry::Kind::kMessage;
       ReadMessage(true, in, &entry);
-      return entry;
-    case TraceEntry::Kind::kNetwork:
-      entry.robot = static_cast<int32_t>(in->Varint());
-      for (uint64_t i = in->Varint(); i > 0; --i) entry.events.push_back(ReadEvent(in));
-      return entry;
+      break;
     case TraceEntry::Kind::kOldPause:
     case TraceEntry::Kind::kOldShutdown:
-      entry.name = entry.kind == TraceEntry::Kind::kOldPause ? "press pause" : "shutdown";
-      entry.kind = TraceEntry::Kind::kInput;
-      entry.time_us = in->Zigzag();
-      entry.robot = -1;
-      return entry;
     case TraceEntry::Kind::kOldConsole:
-      entry.kind = TraceEntry::Kind::kInput;
-      entry.time_us = in->Zigzag();
-      entry.robot = static_cast<int32_t>(in->Varint());
-      entry.name = fmt::format("type {}", in->Text());
-      return entry;
-    case TraceEntry::Kind::kInput:
-      entry.time_us = in->Zigzag();
-      entry.robot = static_cast<int32_t>(in->Zigzag());
-      entry.name = in->Text();
-      return entry;
-    case TraceEntry::Kind::kLoss:
-      entry.time_us = in->Zigzag();
-      entry.name = in->Text();
-      return entry;
-    case TraceEntry::Kind::kEnded:
-      entry.name = in->Text();
-      entry.payload = in->Text();
-      return entry;
-    case TraceEntry::Kind::kStick:
-      entry.what = ReadEnum(in, TraceEntry::PathKind::kFolder);
-      entry.name = in->Text();
-      entry.payload = in->Text();
-      return entry;
-    case TraceEntry::Kind::kEnd:
-      entry.time_us = in->Zigzag();
-      entry.trace_hash = in->U64();
-      entry.state_hash = in->U64();
-      return entry;
+      ReadOldInput(in, &entry);
+      break;
+    default:
+      ReadPlainEntry(in, &entry);
   }
-  throw std::runtime_error("0 is no kind of anything");
+  return entry;
 }
 
 }  // namespace openr_host
