@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <mutex>
+#include <nlohmann/json.hpp>
 
 #include "cli/json_text.h"
 #include "cli/standard_streams.h"

@@ -16,6 +16,7 @@
 #include "openr/run/report.h"
 #include "openr/serve/command_table.h"
 #include "openr/serve/request_too_long.h"
+#include "openr/serve/server_answer.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {

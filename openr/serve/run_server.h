@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,19 +34,8 @@ class RunServer {
  private:
   using Json = nlohmann::json;
 
-  // The answer to a command: members of a JSON object, and the bytes after the JSON text.
-  struct Answer {
-    nlohmann::ordered_json json;
-    std::string bytes;
-  };
-
-  // A request: all its parameters, including the parameters that the program which drives the run
-  // has left out, and the bytes after its JSON text.
-  struct Request {
-    const Json& json;
-    const std::string& bytes;
-  };
-
+  struct Answer;   // server_answer.h
+  struct Request;  // server_answer.h
   using Work = Answer (RunServer::*)(const Request& request);
   static Work WorkOf(const std::string& name);
 

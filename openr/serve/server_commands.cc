@@ -12,6 +12,7 @@
 #include "openr/decode/decode_message.h"
 #include "openr/explore/property_file.h"
 #include "openr/serve/run_server.h"
+#include "openr/serve/server_answer.h"
 #include "openr/simulation/network_setup.h"
 #include "openr/simulation/sanitizer_start.h"
 #include "runtime/config/diagnostic.h"

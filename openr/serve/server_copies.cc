@@ -18,6 +18,7 @@
 #include "openr/motion/mtn_writer.h"
 #include "openr/render/picture_request.h"
 #include "openr/serve/run_server.h"
+#include "openr/serve/server_answer.h"
 
 namespace openr_host {
 namespace {

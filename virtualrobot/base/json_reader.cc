@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "runtime/base/json_depth.h"
 
@@ -27,6 +28,8 @@ nlohmann::json JsonReader::ParseText(const std::string& text, const std::string&
     throw std::runtime_error(fmt::format("{}: {}", file, e.what()));
   }
 }
+
+bool JsonReader::Has(const char* key) const { return value_.is_object() && value_.contains(key); }
 
 JsonReader JsonReader::At(const char* key) const {
   if (!value_.is_object()) Fail("must be an object with '{}'", key);

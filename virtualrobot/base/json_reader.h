@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <Eigen/Core>
-#include <nlohmann/json.hpp>
+#include <cstdint>
+#include <initializer_list>
+#include <nlohmann/json_fwd.hpp>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -30,7 +32,8 @@ class JsonReader {
     throw std::runtime_error(place_ + ": " + fmt::format(format, std::forward<Args>(args)...));
   }
 
-  bool Has(const char* key) const { return value_.is_object() && value_.contains(key); }
+  // Returns whether the value is a JSON object with the member `key`.
+  bool Has(const char* key) const;
 
   // Returns the member `key` of a JSON object.  Throws (Fail()) when the value is no object or the
   // member is missing.

@@ -1,6 +1,7 @@
 // Reads model files (model/*.json) into a RobotModel.  Converts units to SI and names to indices,
 // and refuses impossible values.
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <tuple>
 #include <utility>
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "tests/virtualrobot/body_harness.h"
 
 namespace openr_host {
