@@ -36,6 +36,12 @@ TimeEvents::EventMessage MessageOfCaller(const TimeEvents::EventMessage& message
 
 }  // namespace
 
+// Opens a reply box.  Ignores a box that is open already, and box 0, which no object has: only a
+// faulty worker opens them.
+void CheckedCalls::OpenBox(uint64_t box) {
+  if (box != 0 && !t_current.object->boxes().IsOpen(box)) LocalCalls::OpenBox(box);
+}
+
 uint32_t CheckedCalls::AddTimedEvent(const TimeEvents::EventMessage& message, int64_t first_us,
                                      int64_t period_us) {
   if (!IsTime(first_us) || !IsTime(period_us)) return 0;
@@ -43,7 +49,7 @@ uint32_t CheckedCalls::AddTimedEvent(const TimeEvents::EventMessage& message, in
 }
 
 uint32_t CheckedCalls::AddReplyEvent(const TimeEvents::EventMessage& message, uint64_t box) {
-  return LocalCalls::AddReplyEvent(MessageOfCaller(message), box);
+  return box == 0 ? 0 : LocalCalls::AddReplyEvent(MessageOfCaller(message), box);
 }
 
 int32_t CheckedCalls::RegisterName(ObjectId object, std::string_view name) {

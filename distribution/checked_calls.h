@@ -27,6 +27,7 @@ class CheckedCalls : public LocalCalls {
   CheckedCalls(System* system, IsOwn is_own, Refuse refuse)
       : LocalCalls(system), is_own_(std::move(is_own)), refuse_(std::move(refuse)) {}
 
+  void OpenBox(uint64_t box) override;
   uint32_t AddTimedEvent(const TimeEvents::EventMessage& message, int64_t first_us,
                          int64_t period_us) override;
   uint32_t AddReplyEvent(const TimeEvents::EventMessage& message, uint64_t box) override;

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "runtime/base/assert.h"
+
 namespace openr_host {
 namespace {
 
@@ -160,10 +162,12 @@ bool RemoteConnection::SendEnd(const std::string& why) {
     is_lost_ = true;
     return false;
   }
+  has_sent_end_ = true;
   return true;
 }
 
 bool RemoteConnection::AwaitReceipt(int64_t limit_ms) {
+  ASSERT(has_sent_end_, "process '{}' was sent no end", name_);
   return channel()->WaitForAcks(static_cast<int>(limit_ms));
 }
 

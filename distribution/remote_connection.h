@@ -117,6 +117,7 @@ class RemoteConnection {
   const std::function<void(const std::string&)> say_;
   ProcessSlot slot_;
   bool is_lost_ = false;
+  bool has_sent_end_ = false;  // whether SendEnd() has told the worker to end
   uint64_t session_ = 0;
   bool has_short_timeout_ = false;
 };

@@ -15,6 +15,7 @@
 #include "Messages.h"
 #include "MoverState.h"
 #include "runtime/api/power_text.h"
+#include "runtime/base/assert.h"
 #include "runtime/core/api.h"
 #include "runtime/core/system.h"
 #include "runtime/ipstack/ant_message.h"
@@ -404,6 +405,7 @@ std::string DecodeHandled(const System& system, const Message& message) {
 }
 
 std::string OneLineOf(const std::string& text, size_t size_max) {
+  ASSERT(size_max >= 3, "no room for the mark '...' in {} characters", size_max);
   std::string line;
   for (const char c : text) {
     if (line.size() > size_max) break;

@@ -111,6 +111,8 @@ void ForkServer::RunInCopy(const Json& plan, int answer) {
 }
 
 Json ForkServer::Run(const Json& plan) {
+  // Each copy boots the system, which can be booted only once.
+  ASSERT(!prepared_.system->booted());
   log_->count = 0;
   const ProcessCopy copy = StartCopy(Orphan::kGoesOn, [&](int answer) { RunInCopy(plan, answer); });
   std::string said;

@@ -28,6 +28,8 @@ class Curve {
   // and rising times.
   Curve(const std::vector<double>& times, const std::vector<double>& values)
       : times_(times), values_(values), slopes_(times.size()) {
+    ASSERT(times.size() >= 2 && values.size() == times.size(), "{} times, {} values", times.size(),
+           values.size());
     const size_t last = times.size() - 1;
     for (size_t i = 0; i <= last; ++i) {
       const size_t from = i > 0 ? i - 1 : 0, to = std::min(i + 1, last);

@@ -142,6 +142,7 @@ void AddRobot(const RobotModel& model, const RobotLook& look, render::Scene* sce
 
 render::Scene MakeRobotScene(const RobotModel& model, const std::vector<RobotLook>& looks,
                              const World& world, View view) {
+  ASSERT(view != View::kCamera);
   render::Scene scene;
   for (const RobotLook& look : looks) AddRobot(model, look, &scene);
   for (const render::Shape& shape : ShapesOfWorld(world)) scene.shapes.push_back(shape);

@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "runtime/base/assert.h"
+
 namespace openr_host {
 namespace {
 
@@ -54,6 +56,7 @@ FileReader::~FileReader() {
 }
 
 bool FileReader::Read(size_t bytes_max, std::string* piece) {
+  ASSERT(is_open());
   piece->resize(bytes_max);
   size_t size = 0;
   while (size < bytes_max) {

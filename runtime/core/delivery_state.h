@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/base/assert.h"
 #include "runtime/core/message.h"
 
 namespace openr_host {
@@ -67,6 +68,7 @@ class DeliveryState {
   // Takes the newest of the messages that the object could not handle yet.  REQUIRES: held() is not
   // empty.
   OwnedMessage TakeNewestHeld() {
+    ASSERT(!held_.empty());
     OwnedMessage message = std::move(held_.back());
     held_.pop_back();
     SetFlag();

@@ -8,6 +8,8 @@
 #include <cstring>
 #include <vector>
 
+#include "runtime/base/assert.h"
+
 namespace openr_host {
 namespace {
 
@@ -201,6 +203,7 @@ std::string Rebase::Run(uint64_t size_max) {
 }  // namespace
 
 bool RebaseImage(std::string* bytes, uint64_t address, uint64_t size_max) {
+  ASSERT(address % 65536 == 0, "address {:#x}", address);
   std::string moved = Rebase(*bytes, address).Run(size_max);
   if (moved.empty()) return false;
   *bytes = std::move(moved);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "runtime/base/assert.h"
 #include "runtime/config/connect_config.h"
 #include "runtime/config/design_config.h"
 #include "runtime/config/object_config.h"
@@ -175,6 +176,7 @@ bool LoadStick(System* system, int robot, StandIns stand_ins,
     // image, the caller's stand-in is kept: emplace() then inserts nothing.
     stand_ins.emplace(image.file, [&image](const std::string&) { image.add(); });
   Robot& dog = system->robot(robot);
+  ASSERT(!system->booted() || dog.powered_off, "robot {} is on already", robot);
   if (dog.stick != nullptr) dog.stick_hash = dog.stick->ContentHash();
   StickLoader loader(system, robot, stand_ins);
   const bool is_good = loader.LoadObjects();

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "runtime/base/assert.h"
 #include "runtime/core/system.h"
 #include "runtime/stick/memory_stick.h"
 

@@ -17,6 +17,12 @@ void OffRobots::Add(int robot, int64_t boot_us) {
   robots_[robot] = {(system_->now_us() / frame_us + 1) * frame_us, boot_us};
 }
 
+int64_t OffRobots::BootUs(int robot) const {
+  const auto found = robots_.find(robot);
+  ASSERT(found != robots_.end(), "robot {} is not off, or stays off", robot);
+  return found->second.boot_us;
+}
+
 bool OffRobots::Remove(int robot) { return robots_.erase(robot) > 0; }
 
 int64_t OffRobots::NextUs() const {

@@ -26,7 +26,7 @@ class OffRobots {
   bool empty() const { return robots_.empty(); }
   bool Contains(int robot) const { return robots_.contains(robot); }
   // Returns the virtual time at which robot number `robot` boots.  REQUIRES: Contains(robot).
-  int64_t BootUs(int robot) const { return robots_.at(robot).boot_us; }
+  int64_t BootUs(int robot) const;
 
   // Each robot that is off has frames of its own; at the end of a frame its body moves (DoDue()).
   // Returns the virtual time of the earliest such end; INT64_MAX if no frame will end.

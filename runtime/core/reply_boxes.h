@@ -17,9 +17,10 @@ class ReplyBoxes {
   uint64_t last() const { return last_; }  // the number of the newest box
   void set_last(uint64_t box) { last_ = box; }
 
-  // Opens a box, in which a reply may arrive from now on.
+  // Opens a box, in which a reply may arrive from now on.  REQUIRES: !IsOpen(box).
   void Open(uint64_t box) {
-    open_.insert(box);
+    const bool is_new = open_.insert(box).second;
+    ASSERT(box != 0 && is_new, "box {} is opened again", box);
     last_ = std::max(last_, box);
   }
   // Opens a box without a change of last(), because its number does not follow the numbers of the

@@ -17,6 +17,7 @@
 namespace openr_host {
 
 RCRegion* RegionList::TakeFirst() {
+  ASSERT(size_ > 0);
   RCRegion* const first = regions_[0];
   std::copy(regions_ + 1, regions_ + size_, regions_);
   --size_;

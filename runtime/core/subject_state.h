@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/base/assert.h"
 #include "runtime/core/message.h"
 #include "runtime/core/object.h"
 #include "runtime/core/region_access.h"
@@ -34,7 +35,10 @@ class RegionList {
 
   // Adds `region` as the newest region of the list, which holds the regions of one notification.
   // REQUIRES: size() < MAX_NUM_DATA.
-  void Append(RCRegion* region) { regions_[size_++] = region; }
+  void Append(RCRegion* region) {
+    ASSERT(size_ < MAX_NUM_DATA);
+    regions_[size_++] = region;
+  }
   // Removes the oldest region of the list and returns the region.  REQUIRES: !empty().
   RCRegion* TakeFirst();
   void Clear() { size_ = 0; }

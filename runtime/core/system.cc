@@ -105,6 +105,17 @@ RunFolder* System::run_folder() {
   return run_folder_.get();
 }
 
+void System::Connect(Connection connection) {
+  const Robot& dog = robot(connection.robot);
+  ASSERT(!booted() || dog.powered_off, "robot {} is on already", connection.robot);
+  robot_table_.Connect(std::move(connection));
+}
+
+void System::set_schedule(Schedule* schedule) {
+  ASSERT(poster_.last_number() == 0, "the run has begun with another schedule");
+  poster_.set_schedule(schedule);
+}
+
 bool System::booted() const { return manager_->has_booted(); }
 
 void System::Boot() { manager_->PostBoot(); }

@@ -74,12 +74,12 @@ class System {
   T* AddObject(int robot, const std::string& name, Args&&... args);
 
   // Returns the temporary folder for the copies of images; each object is loaded from a copy of its
-  // own (image.h).  The folder exists as long as the System.
+  // own (run_folder.h).  The folder exists as long as the System.
   RunFolder* run_folder();
 
   // Adds a connection between two services, which the next boot makes.  REQUIRES: before Boot(), or
   // in Robot::load_again.
-  void Connect(Connection connection) { robot_table_.Connect(std::move(connection)); }
+  void Connect(Connection connection);
   const std::vector<Connection>& connections() const { return robot_table_.connections(); }
 
   // Sets the state of all random generators to that of a System with this seed.  Does not change
@@ -170,7 +170,7 @@ class System {
   // is for tests and tools that explore orders.  The System does not own it, so it must exist as
   // long as the System delivers messages.  If it is null, there is no schedule.  REQUIRES: before
   // Boot().
-  void set_schedule(Schedule* schedule) { poster_.set_schedule(schedule); }
+  void set_schedule(Schedule* schedule);
   // Puts into the queue again a message that a gate or the processor (cpu.h) has held.  The message
   // is due now and comes before all others of its class and priority.
   void Readmit(OwnedMessage message);

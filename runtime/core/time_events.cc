@@ -26,6 +26,7 @@ uint32_t TimeEvents::AddTimed(EventMessage message, int64_t first_us, int64_t pe
 }
 
 uint32_t TimeEvents::AddReply(EventMessage message, uint64_t box) {
+  ASSERT(box != 0, "object {} waits for a reply in no box", message.owner);
   Event event;
   event.message = std::move(message);
   event.box = box;

@@ -32,6 +32,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 using Bytes = std::vector<uint8_t>;
+using Json = nlohmann::ordered_json;
 
 constexpr char kToken[] = "0123456789abcdef";
 

@@ -221,6 +221,16 @@ void SensorSource::ApplyFault(const SensorFault& fault, const Sensor& sensor, sl
   }
 }
 
+void SensorSource::Hold(int sensor, slongword value) {
+  ASSERT(model_.sensors[static_cast<size_t>(sensor)].joint < 0, "sensor {} is a joint's", sensor);
+  held_[static_cast<size_t>(sensor)] = value;
+}
+
+void SensorSource::Break(int sensor, const SensorFault& fault) {
+  ASSERT(model_.sensors[static_cast<size_t>(sensor)].joint < 0, "sensor {} is a joint's", sensor);
+  faults_[sensor] = fault;
+}
+
 void SensorSource::Repair(int sensor) {
   faults_.erase(sensor);
   latest_[static_cast<size_t>(sensor)].signal = 0;

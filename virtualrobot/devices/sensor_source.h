@@ -72,13 +72,13 @@ class SensorSource {
 
   // Makes sensor `sensor` read `value`, in its OPEN-R unit, until Release().  REQUIRES: `sensor` is
   // not the sensor of a joint.
-  void Hold(int sensor, slongword value) { held_[static_cast<size_t>(sensor)] = value; }
+  void Hold(int sensor, slongword value);
   void Release(int sensor) { held_[static_cast<size_t>(sensor)].reset(); }
 
   // Makes sensor `sensor` faulty until Repair().  REQUIRES: `sensor` is not the sensor of a joint.
   // The fault of a joint's sensor is in Devices::Disturbance() instead, because the servo uses this
   // sensor, too.
-  void Break(int sensor, const SensorFault& fault) { faults_[sensor] = fault; }
+  void Break(int sensor, const SensorFault& fault);
   // Ends the fault of sensor `sensor`.
   void Repair(int sensor);
 

@@ -220,6 +220,8 @@ void TouchBox(const Vector3d& centre_W, const Matrix3d& R_WB, const Vector3d& si
 
 void TouchCylinders(const WorldThing& cylinder, const WorldThing& thing,
                     std::vector<TouchPoint>* points) {
+  ASSERT(cylinder.shape == ThingShape::kCylinder && thing.shape == ThingShape::kCylinder,
+         "{} and {}", cylinder.name, thing.name);
   std::vector<TouchPoint> found;
   TouchByRimsAndSide(cylinder, thing, 1, &found);
   TouchByRimsAndSide(thing, cylinder, -1, &found);
