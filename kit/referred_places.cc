@@ -126,7 +126,7 @@ class PlaceSearch {
 
   // Adds the folder `target`, or, if `target` is a file, the folder that contains it.  `target` is
   // where a path in a file of the program leads; `is_above` tells whether this path ends in "..".
-  // In two cases, adds only the files directly in the folder:
+  // Adds only the files directly in the folder, and none of its folders, in two cases:
   //   - The folder contains the program's own folder, so it may hold other programs, too.
   //   - The folder contains a folder that was added before, and the path leads to a file or ends in
   //     "..".

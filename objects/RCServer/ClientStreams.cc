@@ -21,7 +21,7 @@ ClientStreams::Begin(int stream, Uint16 period, Uint16 tag)
 // Returns whether the period of the subscription (the least time between two packets) has passed
 // since lastFrame.  Also returns true when the robot counts its frames from the beginning again:
 // `frame` is then less than lastFrame, so the difference of these unsigned numbers is very large.
-// One packet is then sent too early, which is better than a long wait.
+// The next packet is then sent too early, which is better than a long wait.
 bool
 ClientStreams::IsPeriodOver(const Stream& stream, Uint32 frame) const
 {

@@ -171,8 +171,8 @@ std::vector<EntryPoint> ListEntries(const StubConfig& config) {
 // Returns the definition of openr_extra_names, the array with the names of the extra entries, which
 // the host reads from the image.  The generated text first declares the array, for two reasons.
 // Without a declaration with `extern`, other files could not see a const array, even in extern "C".
-// And g++ makes the array visible outside of the image only if its first declaration has
-// OPENR_HOST_EXPORT.
+// The declaration has OPENR_HOST_EXPORT, because g++ makes the array visible outside of the image
+// only if the first declaration has it.
 std::string MakeExtraNames(const StubConfig& config) {
   std::string names;
   for (const StubExtra& extra : config.extras) names += fmt::format("\"{}\", ", extra.function);

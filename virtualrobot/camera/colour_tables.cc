@@ -8,7 +8,7 @@ namespace openr_host {
 namespace {
 
 // Sets one bit in the elements `min` to `max` of `bits`, and clears this bit in all other elements.
-// In `mask`, only this bit is set.
+// `mask` is the value of a byte in which only this bit is set.
 void Mark(std::array<uint8_t, 256>* bits, uint8_t mask, longword min, longword max) {
   for (longword value = 0; value < 256; ++value) {
     uint8_t& channels = (*bits)[value];

@@ -12,10 +12,10 @@
 //   It opens: its impulse is 0, and it leaves the ground faster than d demands.
 //
 // Find() first solves the equations as if all contacts stuck, because most contacts of a robot do.
-// It leaves out contacts that would pull at the ground.  When all impulses lie in their cones, they
-// are the result.  Otherwise Find() makes sweeps, which begin from these impulses.  A sweep gives
-// one contact after the other the impulse that its law demands while all other impulses stay.  The
-// sweeps end when no impulse changes any more.
+// Find() leaves out contacts that would pull at the ground.  When all impulses lie in their cones,
+// they are the result.  Otherwise Find() makes sweeps, which begin from these impulses.  A sweep
+// gives one contact after the other the impulse that its law demands while all other impulses stay.
+// The sweeps end when no impulse changes any more.
 #pragma once
 
 #include <cstddef>

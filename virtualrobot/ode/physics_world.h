@@ -77,7 +77,7 @@ class PhysicsWorld {
     dxBody* body;
     JointTree tree;
     // Limits of the torque that brakes the rotation of the thing.  The torque is at most brake_nm.
-    // It is also at most the torque that stops, in one step, a thing with the inertia
+    // The torque is also at most that which stops, in one step, a thing with the inertia
     // least_inertia_kg_m2.  This is the least inertia of the thing about any of its axes, so the
     // torque never reverses a rotation.
     double brake_nm = 0, least_inertia_kg_m2 = 0;
