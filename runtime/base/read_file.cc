@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -13,6 +14,9 @@
 
 namespace openr_host {
 namespace {
+
+// ReadRest() reserves memory only for files of at most this size.
+constexpr off_t kReserveMax = off_t{1} << 26;
 
 // Reads at most `size` bytes from `descriptor`.  If a signal interrupts the reading, tries again.
 // Returns the number of bytes: 0 at the end of the file, and -1 with errno set if reading fails.
@@ -26,7 +30,13 @@ ssize_t ReadBlock(int descriptor, char* block, size_t size) {
 // Reads the open file `descriptor` to its end and appends the bytes to `*bytes`.  Returns false
 // with errno set if reading fails.
 bool ReadRest(int descriptor, std::string* bytes) {
-  char block[65536];
+  // Takes the memory for the whole file at once, because each page of memory that is touched for
+  // the first time takes longer than reading it.  The size is only a hint: special files have none,
+  // and a file may grow while it is read.
+  struct stat status;
+  if (fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_size <= kReserveMax)
+    bytes->reserve(static_cast<size_t>(status.st_size));
+  char block[16384];
   for (;;) {
     const ssize_t count = ReadBlock(descriptor, block, sizeof block);
     if (count <= 0) return count == 0;

@@ -37,9 +37,9 @@ ImageObject::~ImageObject() {
 }
 
 std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
-  std::string copy, original, problem;
+  std::string copy, problem;
   {
-    const ImageFile image = ReadImageFile(file);
+    ImageFile image = ReadImageFile(file);
     if (!image.problem.empty()) return image.problem;
     if (const std::string library = SanitizerOf(image.bytes);
         !library.empty() && !IsAddressSanitized()) {
@@ -48,10 +48,12 @@ std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
           "LD_PRELOAD={}, or build the object without --sanitize",
           library);
     }
-    original = image.bytes;
-    copy = folder->AddCopy(file, MoveToOwnAddresses(original), &problem);
+    copy = folder->AddCopy(file, image.bytes, &problem);
+    if (copy.empty()) return problem;
+    MoveToOwnAddresses(&image.bytes);
+    problem = folder->WriteCopy(copy, image.bytes);
+    if (!problem.empty()) return problem;
   }
-  if (copy.empty()) return problem;
   {
     const CurrentScope scope(system, this);
     handle_ = dlopen(copy.c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -61,7 +63,7 @@ std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
         "cannot be loaded: {}; an image of another version of openr-host has to be built again",
         dlerror());
   }
-  folder->Replace(copy, original);
+  folder->RestoreOriginal(copy);
   problem = CheckVersions();
   if (problem.empty()) problem = RedirectOwnImports();
   if (problem.empty()) problem = RunConstructors();
@@ -69,24 +71,22 @@ std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
 }
 
 // If addresses are planned (address_plan.h), gives planned addresses to the image, its heap and its
-// stack.  Returns the bytes to load, which are changed so that the loader puts the image at its
+// stack.  Changes `bytes`, the content of the image, so that the loader puts the image at its
 // planned address.  If an image cannot be changed in this way, the kernel chooses its load address;
 // its heap and stack still get planned addresses.
-std::string ImageObject::MoveToOwnAddresses(const std::string& original) {
-  std::string bytes = original;
-  HoldConstructors(&bytes);
+void ImageObject::MoveToOwnAddresses(std::string* bytes) {
+  HoldConstructors(bytes);
   auto taken = std::make_unique<ObjectAddresses>(id);
-  if (taken->heap() == nullptr) return bytes;
+  if (taken->heap() == nullptr) return;
   memory().Plan(std::move(taken), &system->robot(robot).memory);
   if (system->options().find_leaks) memory().arena()->KeepCalls();
   const ObjectAddresses& addresses = *memory().addresses();
   // Under Valgrind the image is not moved, because Valgrind expects that debug information matches
   // the addresses in the file.
   if (!IsUnderValgrind())
-    RebaseImage(&bytes, reinterpret_cast<uintptr_t>(addresses.image()),
+    RebaseImage(bytes, reinterpret_cast<uintptr_t>(addresses.image()),
                 ObjectAddresses::kImageBytes);
   stack_ = std::make_unique<HandlerStack>(addresses.stack(0));
-  return bytes;
 }
 
 // Returns "", or why the image does not fit this runtime: it has no description, or was built for

@@ -46,7 +46,7 @@ class ImageObject : public Object {
   }
 
  private:
-  std::string MoveToOwnAddresses(const std::string& original);
+  void MoveToOwnAddresses(std::string* bytes);
   std::string CheckVersions();
   std::string RedirectOwnImports();
   std::string RunConstructors();

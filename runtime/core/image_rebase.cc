@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <span>
 #include <vector>
 
 #include "runtime/base/assert.h"
@@ -52,40 +53,41 @@ bool IsAddress(int64_t tag) {
   }
 }
 
-class Rebase {
+// Finds all words of an image file that hold addresses in the image.  A word has 8 bytes.
+class AddressWords {
  public:
-  Rebase(std::string bytes, uint64_t by) : bytes_(std::move(bytes)), by_(by) {}
+  explicit AddressWords(std::string* bytes) : bytes_(*bytes) {}
 
-  // Adds the distance by which the image is moved (`by_`) to all addresses in the image file, and
-  // returns the changed bytes.  Returns "" if the file cannot be changed or needs more than
-  // `size_max` bytes of memory.
-  std::string Run(uint64_t size_max);
+  // Returns whether the words are found.  They are not found if `bytes` are no shared object for
+  // this processor that was linked for address 0, or if it needs more than `size_max` bytes of
+  // memory.
+  bool Find(uint64_t size_max);
+
+  // Adds `distance` to each word that Find() has found.
+  void Add(uint64_t distance);
 
  private:
   // Returns the address in bytes_ of `count` values of type T at `offset` of the image file.  If
-  // the file is too short, returns null and sets is_bad_, so that the file is not changed.
+  // the file is too short, returns null and sets is_bad_.
   template <typename T>
   T* At(uint64_t offset, uint64_t count);
   // Returns the offset in the image file of the bytes that are loaded at `address`.  If the file
-  // has no such bytes, returns 0 and sets is_bad_, so that the file is not changed.
+  // has no such bytes, returns 0 and sets is_bad_.
   uint64_t OffsetOf(uint64_t address);
   uint64_t ValueOf(int64_t tag) const;
-  void MoveSegments(const Elf64_Ehdr& header);
-  void MoveDynamicSymbols(const Elf64_Ehdr& header);
-  void MoveSymbols(Elf64_Sym* symbols, uint64_t count);
-  void MoveRelocations(int64_t table, int64_t size);
+  void FindInSegments(const Elf64_Ehdr& header);
+  void FindInSymbols(const Elf64_Ehdr& header);
+  void FindInRelocations(int64_t table, int64_t size);
 
-  std::string bytes_;
-  const uint64_t by_;
-  // The program headers (segments) of the image file, with the addresses that they had before the
-  // code of this class changed them.
-  std::vector<Elf64_Phdr> segments_;
-  std::vector<Elf64_Dyn> dynamic_;  // the dynamic section before any change
+  std::string& bytes_;
+  std::span<Elf64_Phdr> segments_;  // the program headers
+  std::span<Elf64_Dyn> dynamic_;    // the dynamic section
+  std::vector<uint64_t*> words_;
   bool is_bad_ = false;
 };
 
 template <typename T>
-T* Rebase::At(uint64_t offset, uint64_t count) {
+T* AddressWords::At(uint64_t offset, uint64_t count) {
   if (offset > bytes_.size() || count > (bytes_.size() - offset) / sizeof(T) ||
       offset % alignof(T) != 0) {
     is_bad_ = true;
@@ -94,7 +96,7 @@ T* Rebase::At(uint64_t offset, uint64_t count) {
   return reinterpret_cast<T*>(bytes_.data() + offset);
 }
 
-uint64_t Rebase::OffsetOf(uint64_t address) {
+uint64_t AddressWords::OffsetOf(uint64_t address) {
   for (const Elf64_Phdr& segment : segments_) {
     if (segment.p_type == PT_LOAD && address >= segment.p_vaddr &&
         address - segment.p_vaddr < segment.p_filesz)
@@ -104,109 +106,105 @@ uint64_t Rebase::OffsetOf(uint64_t address) {
   return 0;
 }
 
-uint64_t Rebase::ValueOf(int64_t tag) const {
+uint64_t AddressWords::ValueOf(int64_t tag) const {
   const auto found = std::find_if(dynamic_.begin(), dynamic_.end(),
                                   [tag](const Elf64_Dyn& entry) { return entry.d_tag == tag; });
   return found == dynamic_.end() ? 0 : found->d_un.d_val;
 }
 
-void Rebase::MoveSegments(const Elf64_Ehdr& header) {
+// Sets segments_ and dynamic_, and finds the words in both.
+void AddressWords::FindInSegments(const Elf64_Ehdr& header) {
   auto* const segments = At<Elf64_Phdr>(header.e_phoff, header.e_phnum);
   if (segments == nullptr) return;
-  segments_.assign(segments, segments + header.e_phnum);
-  for (int i = 0; i < header.e_phnum; ++i) {
-    // Does not move the segment PT_GNU_STACK, because it has no address: it only tells whether
-    // stacks may hold code.
-    if (segments[i].p_type == PT_GNU_STACK) continue;
-    segments[i].p_vaddr += by_;
-    segments[i].p_paddr += by_;
-  }
-  for (const Elf64_Phdr& segment : segments_) {
+  segments_ = {segments, header.e_phnum};
+  for (Elf64_Phdr& segment : segments_) {
+    // Leaves out the segment PT_GNU_STACK, because it has no address: it only tells whether stacks
+    // may hold code.
+    if (segment.p_type == PT_GNU_STACK) continue;
+    words_.push_back(&segment.p_vaddr);
+    words_.push_back(&segment.p_paddr);
     if (segment.p_type != PT_DYNAMIC) continue;
     const uint64_t count = segment.p_filesz / sizeof(Elf64_Dyn);
     auto* const entries = At<Elf64_Dyn>(segment.p_offset, count);
     if (entries == nullptr) return;
-    dynamic_.assign(entries, entries + count);
-    for (uint64_t i = 0; i < count; ++i) {
-      if (IsAddress(entries[i].d_tag)) entries[i].d_un.d_ptr += by_;
-    }
+    dynamic_ = {entries, count};
+  }
+  for (Elf64_Dyn& entry : dynamic_) {
+    if (IsAddress(entry.d_tag)) words_.push_back(&entry.d_un.d_ptr);
   }
 }
 
-// Adds the distance by which the image is moved (`by_`) to the values of `symbols`, which are
-// addresses of functions and variables of the image.  Symbols of other libraries, of constants and
-// of thread-local variables are not changed, because their values are no addresses in the image.
-void Rebase::MoveSymbols(Elf64_Sym* symbols, uint64_t count) {
-  if (symbols == nullptr) return;
-  for (uint64_t i = 0; i < count; ++i) {
-    Elf64_Sym& symbol = symbols[i];
-    if (symbol.st_shndx == SHN_UNDEF || symbol.st_shndx == SHN_ABS ||
-        symbol.st_shndx == SHN_COMMON || ELF64_ST_TYPE(symbol.st_info) == STT_TLS)
-      continue;
-    symbol.st_value += by_;
-  }
-}
-
-// Adds `by_` to the addresses of the dynamic symbols (MoveSymbols()).  All other symbols stay as
-// they are, because the loader reads only the dynamic symbols.  The header of the section with the
-// dynamic symbols tells their number.
-void Rebase::MoveDynamicSymbols(const Elf64_Ehdr& header) {
+// Finds the values of the dynamic symbols, which are addresses of functions and variables of the
+// image.  Symbols of other libraries, of constants and of thread-local variables are left out,
+// because their values are no addresses in the image.  All other tables of symbols are left out,
+// because the loader does not read them.  The header of the section with the dynamic symbols tells
+// their number.
+void AddressWords::FindInSymbols(const Elf64_Ehdr& header) {
   const auto* const sections = At<Elf64_Shdr>(header.e_shoff, header.e_shnum);
   bool has_symbols = false;
   for (int i = 0; sections != nullptr && i < header.e_shnum; ++i) {
     if (sections[i].sh_type != SHT_DYNSYM) continue;
-    const uint64_t count = sections[i].sh_size / sizeof(Elf64_Sym);
-    MoveSymbols(At<Elf64_Sym>(sections[i].sh_offset, count), count);
     has_symbols = true;
+    const uint64_t count = sections[i].sh_size / sizeof(Elf64_Sym);
+    auto* const symbols = At<Elf64_Sym>(sections[i].sh_offset, count);
+    for (uint64_t s = 0; symbols != nullptr && s < count; ++s) {
+      Elf64_Sym& symbol = symbols[s];
+      if (symbol.st_shndx == SHN_UNDEF || symbol.st_shndx == SHN_ABS ||
+          symbol.st_shndx == SHN_COMMON || ELF64_ST_TYPE(symbol.st_info) == STT_TLS)
+        continue;
+      words_.push_back(&symbol.st_value);
+    }
   }
   if (!has_symbols) is_bad_ = true;
 }
 
-void Rebase::MoveRelocations(int64_t table, int64_t size) {
+void AddressWords::FindInRelocations(int64_t table, int64_t size) {
   const uint64_t address = ValueOf(table);
   if (address == 0) return;
   const uint64_t count = ValueOf(size) / sizeof(Elf64_Rela);
   auto* const relocations = At<Elf64_Rela>(OffsetOf(address), count);
   if (relocations == nullptr) return;
   for (uint64_t i = 0; i < count; ++i) {
-    relocations[i].r_offset += by_;
+    words_.push_back(&relocations[i].r_offset);
     const uint64_t type = ELF64_R_TYPE(relocations[i].r_info);
     if (type == kRelative || type == kIndirect)
-      relocations[i].r_addend += static_cast<int64_t>(by_);
+      words_.push_back(reinterpret_cast<uint64_t*>(&relocations[i].r_addend));
   }
 }
 
-std::string Rebase::Run(uint64_t size_max) {
+bool AddressWords::Find(uint64_t size_max) {
   const auto* const header = At<Elf64_Ehdr>(0, 1);
   if (header == nullptr || std::memcmp(header->e_ident, ELFMAG, SELFMAG) != 0 ||
       header->e_ident[EI_CLASS] != ELFCLASS64 || header->e_type != ET_DYN)
-    return "";
-  MoveSegments(*header);
+    return false;
+  FindInSegments(*header);
   uint64_t end = 0;
   for (const Elf64_Phdr& segment : segments_) {
     if (segment.p_type != PT_LOAD) continue;
-    // Refuses an image file that was linked for an address other than 0, because RebaseImage()
-    // cannot move it.
-    if (end == 0 && segment.p_vaddr != 0) return "";
+    if (end == 0 && segment.p_vaddr != 0) return false;  // was linked for another address than 0
     end = std::max(end, segment.p_vaddr + segment.p_memsz);
   }
   // Relocations in the formats REL and RELR are not supported.  Images do not have them, because
   // the linkers of Debian write the format RELA for this processor.
   const bool is_strange = ValueOf(DT_REL) != 0 || ValueOf(DT_RELR) != 0;
-  if (is_bad_ || end > size_max || is_strange) return "";
-  MoveRelocations(DT_RELA, DT_RELASZ);
-  if (ValueOf(DT_PLTREL) == DT_RELA) MoveRelocations(DT_JMPREL, DT_PLTRELSZ);
-  MoveDynamicSymbols(*header);
-  return is_bad_ ? "" : bytes_;
+  if (is_bad_ || end > size_max || is_strange) return false;
+  FindInRelocations(DT_RELA, DT_RELASZ);
+  if (ValueOf(DT_PLTREL) == DT_RELA) FindInRelocations(DT_JMPREL, DT_PLTRELSZ);
+  FindInSymbols(*header);
+  return !is_bad_;
+}
+
+void AddressWords::Add(uint64_t distance) {
+  for (uint64_t* const word : words_) *word += distance;
 }
 
 }  // namespace
 
 bool RebaseImage(std::string* bytes, uint64_t address, uint64_t size_max) {
   ASSERT(address % 65536 == 0, "address {:#x}", address);
-  std::string moved = Rebase(*bytes, address).Run(size_max);
-  if (moved.empty()) return false;
-  *bytes = std::move(moved);
+  AddressWords words(bytes);
+  if (!words.Find(size_max)) return false;
+  words.Add(address);
   return true;
 }
 

@@ -12,11 +12,29 @@ namespace openr_host {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+bool Write(const std::string& path, const std::string& bytes) {
+  std::ofstream stream(path, std::ios::binary);
+  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  stream.close();
+  return stream.good();
+}
+
+std::string CannotCopyTo(const std::string& path) {
+  return fmt::format("cannot be copied to {}: {} (TMPDIR chooses another folder)", path,
+                     std::strerror(errno));
+}
+
+// Returns the path of the file that keeps the original of the image `copy`.
+std::string OriginalOf(const std::string& copy) { return copy + ".original"; }
+
+}  // namespace
+
 std::string RunFolder::AddCopy(const std::string& file, const std::string& bytes,
                                std::string* problem) {
   const auto fail = [problem](const std::string& path) {
-    *problem = fmt::format("cannot be copied to {}: {} (TMPDIR chooses another folder)", path,
-                           std::strerror(errno));
+    *problem = CannotCopyTo(path);
     return "";
   };
   const fs::path source(file);
@@ -25,25 +43,22 @@ std::string RunFolder::AddCopy(const std::string& file, const std::string& bytes
   std::string folder_name = folder_.path() + "/XXXXXX";
   if (mkdtemp(folder_name.data()) == nullptr) return fail(folder_.path());
   const fs::path folder = folder_name;
-  std::error_code error;
   const fs::path copy = folder / source.filename();
-  std::ofstream stream(copy, std::ios::binary);
-  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  stream.close();
-  if (!stream) return fail(copy);
+  if (!Write(OriginalOf(copy), bytes)) return fail(copy);
   const fs::path debug = fs::path(source).replace_extension(".DBG");
+  std::error_code error;
   if (fs::exists(debug, error))
     fs::create_symlink(fs::absolute(debug), folder / debug.filename(), error);
   return copy;
 }
 
-void RunFolder::Replace(const std::string& copy, const std::string& bytes) {
-  const std::string fresh = copy + ".new";
-  std::ofstream stream(fresh, std::ios::binary);
-  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  stream.close();
+std::string RunFolder::WriteCopy(const std::string& copy, const std::string& bytes) {
+  return Write(copy, bytes) ? "" : CannotCopyTo(copy);
+}
+
+void RunFolder::RestoreOriginal(const std::string& copy) {
   std::error_code error;
-  if (stream) fs::rename(fresh, copy, error);
+  fs::rename(OriginalOf(copy), copy, error);
 }
 
 }  // namespace openr_host

@@ -8,19 +8,26 @@
 namespace openr_host {
 
 // The destructor removes the folder.
+//
+// A copy of an image is changed for its load address before the copy is loaded.  Debuggers would
+// compute wrong addresses of symbols from the changed file, so after loading the original takes the
+// place of the copy.
 class RunFolder {
  public:
-  // Writes `bytes`, the content of the image `file`, to a new file and returns the new file's path.
-  // If a file with debug information (NAME.DBG) lies beside `file`, makes a link to it beside the
-  // copy, where debuggers look for it.  If the copy cannot be written, returns "" and sets
-  // `*problem` to the reason.
+  // Makes room for a copy of the image `file` and returns the path of the copy.  Keeps `bytes`, the
+  // content of the image, for RestoreOriginal().  If a file with debug information (NAME.DBG) lies
+  // beside `file`, makes a link to it beside the copy, where debuggers look for it.  If the folder
+  // cannot be written, returns "" and sets `*problem` to the reason.
   std::string AddCopy(const std::string& file, const std::string& bytes, std::string* problem);
 
-  // Replaces the file `copy`, after it was loaded, by a new file with `bytes`, the bytes of the
-  // original image.  The copy was changed for its load address, so debuggers would compute wrong
-  // addresses of symbols from the copy.  The loaded memory does not change.  If the new file cannot
-  // be written, debuggers show wrong addresses; the run is not affected.
-  void Replace(const std::string& copy, const std::string& bytes);
+  // Writes `bytes`, the changed content of the image, to the file `copy`, a path that AddCopy() has
+  // returned.  Returns "" or the reason why the file cannot be written.
+  std::string WriteCopy(const std::string& copy, const std::string& bytes);
+
+  // Replaces the file `copy`, after it was loaded, by the original.  The loaded memory does not
+  // change.  If the file cannot be replaced, debuggers show wrong addresses; the run is not
+  // affected.
+  void RestoreOriginal(const std::string& copy);
 
  private:
   const TempFolder folder_{TempUse::kSmallFiles};
