@@ -17,8 +17,8 @@
 namespace openr_host {
 namespace {
 
-// Runs `openr run --stick STICK` with the further words `words`, and waits for its end.
-void RunOpenr(const std::string& stick, const std::vector<std::string>& words) {
+// Starts `openr run --stick STICK` with the further words `words`.  Returns its process id.
+pid_t StartOpenr(const std::string& stick, const std::vector<std::string>& words) {
   std::vector<std::string> all = {ProgramFolder() + "/openr", "run", "--stick", stick};
   all.insert(all.end(), words.begin(), words.end());
   ProgramStart start(std::move(all));
@@ -26,9 +26,18 @@ void RunOpenr(const std::string& stick, const std::vector<std::string>& words) {
   start.OpenNull(STDERR_FILENO, O_WRONLY);
   pid_t child = -1;
   if (start.Start(&child) != 0) throw std::runtime_error("bench: openr cannot be started");
+  return child;
+}
+
+// Waits for the end of a process of StartOpenr().
+void AwaitOpenr(pid_t child) {
   int status = -1;
   waitpid(child, &status, 0);
   if (status != 0) throw std::runtime_error("bench: openr run has failed");
+}
+
+void RunOpenr(const std::string& stick, const std::vector<std::string>& words) {
+  AwaitOpenr(StartOpenr(stick, words));
 }
 
 // Returns a variant that runs `openr run` with `words`.
@@ -51,7 +60,19 @@ Row StartRow(const std::string& stick) {
   return row;
 }
 
-// Returns a row that compares one worker with two, which are processes.
+// Returns the words of `openr run` for `robots` robots with `body` for 20 s.
+std::vector<std::string> WordsFor(int robots, const std::string& body) {
+  return {"--robots",  std::to_string(robots),
+          "--for",     "20s",
+          "--rate",    "max",
+          "--body",    body,
+          "--rc-port", "0",
+          "--no-panel"};
+}
+
+// Returns a row that compares one worker with two, which are processes.  Its last two variants are
+// two runs that know nothing of each other.  Their ratio shows what the second processor of this
+// machine is worth: less than 2 if both processors share parts, as two threads of a core do.
 Row WorkersRow(const std::string& stick, const std::string& body) {
   Row row{fmt::format("100 robots for 20 s, {} body; a run", body), "ns a run", 1};
   row.rounds = 5;
@@ -61,12 +82,27 @@ Row WorkersRow(const std::string& stick, const std::string& body) {
     return row;
   }
   const auto run = [&](const std::string& jobs, std::vector<Limit> limits) {
-    return RunOf("--jobs " + jobs, stick,
-                 {"--robots", "100", "--jobs", jobs, "--for", "20s", "--rate", "max", "--body",
-                  body, "--no-panel"},
-                 std::move(limits));
+    std::vector<std::string> words = WordsFor(100, body);
+    words.insert(words.end(), {"--jobs", jobs});
+    return RunOf("--jobs " + jobs, stick, words, std::move(limits));
   };
-  row.variants = {run("2", {}), run("1", {{Limit::Kind::kRatioAtLeast, 1.8}})};
+  const auto half = [stick, words = WordsFor(50, body)] { return StartOpenr(stick, words); };
+  row.variants = {run("2", {}),
+                  run("1", {{Limit::Kind::kRatioAtLeast, 1.8}}),
+                  {"two runs of 50, at once",
+                   [half](int64_t count) {
+                     for (; count > 0; --count) {
+                       const pid_t first = half(), second = half();
+                       AwaitOpenr(first);
+                       AwaitOpenr(second);
+                     }
+                   }},
+                  {"two runs of 50, one by one", [half](int64_t count) {
+                     for (; count > 0; --count) {
+                       AwaitOpenr(half());
+                       AwaitOpenr(half());
+                     }
+                   }}};
   return row;
 }
 
