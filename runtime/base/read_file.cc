@@ -15,9 +15,6 @@
 namespace openr_host {
 namespace {
 
-// ReadRest() reserves memory only for files of at most this size.
-constexpr off_t kReserveMax = off_t{1} << 26;
-
 // Reads at most `size` bytes from `descriptor`.  If a signal interrupts the reading, tries again.
 // Returns the number of bytes: 0 at the end of the file, and -1 with errno set if reading fails.
 ssize_t ReadBlock(int descriptor, char* block, size_t size) {
@@ -28,29 +25,34 @@ ssize_t ReadBlock(int descriptor, char* block, size_t size) {
 }
 
 // Reads the open file `descriptor` to its end and appends the bytes to `*bytes`.  Returns false
-// with errno set if reading fails.
-bool ReadRest(int descriptor, std::string* bytes) {
-  // Takes the memory for the whole file at once, because each page of memory that is touched for
-  // the first time takes longer than reading it.  The size is only a hint: special files have none,
-  // and a file may grow while it is read.
+// with errno set if reading fails or the file has more than `bytes_max` bytes.
+bool ReadRest(int descriptor, size_t bytes_max, std::string* bytes) {
+  // Takes the memory for the whole file at once, because accesses to new pages of memory take
+  // longer than reading the file.  The size is only a hint: special files have none, and a file may
+  // grow while it is read.
   struct stat status;
-  if (fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_size <= kReserveMax)
+  if (fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) &&
+      static_cast<size_t>(status.st_size) <= bytes_max)
     bytes->reserve(static_cast<size_t>(status.st_size));
   char block[16384];
   for (;;) {
     const ssize_t count = ReadBlock(descriptor, block, sizeof block);
     if (count <= 0) return count == 0;
+    if (static_cast<size_t>(count) > bytes_max - bytes->size()) {
+      errno = EFBIG;
+      return false;
+    }
     bytes->append(block, static_cast<size_t>(count));
   }
 }
 
 }  // namespace
 
-std::optional<std::string> ReadFile(const std::string& path) {
+std::optional<std::string> ReadFile(const std::string& path, size_t bytes_max) {
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return std::nullopt;
   std::string bytes;
-  const bool is_whole = ReadRest(descriptor, &bytes);
+  const bool is_whole = ReadRest(descriptor, bytes_max, &bytes);
   const int error = errno;
   close(descriptor);
   errno = error;  // gives the caller the errno of ReadRest(); close() may have changed errno

@@ -7,9 +7,13 @@
 
 namespace openr_host {
 
+// Whole files are read only up to this size.  A larger file is a mistake, or has no end, as
+// /dev/zero.
+inline constexpr size_t kWholeFileMax = size_t{1} << 30;
+
 // Returns the bytes of the file `path`.  If the file cannot be read to its end, returns nullopt and
-// sets errno.  For a folder, errno is EISDIR.
-std::optional<std::string> ReadFile(const std::string& path);
+// sets errno.  For a folder, errno is EISDIR; for a file of more than `bytes_max` bytes, EFBIG.
+std::optional<std::string> ReadFile(const std::string& path, size_t bytes_max = kWholeFileMax);
 
 // Returns the bytes of the file `path`.  If the file cannot be read, throws std::runtime_error with
 // the text "PATH: the system's reason".

@@ -42,5 +42,25 @@ TEST(FileReaderTest, FolderCannotBeRead) {
   EXPECT_EQ(errno, EISDIR);
 }
 
+TEST(ReadFileTest, FileOfTheGreatestSizeIsRead) {
+  const TempFolder folder;
+  const std::string path = folder.path() + "/file";
+  std::ofstream(path, std::ios::binary) << "abcdefgh";
+  EXPECT_EQ(ReadFile(path, 8), "abcdefgh");
+}
+
+TEST(ReadFileTest, LargerFileIsRefused) {
+  const TempFolder folder;
+  const std::string path = folder.path() + "/file";
+  std::ofstream(path, std::ios::binary) << "abcdefgh";
+  EXPECT_EQ(ReadFile(path, 7), std::nullopt);
+  EXPECT_EQ(errno, EFBIG);
+}
+
+TEST(ReadFileTest, FileWithoutEndIsRefused) {
+  EXPECT_EQ(ReadFile("/dev/zero", 100'000), std::nullopt);
+  EXPECT_EQ(errno, EFBIG);
+}
+
 }  // namespace
 }  // namespace openr_host
