@@ -46,7 +46,7 @@ class GrowingFile {
   const std::string file_;
   int descriptor_ = -1;
   bool can_go_back_ = false;
-  size_t size_ = 0;  // number of bytes that Append() has written, without end_
+  size_t size_ = 0;  // number of bytes of the file before end_
   std::string end_;  // text at the end of the file that completes the file, such as "]"
   int error_ = 0;    // errno of the first failed write
 };

@@ -27,7 +27,7 @@ class JsonTooDeep : public std::runtime_error {
 template <typename Json>
 Json ParseJson(std::string_view text);
 
-// The numbers with a fraction or an exponent that CheckFractions() accepts.
+// Tells CheckFractions() which numbers with a fraction or an exponent to accept.
 enum class Fractions {
   kBounded,  // numbers between -2^31 and 2^31, which fit into an int
   kNone,

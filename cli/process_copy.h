@@ -64,7 +64,9 @@ int ExitCodeOf(int status);
 
 struct ProcessCopy {
   pid_t pid = -1;
-  int answers = -1;  // end of the pipe from which the copy's answers are read; the caller closes it
+  // The descriptor from which this process reads what the copied process answers.  The caller of
+  // StartCopy() closes it.
+  int answers = -1;
 };
 
 // Makes a copy of this process that sends its answers through a pipe.  All streams are flushed

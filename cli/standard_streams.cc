@@ -92,7 +92,9 @@ void NoteLostAnswer(int error) {
 }
 
 void PrintAnswer(std::string_view text) {
-  if (g_standard_output != STDOUT_FILENO) {  // descriptor 1 leads to the console
+  // Writes past stdio if a run has given descriptor 1 to the robot's console.  Then the answer of
+  // the command goes to the descriptor that was standard output before.
+  if (g_standard_output != STDOUT_FILENO) {
     const int error = WriteAll(g_standard_output, text);
     if (error != 0) Fail(error);
     return;

@@ -27,8 +27,9 @@ struct EndingWorker {
 };
 
 struct EndLimits {
-  int64_t receipt_ms;  // time for all workers together to receive that the run is over
-  int64_t exit_ms;     // time for all their processes together to end, after the receipt
+  // Time limit until all workers have confirmed that they know of the end of the run.
+  int64_t receipt_ms;
+  int64_t exit_ms;  // time limit, after that, until all their processes have ended
   // Replaces `receipt_ms` and `exit_ms` as soon as the user does not want to wait any more.  If a
   // wait is under way at that time, it lasts at most `interrupted_ms` longer.
   int64_t interrupted_ms;

@@ -143,7 +143,9 @@ class Marshaller {
   // The regions whose tokens TakeDroppedTokens() will return.  The key is the token (the peer's
   // number of the region), the value the memory id.
   std::map<uint64_t, uint32_t> dropped_;
-  std::vector<RCRegion*> sample_regions_;  // received regions whose ImportedRegion::bytes is set
+  // The imported regions whose data lie in a received sample and were not copied: those with
+  // ImportedRegion::bytes.
+  std::vector<RCRegion*> sample_regions_;
   // The changes of the last Decode(), for UndoDecode(): the regions that Decode() has imported, and
   // the elements that Decode() has taken out of exported_ and withdrawn_.
   std::vector<RCRegion*> decoded_regions_;

@@ -146,7 +146,8 @@ void ProcessSlot::AnswerJoinRequest(const openr_wire_JoinRequest& request) {
                                             process_, identity_.pid, identity_.host));
   } else if (channel_ != nullptr && requester_id_ != id &&
              WallClockMs() - session_opened_ms_ < kSessionClaimMs) {
-    // Gives no answer now: another requester has the session, and this requester will ask again.
+    // Gives no answer now.  The session was opened a moment ago for another process that asks for
+    // this slot.  If that process does not join soon, the next request of this process gets it.
     return;
   } else {
     // If a requester repeats its request, gives it the same session again, so that it does not

@@ -37,10 +37,9 @@ std::optional<HandlerStop> RemoteFreeRun::WaitForStop(RemoteObject* object) {
   if (running_.empty()) last_heard_ms_ = WallClockMs();
   const bool is_new = running_.emplace(object->id, box).second;
   ASSERT(is_new, "{} runs a handler already", object->name);
-  // Marks the wait of `object` as untimed if the handler is neither DoStop nor DoDestroy.  Another
-  // object may wait for a reply of `object` with a time-out.  This time-out is in virtual time,
-  // which says nothing about the wall time that the worker needs.  So Requests::Call() waits again
-  // after the time-out while `object` has the mark.  DoStop and DoDestroy get no mark, because the
+  // Lets other objects wait for a reply of `object` without a time limit, until this handler ends.
+  // Their time-outs are in virtual time, and virtual time says nothing about the wall time that the
+  // worker needs (Requests::Call()).  During DoStop and DoDestroy the time-outs count, because the
   // end of a run has a time limit that no worker may extend.
   const uint32_t selector = object->running()->selector;
   object->wait().set_untimed(selector != oentrySTOP && selector != oentryDESTROY);

@@ -33,10 +33,11 @@ class RemoteFreeRun {
   // objects run meanwhile.  Returns nullopt if the worker was lost.
   std::optional<HandlerStop> WaitForStop(RemoteObject* object);
 
-  // Returns how many messages in the worker are lost with it: messages that the master has sent and
-  // that the worker has not handled completely.  Does not count notifications, because their data
-  // go back to the subjects, and ready messages, because the master has recorded them.  Also does
-  // not count DoInit to DoDestroy, and the message whose handler has crashed the worker.
+  // Returns how many messages are lost if the worker ends now: messages that the master has sent
+  // and that the worker has not handled completely.  Four kinds of messages do not count.  The data
+  // of a notification return to its subject.  The effect of a ready message is stored in the
+  // master. DoInit to DoDestroy are no messages of a program.  The message whose handler has
+  // crashed the worker is reported as a crash.
   size_t CountUndelivered() const;
 
   // Handles the samples that the worker has sent; returns true if the worker had sent samples.

@@ -19,11 +19,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns the text that declares the members of a type: `body`, the inside of a struct or class,
-// without bodies of functions and without text in round brackets.  Keeps each opening round
-// bracket, so that SendProblem() does not take a function such as char* Name() for a pointer.  Puts
-// no blanks in place of what is left out, because std::regex_search() calls itself for each blank,
-// and the blanks of a long body would overflow the stack.
+// Returns the text that declares the members of a type.  `body` is the text between the braces of a
+// struct or class.  Leaves out the bodies of functions and the text in round brackets.  Keeps the
+// opening round bracket, because SendProblem() recognises a function, such as char* Name(), by it.
+// Puts no blanks in place of what is left out: SendProblem() searches with std::regex_search(),
+// which calls itself for each blank, so the blanks of a long body would overflow the stack.
 std::string MembersOf(const std::string& body) {
   std::string members;
   for (size_t at = 0; at < body.size(); ++at) {

@@ -144,11 +144,11 @@ bool HasInstallRule(const fs::path& folder, const std::vector<std::string>& vari
   return said.find("make: *** No rule to make target 'install'") == std::string::npos;
 }
 
-// Returns the path of a stick of the project, or of the stick MS that will be made if the project
-// has none.  This path becomes the value of Makefile variables that name a stick outside of the
-// project.  If the project has several sticks, returns an expression for make.  The value of this
-// expression is the stick in the folder in which make runs, else in the nearest folder around that
-// folder, else the first stick.
+// Returns the value for Makefile variables that name a stick outside of the project: the path of
+// the project's own stick, so that `make install` writes there.  If the project has no stick, the
+// stick MS will be made.  If it has several sticks, returns an expression from which make chooses
+// one: the stick in the folder in which make runs, else in the nearest folder around that folder,
+// else the first stick.
 std::string StickValue(const Project& project) {
   if (project.sticks.empty()) return project.root / "MS";
   std::vector<fs::path> roots;

@@ -16,8 +16,9 @@ namespace {
 
 constexpr int64_t kBootUsMax = 60'000'000;
 constexpr int64_t kStepToMessageUsMax = 3'600'000'000;
-constexpr int64_t kFrameUsMax =
-    10 * openr_host::kFrameUs;  // enough for the next frame of any kind of body
+// The longest time that the bench waits for the next frame.  Each body begins a frame every
+// kFrameUs, so a longer wait means that the body has stopped.
+constexpr int64_t kFrameUsMax = 10 * openr_host::kFrameUs;
 
 std::string Seconds(Duration duration) {
   return fmt::format("{} s", static_cast<double>(duration.count()) * 1e-6);

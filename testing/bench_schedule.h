@@ -27,7 +27,8 @@ class RefusedMessage {
   RefusedMessage& Optional() { return is_optional_ = true, *this; }
 
   bool happened() const { return matches_ == nth_; }
-  uint64_t matches() const { return matches_; }  // number of fitting messages so far; at most n
+  // Returns how many messages have fitted `spec` so far.  The count stops at the refused message.
+  uint64_t matches() const { return matches_; }
   // Returns a description of the refused message; "" as long as no message was refused.
   const std::string& text() const { return text_; }
 

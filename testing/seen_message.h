@@ -80,7 +80,9 @@ class SeenMessage {
   openr_host::ObjectId target_ = openr_host::kNoObject;
   uint32_t selector_ = 0;
   uint32_t size_ = 0;
-  std::string content_;  // beginning of the data; set only in a copy from Past()
+  // The first bytes of the message's data.  Set only in a SeenMessage that Past() has made, because
+  // the message itself may be gone then.
+  std::string content_;
 };
 
 // Returns the first two parts of the service's name, "Blinker.Blink"; without a service, the

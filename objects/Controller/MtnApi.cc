@@ -107,8 +107,8 @@ mtn_get_time(MTN* motion)
 
 // Returns 1 when the motion does not play, or has reached its last key frame.  Compares key frames
 // and not times, because JointMover reports the progress of a motion only at key frames.  A motion
-// with a single key frame is at its last key frame from its start on, because mtn_play() stores key
-// frame 0.  So such a motion is over only when JointMover has reported its end.
+// with a single key frame is an exception, because its last key frame is also its first: it is over
+// when JointMover has reported its end.
 int
 mtn_is_over(MTN* motion)
 {

@@ -68,7 +68,7 @@ private:
     OPrimitiveID joint_[MAX_JOINTS];
     RCRegion* region_[NUM_REGIONS];
     int numUnderWay_;  // number of sent vectors whose end was not reported to MoverCore yet
-    int numReports_;   // number of messages that were set on SetValue and not sent yet
+    int numReports_;   // number of messages that were set on the subject SetValue and not sent yet
     bool isStopped_;  // true until DoInit has succeeded, and again from DoStop on
     bool isUp_;  // whether the robot has reached its initial posture
     MoverCore core_;

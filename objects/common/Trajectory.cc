@@ -108,12 +108,15 @@ SquareRoot(Sint64 value)
 }
 
 // Returns the largest step s with s + StoppingDistance(s) <= distance.  A step is the distance that
-// the joint moves in one frame.  Let a be the acceleration, by which each step is shorter than the
-// step before while the joint brakes.  After the step s, the joint brakes in n steps: s - a,
-// s - 2 a, ..., s - n a.  The sum of s and these steps is (n + 1) s - a n (n + 1) / 2.  This sum
-// must be `distance`, so s is (distance + a n (n + 1) / 2) / (n + 1).  No step is negative, so n is
-// the largest number with n a <= s.  If s is n a, the sum is a n (n + 1) / 2.  So n is also the
-// largest number with a n (n + 1) / 2 <= distance; the function computes n from this condition.
+// the joint moves in one frame.  While the joint brakes, each step is shorter than the step before
+// by the acceleration a:
+//
+//   s + (s - a) + (s - 2 a) + ... + (s - n a)  =  (n + 1) s - a n (n + 1) / 2  =  distance
+//
+// If n is known, s follows: s = (distance + a n (n + 1) / 2) / (n + 1).  The number n of braking
+// steps grows with the distance.  The joint brakes in exactly n steps, the last of them 0, if
+// s = n a, which means distance = a n (n + 1) / 2.  So n is the largest whole number with
+// a n (n + 1) / 2 <= distance.
 // REQUIRES: distance >= 0.
 Sint64
 Trajectory::LargestStep(Sint64 distance) const

@@ -1,5 +1,5 @@
-// The code of an image for the robot (MIPS): finds the function and the source line of an address
-// in a crash record of the robot.
+// Finds the function and the source line for an address in the code of an image for the robot
+// (MIPS).  Such addresses stand in the crash records of the robot.
 #pragma once
 
 #include <cstdint>

@@ -73,7 +73,9 @@ struct TraceEntry {
     kOldShutdown = 6,  // an input in a file of version 2 or 3; converted to kInput
     kEnd = 7,          // the end of the recording; fields: time_us, trace_hash, state_hash
     kOldConsole = 8,   // an input in a file of version 2 or 3; converted to kInput
-    kStick = 9,  // a file or folder of the stick before its change; fields: what, name, payload
+    // The content of a file or folder of the stick, before the run changed it; fields: what
+    // (whether it was a file, a folder or missing), name, payload.
+    kStick = 9,
     kLoss = 10,  // loss of a worker process; what follows cannot be replayed; fields: time_us, name
     // The end of the run.  The field `name` says how the run ended, as a word of EndName(), and
     // `payload` is the reason as text.  A recording whose process was killed has no kEnded.

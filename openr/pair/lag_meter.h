@@ -23,9 +23,9 @@ class LagMeter {
   // time by which the follower moves later than the leader.
   static constexpr int32_t kRangeMin = 300;
 
-  // Adds the positions of all joints of one robot, the leader or the follower, at `time_ms`, in
-  // 0.01 degree.  If `time_ms` is before the time of the last added positions, uses that time
-  // instead.
+  // Adds the positions of all joints at `time_ms`, in 0.01 degree: AddLeader() those of the leader,
+  // AddFollower() those of the follower.  If `time_ms` is before the time of the last added
+  // positions of the same robot, uses that time instead.
   void AddLeader(int64_t time_ms, const std::vector<int32_t>& joints);
   void AddFollower(int64_t time_ms, const std::vector<int32_t>& joints);
 

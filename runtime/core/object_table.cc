@@ -22,9 +22,10 @@ namespace {
 bool IsOf(const OServiceEntry& entry, ObjectId id) { return ObjectIdOf(entry.GetOID()) == id; }
 
 // Gives up the regions that `observer` has received from the subjects for which `ends` returns
-// true, and calls `release` with the subject's RCRegion of each region.  Keeps the regions that the
-// observer's object still reads.  No ready gives these regions back, because the object of the
-// observer or of the subject is being replaced.
+// true, and calls `release` with the subject's RCRegion of each region.  Normally the observer
+// gives them back with its next ready message.  But the object of the observer or of the subject is
+// being replaced, so such a message never comes.  Keeps the regions that the observer's object
+// still reads.
 void ReleaseHeld(ObserverState* observer, const std::function<bool(const SubjectID&)>& ends,
                  const std::function<void(RCRegion*)>& release) {
   for (ObserverState::Held& held : observer->held) {

@@ -37,7 +37,7 @@ struct ObserverState {
   // The observer's record of one subject.
   struct Held {
     SubjectID subject;
-    ObjectId target = kNoObject;  // the object of `subject`
+    ObjectId target = kNoObject;  // the object that has `subject`, to which ready messages go
     // The regions that this observer has received from the subject and has not given back yet,
     // oldest first.
     std::vector<RCRegion*> regions;

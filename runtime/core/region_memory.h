@@ -58,7 +58,8 @@ class RegionMemory {
     std::vector<bool> is_mapped;
   };
 
-  char* area_;  // null when addresses are not planned
+  // Beginning of the memory for all regions; null when addresses are not planned (address_plan.h).
+  char* area_;
   std::array<Cells, kClasses> cells_;
   // Free cells (a cell is the memory for one region) of kMapBytes or more that are still mapped, in
   // the order in which they were freed.  kept_bytes_ is the sum of their bytes.

@@ -73,8 +73,9 @@ class ProxyServices : public ForwardingServices {
   OStatus ControlGains(ControlRequest request, OPrimitiveID id, const word gains[6]);
   OStatus ReadGains(ControlRequest request, OPrimitiveID id, word gains[6]);
   OStatus RefuseCall(const char* function);
-  // Warns that `function` is not sent to the robot because its message is unknown, and returns the
-  // services of this run's own robot, which execute it instead.
+  // Returns the services of this run's own robot, which execute the OPENR call `function`.  Warns
+  // that the call does not reach the real robot, because nobody knows the form of the message that
+  // would carry it.
   RobotServices& ServicesFor(const char* function) override;
 
   System* const system_;

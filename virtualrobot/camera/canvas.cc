@@ -55,9 +55,9 @@ void Face::CutBy(const Vector3d& normal, double offset) {
     const double a = height(from), b = height(to);
     if (a >= 0) Add(from);
     if ((a >= 0) == (b >= 0)) continue;
-    // Adds the point at which the plane cuts the edge.  Always begins at the end of the edge that
-    // stays, because the two faces with this edge may list its ends in opposite order and must get
-    // the same corner.
+    // Adds the point at which the plane cuts the edge.  Computes the point always from the same end
+    // of the edge, the end that is not cut off.  Two faces have this edge and may list its ends in
+    // opposite order, but must get the same corner.
     Add(a >= 0 ? from + (to - from) * (a / (a - b)) : to + (from - to) * (b / (b - a)));
   }
 }

@@ -47,10 +47,10 @@ class CommandQueue {
   // true.  Otherwise returns false.
   bool ReleaseFinished(int64_t frame);
 
-  // Tells the robot's SyncKeys that the first waiting vector could start now, if no vector plays.
-  // A program can divide a synchronisation key among several vectors; these vectors start only
-  // when all of them could start.  REQUIRES: called for all queues of a robot before Apply() of any
-  // of them.  Otherwise such vectors could start in different frames.
+  // If no vector plays, tells the robot's SyncKeys that the first waiting vector can start now.
+  // Vectors in different queues can have the same synchronisation key; these vectors start
+  // together, in the frame in which the last of them can start.  REQUIRES: called for all queues of
+  // a robot before Apply() of any of them.  Otherwise such vectors could start in different frames.
   void AnnounceFirst();
 
   // Starts the first waiting vector if no vector plays, and if the synchronisation key of the

@@ -66,8 +66,8 @@ std::optional<TouchPoint> TouchSide(const WorldThing& thing, const Vector3d& p, 
   const Vector3d half = thing.size_m / 2;
   Vector3d nearest = p.cwiseMax(-half).cwiseMin(half);
   const SurfacePoint surface = SurfaceAt(thing, nearest.x(), nearest.y());
-  // Lowers the point to the surface, because a side of the heightfield ends where the surface
-  // begins.
+  // Lowers the point to the height of the surface, because the sides of the heightfield reach up
+  // only to the surface, and not to the top of the box around it.
   nearest.z() = std::min(nearest.z(), surface.height_m - half.z());
   const Vector3d way = p - nearest;
   const double distance_m = way.norm();

@@ -23,7 +23,8 @@ class JointTargets {
   // `robot` must outlive the JointTargets.
   explicit JointTargets(RobotParts* robot) : robot_(*robot) {}
 
-  // Adds the input `target` to the System of this robot, so that people and scripts can use it.
+  // Adds the kind of input named "target" to the System of this robot.  With such an input people
+  // and scripts set the set point of a joint.
   void AddInputs();
 
   // Moves the set points of all joints that an input has taken over (movements_), for the frame of
