@@ -13,8 +13,8 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 LAYERS = {
-    "runtime": "runtime/base runtime/config runtime/stick runtime/core runtime/objcomm "
-               "runtime/api runtime/ipstack runtime/gateway runtime/hooks",
+    "runtime": "runtime/base runtime/config runtime/stick runtime/core runtime/api "
+               "runtime/ipstack runtime/gateway runtime/hooks",
     "virtualrobot": "virtualrobot/base virtualrobot/model virtualrobot/worlds virtualrobot/body virtualrobot/dynamics virtualrobot/ode "
                     "virtualrobot/vectors virtualrobot/devices virtualrobot/power virtualrobot/camera virtualrobot/sound "
                     "virtualrobot/robot virtualrobot/comm virtualrobot",
