@@ -3,7 +3,6 @@
 #include <MCOOP.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstring>
 #include <utility>
 
@@ -159,17 +158,7 @@ sError Call(OID oid, Selector selector, void* msg, size_t size, void* reply, siz
 
 sError Reply(void* msg, size_t size) {
   const ApiScope scope;
-  openr_host::Object* const object = t_current.object;
-  if (object == nullptr) return sFAIL;
-  if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;
-  // If an observer and a subject of the same object are connected, the object calls the entry of
-  // its subject directly and sends no request.  The reply is then copied to the memory that this
-  // call has given (self_reply).
-  if (object->self_reply() != nullptr) {
-    std::memcpy(object->self_reply()->data, msg, std::min(size, object->self_reply()->size));
-    return sSUCCESS;
-  }
-  return t_current.system->requests().Reply(t_current.system->requests().TakeTicket(), msg, size);
+  return ReplyToRequest(msg, size);
 }
 
 // Passes to object `oid` the request that the running handler has received.  Object `oid` then

@@ -9,8 +9,6 @@
 
 namespace openr_host {
 
-// Largest number of bytes of a message: the size of AperiosMessage.  Longer messages are refused.
-constexpr size_t kMessageMax = 256;
 constexpr size_t kObjectNameMax = 63;  // longest name for Register() (oobjectNAME_MAX of the SDK)
 constexpr int kEventsMax = 32;         // largest number of pending events of one object; our choice
 // Largest number of entries of one object; each entry has a selector.

@@ -23,6 +23,10 @@ enum class MessageClass : uint8_t {
 };
 constexpr int kMessageClasses = 4;
 
+// The largest number of bytes of a message that a program sends with the functions of MCOOP.h: the
+// size of AperiosMessage.  These functions refuse longer messages.
+constexpr size_t kMessageMax = 256;
+
 // The kind of data in the payload of a message.  PayloadHash() (trace.h) hashes each kind in
 // its own way.
 enum class PayloadKind : uint8_t {

@@ -5,6 +5,7 @@
 
 #include "runtime/base/assert.h"
 #include "runtime/core/api.h"
+#include "runtime/core/requests.h"
 #include "runtime/core/system.h"
 
 using namespace openr_host;
@@ -15,7 +16,7 @@ OObject::~OObject() = default;
 void OObject::ReplyStatus(OStatus status) {
   const ApiScope scope;
   OStatusMessage message(status);
-  Reply(&message, sizeof message);
+  ReplyToRequest(&message, sizeof message);
 }
 
 OStatus OObject::DoInit(const OSystemEvent&) { return oSUCCESS; }

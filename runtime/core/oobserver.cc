@@ -12,6 +12,7 @@
 #include "runtime/core/connection_messages.h"
 #include "runtime/core/observer_state.h"
 #include "runtime/core/region_access.h"
+#include "runtime/core/requests.h"
 #include "runtime/core/system.h"
 
 using namespace openr_host;
@@ -165,7 +166,7 @@ OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
       state_->RemoveSubjects([&](const SubjectID& id) { return id == reply->subjectID; });
     }
   }
-  Reply(&answer, sizeof answer);
+  ReplyToRequest(&answer, sizeof answer);
   return answer.status;
 }
 

@@ -9,6 +9,7 @@
 #include "runtime/core/api.h"
 #include "runtime/core/connection_messages.h"
 #include "runtime/core/region_access.h"
+#include "runtime/core/requests.h"
 #include "runtime/core/subject_state.h"
 #include "runtime/core/system.h"
 
@@ -284,7 +285,7 @@ OStatus OSubject::ControlHandler(const OControlMessage& msg, OStatus status) {
   reply.msgType = omsgCONTROL_REPLY_V21;
   reply.status = status;
   reply.subjectID = state_->id;
-  Reply(&reply, sizeof reply);
+  ReplyToRequest(&reply, sizeof reply);
   return status;
 }
 

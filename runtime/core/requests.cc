@@ -120,4 +120,19 @@ int32_t Requests::Reply(const ReplyTicket& ticket, const void* data, size_t size
   return system_->Post(std::move(message));
 }
 
+int32_t ReplyToRequest(const void* data, size_t size) {
+  Object* const object = t_current.object;
+  if (object == nullptr) return sFAIL;
+  if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;
+  // If an observer and a subject of the same object are connected, the object calls the entry of
+  // its subject directly and sends no request.  The reply is then copied to the memory that this
+  // call has given (self_reply).
+  if (object->self_reply() != nullptr) {
+    std::memcpy(object->self_reply()->data, data, std::min(size, object->self_reply()->size));
+    return sSUCCESS;
+  }
+  Requests& requests = t_current.system->requests();
+  return requests.Reply(requests.TakeTicket(), data, size);
+}
+
 }  // namespace openr_host

@@ -65,4 +65,10 @@ class Requests {
   System* const system_;
 };
 
+// Sends the `size` bytes at `data` as the reply to the request that the current object handles, as
+// Reply() of MCOOP.h does for programs.  Returns sFAIL if there is no current object,
+// sEXCEEDEDSIZEOFMSG if `size` > kMessageMax, otherwise what Requests::Reply() returns.  REQUIRES:
+// an ApiScope of the caller.
+int32_t ReplyToRequest(const void* data, size_t size);
+
 }  // namespace openr_host
