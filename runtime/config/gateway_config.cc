@@ -1,11 +1,11 @@
 #include "runtime/config/gateway_config.h"
 
-#include <IPAddress.h>
 #include <fmt/format.h>
 
 #include <charconv>
 #include <optional>
 
+#include "runtime/base/parse_ip_address.h"
 #include "runtime/base/spelling.h"
 #include "runtime/config/line_file.h"
 
@@ -15,6 +15,9 @@ namespace {
 // The port of the robot's wireless console (Installation Guide 3.2.1).  A service of the gateway on
 // this port causes a warning, because the console already uses the port.
 constexpr int kConsolePort = 59000;
+
+// Returns true if `text` is an IPv4 address, but not 0.0.0.0, which is the address of no computer.
+bool IsAddress(std::string_view text) { return ParseIpAddress(text).value_or(0) != 0; }
 
 std::optional<uint16_t> PortOf(const Word& word) {
   int port = 0;
@@ -90,7 +93,7 @@ class GatewayReader {
     }
     if (line.words.size() > wanted) {
       const std::string& word = line.words[wanted].text;
-      const bool is_address = IPAddress(word.c_str()).Address() != 0;
+      const bool is_address = IsAddress(word);
       Refuse(line.At(line.words[wanted]),
              fmt::format("'{}' after the record; a line holds {}{}", word, form,
                          side_ == GatewaySide::kRobot && is_address
@@ -138,7 +141,7 @@ class GatewayReader {
   bool ReadHost(const RecordLine& line, GatewayRecord* record) {
     if (side_ == GatewaySide::kRobot) return true;
     record->host = line.words[2].text;
-    if (IPAddress(record->host.c_str()).Address() != 0) return true;
+    if (IsAddress(record->host)) return true;
     Refuse(line.At(line.words[2]),
            fmt::format("'{}' is no address; write the robot's, such as 10.0.1.100, or 127.0.0.1 "
                        "for one that runs on this computer",

@@ -141,6 +141,8 @@ TEST(GatewayConfigTest, RecordsHaveTheirWords) {
             std::string::npos);
   EXPECT_NE(ErrorIn(Host("TCPGateway.a.T.S 59002 mydog\n")).find("'mydog' is no address"),
             std::string::npos);
+  EXPECT_NE(ErrorIn(Host("TCPGateway.a.T.S 59002 0.0.0.0\n")).find("'0.0.0.0' is no address"),
+            std::string::npos);
   EXPECT_NE(ErrorIn(Robot("TCPGateway.a.T 59002\n")).find("has 3 parts"), std::string::npos);
 }
 
