@@ -5,7 +5,7 @@
 #include <functional>
 #include <sstream>
 
-#include "tests/runtime/objcomm/probe.h"
+#include "tests/runtime/core/probe.h"
 
 namespace openr_host {
 namespace {

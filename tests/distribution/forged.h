@@ -18,7 +18,7 @@
 #include "distribution/worker_call_list.h"
 #include "runtime/core/api.h"
 #include "tests/distribution/wait_until.h"
-#include "tests/runtime/objcomm/probe.h"
+#include "tests/runtime/core/probe.h"
 
 namespace openr_host {
 

@@ -9,7 +9,7 @@
 #include "tests/conformance/conform_fixture.h"
 #include "tests/distribution/hosts.h"
 #include "tests/distribution/same_run.h"
-#include "tests/runtime/objcomm/probe.h"
+#include "tests/runtime/core/probe.h"
 
 namespace openr_host {
 namespace {

@@ -13,7 +13,7 @@
 #include "tests/conformance/conform_fixture.h"
 #include "tests/distribution/kill_process.h"
 #include "tests/distribution/wait_until.h"
-#include "tests/runtime/objcomm/probe.h"
+#include "tests/runtime/core/probe.h"
 
 namespace openr_host {
 namespace {

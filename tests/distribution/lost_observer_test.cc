@@ -10,7 +10,7 @@
 #include "distribution/remote_process.h"
 #include "runtime/core/api.h"
 #include "runtime/core/schedule.h"
-#include "tests/runtime/objcomm/probe.h"
+#include "tests/runtime/core/probe.h"
 
 namespace openr_host {
 namespace {

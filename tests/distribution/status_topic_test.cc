@@ -10,7 +10,7 @@
 #include "distribution/monitor.h"
 #include "runtime/core/system.h"
 #include "tests/distribution/wait_until.h"
-#include "tests/runtime/objcomm/probe.h"
+#include "tests/runtime/core/probe.h"
 
 namespace openr_host {
 namespace {

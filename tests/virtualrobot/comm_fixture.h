@@ -8,7 +8,7 @@
 #include <cstring>
 
 #include "runtime/core/system.h"
-#include "tests/runtime/objcomm/probe.h"
+#include "tests/runtime/core/probe.h"
 #include "tests/virtualrobot/follow_body.h"
 #include "virtualrobot/virtual_robot.h"
 

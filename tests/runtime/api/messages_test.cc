@@ -6,7 +6,7 @@
 #include <cstring>
 #include <string>
 
-#include "tests/runtime/objcomm/probe.h"
+#include "tests/runtime/core/probe.h"
 
 namespace openr_host {
 namespace {

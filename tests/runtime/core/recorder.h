@@ -10,7 +10,7 @@
 
 #include "runtime/core/code_object.h"
 #include "runtime/core/system.h"
-#include "tests/runtime/objcomm/probe.h"
+#include "tests/runtime/core/probe.h"
 
 namespace openr_host {
 

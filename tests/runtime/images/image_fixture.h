@@ -13,7 +13,7 @@
 
 #include "runtime/core/load_stick.h"
 #include "runtime/stick/memory_stick.h"
-#include "tests/runtime/objcomm/probe.h"
+#include "tests/runtime/core/probe.h"
 
 namespace openr_host {
 

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "runtime/core/api.h"
-#include "tests/runtime/objcomm/probe.h"
+#include "tests/runtime/core/probe.h"
 
 namespace openr_host {
 namespace {

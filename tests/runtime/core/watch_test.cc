@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "runtime/core/stalls.h"
-#include "tests/runtime/objcomm/probe.h"
+#include "tests/runtime/core/probe.h"
 
 namespace openr_host {
 namespace {

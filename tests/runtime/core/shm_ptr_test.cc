@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "tests/runtime/objcomm/probe.h"
+#include "tests/runtime/core/probe.h"
 
 namespace openr_host {
 namespace {
