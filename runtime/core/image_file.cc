@@ -1,6 +1,7 @@
 #include "runtime/core/image_file.h"
 
 #include <elf.h>
+#include <fmt/format.h>
 
 #include <cctype>
 #include <cerrno>
@@ -12,6 +13,7 @@
 
 #include "runtime/base/read_file.h"
 #include "runtime/config/service_name.h"
+#include "runtime/core/image_tables.h"
 #include "runtime/stick/gzip.h"
 
 namespace openr_host {
@@ -69,7 +71,11 @@ std::string CheckFormat(const std::string& bytes, bool* is_for_robot) {
   if (bytes.size() < sizeof header || header.e_ident[EI_CLASS] != ELFCLASS64)
     return "is not a shared object for this machine";
   if (header.e_type != ET_DYN) return "is not a shared object";
-  return IsWhole(bytes, header) ? "" : kCutOff;
+  if (!IsWhole(bytes, header)) return kCutOff;
+  const std::string table = DamagedTableIn(bytes);
+  if (table.empty()) return "";
+  return fmt::format(
+      "is damaged: {} is wrong; copy it again, or build the object again (openr build)", table);
 }
 
 // Copies the value of type T at offset `at` of the image file into `*value`.  Returns false if the
