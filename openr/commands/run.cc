@@ -168,7 +168,7 @@ class CommandedRun {
   void ReportNoBoot(bool is_refused);
   std::string LiveName() const;
   std::string ReasonNotRewindable() const;
-  void BeginRewind(LiveServer* live, Runner* runner, Watchdog* watchdog);
+  void BeginRewind(LiveServer* live, Runner* runner);
   // Returns the file descriptor to which the progress of the run is printed.  Returns -1, so that
   // no progress is printed, if the end of the run is not known, or if a program reads the output.
   int ProgressStream() const { return plan_.for_us && !flags_.json ? STDERR_FILENO : -1; }
@@ -195,6 +195,11 @@ class CommandedRun {
   DistributedRun distribution_;
   Rewind rewind_;
   const SimulationOptions options_;
+  // The next three members are made before the simulation, because code of images runs while the
+  // simulation loads them, and may crash.
+  const EndingAnswer ending_answer_;
+  const CrashLog crash_log_;
+  Watchdog watchdog_;
   Simulation simulation_;
   RunClock clock_;
   Couplings couplings_{&clock_, &rewind_};
@@ -217,6 +222,10 @@ CommandedRun::CommandedRun(const RunFlags& flags)
       recorder_(flags.record_file, !flags.no_payloads),
       distribution_(flags.placement, flags.ros2, stick_, flags.handler_limit_us, &interrupts_),
       options_(Options()),
+      ending_answer_(flags.json ? StandardOutput() : -1, flags.report_file),
+      crash_log_(std::vector<std::string>(static_cast<size_t>(options_.robots), stick_.crash_log()),
+                 distribution_.has_processes(), PlaceOfCrashRecord()),
+      watchdog_(flags.handler_limit_us),
       simulation_(options_),
       clock_(plan_.rate, flags.placement.is_free),
       history_(&system()),
@@ -320,7 +329,7 @@ std::vector<TraceEntry> EntriesOf(const SavedStick& changed) {
 }
 
 // Sets up the run so that clients of its server can go back to earlier moments.
-void CommandedRun::BeginRewind(LiveServer* live, Runner* runner, Watchdog* watchdog) {
+void CommandedRun::BeginRewind(LiveServer* live, Runner* runner) {
   RewindParts parts;
   parts.simulation = &simulation_;
   parts.no_rewind_reason = live == nullptr ? "no client can reach it" : ReasonNotRewindable();
@@ -340,9 +349,9 @@ void CommandedRun::BeginRewind(LiveServer* live, Runner* runner, Watchdog* watch
     if (data_log_ != nullptr) data_log_->Sample();
   };
   parts.before_input = [this](int robot, const std::string& line) { events_.Skip(robot, line); };
-  parts.become_branch = [this, live, watchdog](double rate) {
+  parts.become_branch = [this, live](double rate) {
     live->OpenAgain();
-    watchdog->StartAgain();
+    watchdog_.StartAgain();
     interrupts_.StartAgain();
     clock_.set_rate(rate);
     clock_.GoOn();
@@ -382,11 +391,6 @@ void CommandedRun::BeginDataLog() {
 
 // Boots the robots and runs the simulation to its end.  Returns false after printing an error.
 bool CommandedRun::RunToTheEnd() {
-  const EndingAnswer answer(flags_.json ? StandardOutput() : -1, flags_.report_file);
-  const CrashLog crash_log(
-      std::vector<std::string>(static_cast<size_t>(options_.robots), stick_.crash_log()),
-      distribution_.has_processes(), PlaceOfCrashRecord());
-  Watchdog watchdog(flags_.handler_limit_us);
   BeginRecording();
   distribution_.Begin(&simulation_, &plan_);
   BeginDataLog();
@@ -403,7 +407,7 @@ bool CommandedRun::RunToTheEnd() {
     progress.Show(system().now_us());
   };
   Runner runner(&simulation_, plan_, &interrupts_);
-  BeginRewind(live.get(), &runner, &watchdog);
+  BeginRewind(live.get(), &runner);
   const auto learn_facts = [this, &runner] {
     facts_.wall_time_s = runner.wall_time_s();
     facts_.standing = runner.standing();

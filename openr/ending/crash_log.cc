@@ -397,6 +397,8 @@ CrashLog::~CrashLog() {
   g_place = nullptr;
 }
 
+bool CrashLog::exists() { return g_files != nullptr; }
+
 void CrashLog::RemoveOldRecords(const std::string& file) {
   // Ignores errors when it removes the file of an old crash record.  A file that does not exist
   // need not be removed.  If the file cannot be removed, writing the new crash record to it will

@@ -32,6 +32,8 @@ class CrashLog {
   CrashLog(const CrashLog&) = delete;
   CrashLog& operator=(const CrashLog&) = delete;
 
+  static bool exists();
+
   // Removes `file`, which may have the crash records of an earlier run.  Called at the beginning of
   // a run in which several processes add their crash records to this file.
   static void RemoveOldRecords(const std::string& file);

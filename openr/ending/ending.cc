@@ -96,6 +96,8 @@ EndingAnswer::~EndingAnswer() {
   g_answer_file.reset();
 }
 
+bool EndingAnswer::exists() { return g_is_awaited; }
+
 void BeginEnding(Ending* ending) {
   g_ending = ending;
   // From now on no object is the current one, so functions for memory and files are those of the

@@ -60,6 +60,8 @@ class EndingAnswer {
   ~EndingAnswer();
   EndingAnswer(const EndingAnswer&) = delete;
   EndingAnswer& operator=(const EndingAnswer&) = delete;
+
+  static bool exists();
 };
 
 // The first of two steps by which a signal handler ends the process.  Writes out what objects have

@@ -105,7 +105,8 @@ SignalText& SignalText::AddQuoted(const SignalText& text) {
 void AddCurrentEntry(SignalText* text) {
   const Object& object = *t_current.object;
   if (object.running() == nullptr) {
-    text->Add("constructors of its globals");
+    text->Add(t_current.image_code ? "constructors of its globals"
+                                   : "loading of its image, which may be damaged");
     return;
   }
   const char* const entry = EntryOf(object, object.running()->selector);

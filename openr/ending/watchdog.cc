@@ -24,8 +24,9 @@ constexpr int kTicks = 8;
 
 timer_t g_timer;
 uint64_t g_limit_us = 0;
-uint64_t g_message = 0;  // number of the message whose handler ran at the last check
-int g_seen = 0;          // number of checks in a row at which the handler of g_message still ran
+int g_count = 0;      // number of Watchdogs: 0 or 1
+uint64_t g_work = 0;  // the work that was done at the last check (CurrentWork())
+int g_seen = 0;       // number of checks in a row at which g_work was still done
 
 // Adds `us` microseconds to `text` as seconds, with at least one digit after the point: "2.0",
 // "0.05".
@@ -47,13 +48,17 @@ void EndTheHandler() {
     AddSeconds(g_limit_us, text);
     text->Add(" s of processor time (--handler-limit)");
   };
-  ending.record.Add("openr: a handler does not return: ");
+  const Object* const object = t_current.object;
+  const char* const what = object != nullptr && object->running() == nullptr
+                               ? "the loading of an image does not end: "
+                               : "a handler does not return: ";
+  ending.record.Add("openr: ").Add(what);
   AddCurrentHandler(&ending.record);
   ending.record.Add("; it");
   add_limit(&ending.record);
   ending.record.Add("\n");
   AddCurrentMessage(&ending.record);
-  ending.finding.Add("a handler does not return: ");
+  ending.finding.Add(what);
   AddCurrentEntry(&ending.finding);
   add_limit(&ending.finding);
   BeginEnding(&ending);
@@ -61,24 +66,34 @@ void EndTheHandler() {
   FinishEnding();
 }
 
-// Handles SIGVTALRM, which comes each time this thread has used 1/kTicks of the time limit.  Ends
-// the process when kTicks + 1 of these signals in a row have come during the same message.  One
-// more than kTicks is needed, because the handler may have begun just before the first signal.
-void OnTickSignal(int) {
+// Returns a number for the work that the current object does: the number of the message that it
+// handles, or kLoading and the object's id while its image is loaded.  Returns 0 if no object
+// works.
+uint64_t CurrentWork() {
+  constexpr uint64_t kLoading = uint64_t{1} << 63;
   const Object* const object = t_current.object;
-  const uint64_t message =
-      object == nullptr || object->running() == nullptr ? 0 : object->running()->number;
-  g_seen = message != 0 && message == g_message ? g_seen + 1 : 0;
-  g_message = message;
+  if (object == nullptr) return 0;
+  if (object->running() != nullptr) return object->running()->number;
+  return object->is_image() ? kLoading | object->id : 0;
+}
+
+// Handles SIGVTALRM, which comes each time this thread has used 1/kTicks of the time limit.  Ends
+// the process when kTicks + 1 of these signals in a row have come during the same work.  One more
+// than kTicks is needed, because the work may have begun just before the first signal.
+void OnTickSignal(int) {
+  const uint64_t work = CurrentWork();
+  g_seen = work != 0 && work == g_work ? g_seen + 1 : 0;
+  g_work = work;
   if (g_seen >= kTicks && !DeferredEnd::Defer(&EndTheHandler)) EndTheHandler();
 }
 
 }  // namespace
 
 Watchdog::Watchdog(int64_t limit_us) : limit_us_(limit_us) {
+  ++g_count;
   if (limit_us <= 0) return;
   g_limit_us = static_cast<uint64_t>(limit_us);
-  g_message = 0;
+  g_work = 0;
   g_seen = 0;
   struct sigaction action {};
   action.sa_handler = &OnTickSignal;
@@ -104,12 +119,15 @@ bool Watchdog::StartTimer() const {
   return true;
 }
 
+bool Watchdog::exists() { return g_count > 0; }
+
 void Watchdog::StartAgain() {
   g_seen = 0;
   if (armed_) armed_ = StartTimer();
 }
 
 Watchdog::~Watchdog() {
+  --g_count;
   if (!armed_) return;
   timer_delete(g_timer);
   // Ignores the signal of the timer, because the signal may come once more and would end the

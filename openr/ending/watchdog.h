@@ -1,4 +1,4 @@
-// Ends the run when a handler does not return, and names the handler.
+// Ends the run when a handler or a constructor of an object does not return, and names it.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +6,9 @@
 namespace openr_host {
 
 // While a Watchdog exists, a handler that uses more than `limit_us` of processor time is reported
-// on standard error, and the process ends with status 1.  Only handlers on the thread that made the
-// Watchdog are watched.  The time during which a debugger stops the process does not count.  A
+// on standard error, and the process ends with status 1.  The same holds for the loading of an
+// image, which runs the constructors of the image's globals.  Only handlers on the thread that made
+// the Watchdog are watched.  The time during which a debugger stops the process does not count.  A
 // Watchdog with a limit of 0 does nothing.  Only one Watchdog may exist at a time.
 class Watchdog {
  public:
@@ -15,6 +16,8 @@ class Watchdog {
   ~Watchdog();
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
+
+  static bool exists();
 
   // Starts the timer of the handlers' time limit again in a fork of the process, because a fork has
   // no timers.

@@ -5,6 +5,7 @@
 #include <sys/mman.h>
 
 #include <cstring>
+#include <filesystem>
 #include <optional>
 
 #include "runtime/base/assert.h"
@@ -37,6 +38,8 @@ ImageObject::~ImageObject() {
 }
 
 std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
+  // Names the object after its file until its .ocf text is read, for messages about a crash.
+  name = std::filesystem::path(file).filename();
   std::string copy, problem;
   {
     ImageFile image = ReadImageFile(file);
@@ -65,6 +68,7 @@ std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
   }
   folder->RestoreOriginal(copy);
   problem = CheckVersions();
+  if (problem.empty()) problem = ReadOcf();
   if (problem.empty()) problem = RedirectOwnImports();
   if (problem.empty()) problem = RunConstructors();
   return problem.empty() ? ReadTables() : problem;
@@ -108,6 +112,16 @@ std::string ImageObject::CheckVersions() {
       "was built with version {} of the headers of openr-host, this is version {}; build all its "
       "sources again",
       headers, kHeadersVersion);
+}
+
+// Sets the object's name and limits.  Returns "", or why the image's .ocf text cannot be used.
+std::string ImageObject::ReadOcf() {
+  const OcfResult ocf = ParseOcf(path + " (.ocf)", info_->ocf);
+  if (!ocf.ocf) return "has a bad .ocf text: " + Render(ocf.diagnostics);
+  name = ocf.ocf->name;
+  set_limits({ocf.ocf->priority, static_cast<uint32_t>(ocf.ocf->stack_bytes),
+              static_cast<uint32_t>(ocf.ocf->heap_bytes)});
+  return "";
 }
 
 // Makes the functions that the image imports run on another stack than the image's own functions.
@@ -173,11 +187,6 @@ std::string ImageObject::ReadTables() {
   uint32_t count = 0;
   while (ImageObject::HasEntry(count)) ++count;
   set_entry_count(count);
-  const OcfResult ocf = ParseOcf(path + " (.ocf)", info_->ocf);
-  if (!ocf.ocf) return "has a bad .ocf text: " + Render(ocf.diagnostics);
-  name = ocf.ocf->name;
-  set_limits({ocf.ocf->priority, static_cast<uint32_t>(ocf.ocf->stack_bytes),
-              static_cast<uint32_t>(ocf.ocf->heap_bytes)});
   const auto* extras = static_cast<const char* const*>(dlsym(handle_, "openr_extra_names"));
   int extra_count = 0;
   while (extras != nullptr && extras[extra_count] != nullptr) ++extra_count;

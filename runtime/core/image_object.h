@@ -51,6 +51,7 @@ class ImageObject : public Object {
   std::string RedirectOwnImports();
   std::string RunConstructors();
   void Run(void (*function)(void*), void* argument);
+  std::string ReadOcf();
   std::string ReadTables();
   void ReportFpFlags(uint32_t selector);
 

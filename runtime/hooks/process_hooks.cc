@@ -10,7 +10,9 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <string>
 
+#include "runtime/core/robot_fault.h"
 #include "runtime/core/system.h"
 #include "runtime/hooks/hook.h"
 
@@ -18,11 +20,26 @@ using openr_host::ApiScope;
 using openr_host::InObject;
 using openr_host::NextSymbol;
 using openr_host::Severity;
+using openr_host::StopAsTheRobotDoes;
 using openr_host::t_current;
 
 namespace {
 
 bool InHandler() { return InObject() && t_current.object->running() != nullptr; }
+
+// Returns whether a constructor of an object's globals runs.
+bool InConstructors() { return InObject() && t_current.object->running() == nullptr; }
+
+// Ends the run because a constructor of an object's globals has called `function`.  The constructor
+// belongs to no handler that could end instead, and the object cannot run without its globals.
+[[noreturn]] void RefuseInConstructors(const char* function) {
+  std::string why;
+  {
+    const ApiScope scope;
+    why = fmt::format("a constructor of a global object has called {}()", function);
+  }
+  StopAsTheRobotDoes(why);
+}
 
 // The beginning of the robot's calendar, 2000, in seconds since 1970.
 constexpr int64_t kRobotEpochS = 946'684'800;
@@ -50,6 +67,7 @@ extern "C" {
 
 void exit(int status) noexcept {
   if (InHandler()) EndMethod();
+  if (InConstructors()) RefuseInConstructors("exit");
   static const auto next = NextSymbol<void(int)>("exit");
   next(status);
   __builtin_unreachable();
@@ -66,6 +84,7 @@ void abort() noexcept {
     }
     EndMethod();
   }
+  if (InConstructors()) RefuseInConstructors("abort");
   static const auto next = NextSymbol<void()>("abort");
   next();
   __builtin_unreachable();
@@ -76,7 +95,7 @@ void __assert_fail(const char* condition, const char* file, unsigned line,
                    const char* function) noexcept {
   static const auto next =
       NextSymbol<void(const char*, const char*, unsigned, const char*)>("__assert_fail");
-  if (InHandler()) {
+  if (InObject()) {
     {
       const ApiScope scope;
       t_current.system->Print(

@@ -201,6 +201,45 @@ TEST(RobotFaultsTest, StrictlyTwiceAsMuchStopsTheRobot) {
   EXPECT_THAT(run.result.err, Not(HasSubstr("does not boot")));
 }
 
+// Expects that a run ends while it loads the image, and that the record and the finding say so.
+void ExpectEarlyEnd(const std::string& word, const std::string& exception) {
+  const FaultRun run = RunFault(word);
+  EXPECT_EQ(run.result.status, 1) << run.result.err;
+  EXPECT_THAT(run.record, HasSubstr("EXCEPTION " + exception));
+  EXPECT_THAT(run.record, HasSubstr("OBJECT Trouble, constructors of its globals"));
+  EXPECT_THAT(run.record, HasSubstr("Early.cc"));
+  EXPECT_THAT(run.result.err, HasSubstr("ended by crash: Trouble: crash: " + exception));
+  EXPECT_THAT(run.Findings(), HasSubstr("error: crash: " + exception));
+}
+
+TEST(RobotFaultsTest, ACrashOfAConstructorHasARecord) { ExpectEarlyEnd("earlycrash", "SIGSEGV"); }
+
+TEST(RobotFaultsTest, AConstructorThatEndsTheProgramIsRefused) {
+  ExpectEarlyEnd("earlyabort", "a constructor of a global object has called abort()");
+  ExpectEarlyEnd("earlyassert", "a constructor of a global object has called abort()");
+  ExpectEarlyEnd("earlyexit", "a constructor of a global object has called exit()");
+}
+
+// A command that only looks at the stick loads its images, too.
+TEST(RobotFaultsTest, ACrashOfAConstructorIsNamedByOtherCommands) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("earlycrash");
+  const ProgramResult result = RunProgram({"graph", "--stick", stick.path()});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("OBJECT Trouble, constructors of its globals"));
+  EXPECT_THAT(result.err, HasSubstr("ended by crash: Trouble: "));
+}
+
+TEST(RobotFaultsTest, AConstructorThatDoesNotReturnIsEnded) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("earlyhang");
+  const ProgramResult result = RunProgram(
+      {"run", "--stick", stick.path(), "--rc-port", "0", "--no-panel", "--handler-limit", "200ms"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("the loading of an image does not end: Trouble, constructors"));
+  EXPECT_THAT(result.err, HasSubstr("ended by handler-limit: Trouble: "));
+}
+
 #endif
 
 }  // namespace
