@@ -43,9 +43,12 @@ char* RegionTable::Fill(Slot* slot, uint32_t index, size_t size) {
 
 uint32_t RegionTable::New(size_t size, ObjectId owner) {
   Slot fresh;
-  // Refuses to make more slots than an id can name, because the id of a region has 16 bits for the
-  // slot.
-  if (free_.empty() && slots_.size() >= 0xffff) return kNoRegion;
+  // Makes no more slots than an id can name, because the id of a region has 16 bits for the slot.
+  if (free_.empty() && slots_.size() >= 0xffff) {
+    if (used_up_.empty()) return kNoRegion;
+    free_.push_back(used_up_.front());
+    used_up_.pop_front();
+  }
   // Allocates the memory of the new region before the table gets a new slot, so that the table does
   // not change if there is no memory.
   const auto next = static_cast<uint32_t>(slots_.size());
@@ -58,7 +61,7 @@ uint32_t RegionTable::New(size_t size, ObjectId owner) {
   free_.pop_back();
   Slot& slot = slots_[index];
   fresh.owner = fresh.maker = owner;
-  fresh.generation = static_cast<uint16_t>(slot.generation + 1);
+  fresh.generation = static_cast<uint16_t>(slot.generation % generation_max_ + 1);
   fresh.live = fresh.is_reusable = true;
   fresh.id = IdOf(index, fresh.generation);
   slot = fresh;
@@ -148,7 +151,12 @@ void RegionTable::FreeIfUnused(Slot* slot) {
   }
   memory_.Free(slot->base);
   slot->base = nullptr;
-  if (slot->is_reusable) free_.push_back(IndexOf(slot));
+  if (!slot->is_reusable) return;
+  if (slot->generation < generation_max_) {
+    free_.push_back(IndexOf(slot));
+  } else {
+    used_up_.push_back(IndexOf(slot));
+  }
 }
 
 void RegionTable::NotePlace(uint32_t id, const void* address) {

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -22,12 +23,16 @@ class Hasher;
 
 class RegionTable {
  public:
-  RegionTable() = default;
+  // `generation_max` is the number of regions that a slot has before the table uses another slot;
+  // the tests choose a small number.
+  explicit RegionTable(uint16_t generation_max = kGenerationMax)
+      : generation_max_(generation_max) {}
   ~RegionTable();
   RegionTable(const RegionTable&) = delete;
   RegionTable& operator=(const RegionTable&) = delete;
 
   static constexpr uint32_t kNoRegion = 0;
+  static constexpr uint16_t kGenerationMax = 0xffff;  // the id of a region has 16 bits for it
 
   // Makes region `id` for an object in this process.  Used only in the table of a worker process,
   // for which the table of the master process has chosen the id.  Returns null if there is no
@@ -51,7 +56,8 @@ class RegionTable {
   bool Locate(const void* address, uint32_t* id, size_t* offset) const;
 
   // Makes a region of `size` bytes that `owner` owns, and returns the id of the region.  Returns
-  // kNoRegion if there is no memory or no free slot.
+  // kNoRegion if there is no memory or no free slot.  An id names no second region until all
+  // 65,535 x 65,535 ids were given, that is, for a year with a new region in every frame.
   uint32_t New(size_t size, ObjectId owner);
 
   // Records `address`, the instruction of a program that made region `id`, for MostCommonPlace().
@@ -188,8 +194,13 @@ class RegionTable {
   // a subject is replaced while an observer in this process still reads its data.  The memory is
   // freed when the table is destroyed.
   std::vector<char*> pinned_deleted_;
+  const uint16_t generation_max_;
   std::vector<uint32_t> free_;  // indices of the slots that New() may use again
-  int live_count_ = 0;          // number of live regions
+  // Indices of the slots whose ids were all given, the first one first.  New() uses such a slot
+  // again only if no other slot is left, because its ids then name other regions than before.  A
+  // program, or RegionShares, may still have an id of a deleted region.
+  std::deque<uint32_t> used_up_;
+  int live_count_ = 0;  // number of live regions
 };
 
 }  // namespace openr_host
