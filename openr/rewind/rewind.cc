@@ -57,7 +57,7 @@ size_t MemoryOf(pid_t process) {
   return 0;
 }
 
-double InSeconds(int64_t time_us) { return static_cast<double>(time_us) / 1e6; }
+double RewindSeconds(int64_t time_us) { return static_cast<double>(time_us) / 1e6; }
 
 }  // namespace
 
@@ -202,14 +202,14 @@ nlohmann::ordered_json Rewind::Status() {
   nlohmann::ordered_json status = {{"possible", why.empty()},
                                    {"why", why},
                                    {"from_s", nullptr},
-                                   {"to_s", InSeconds(system().now_us())},
+                                   {"to_s", RewindSeconds(system().now_us())},
                                    {"checkpoints", checkpoints_.size()},
                                    {"memory_mb", memory_bytes_ >> 20},
                                    {"shows_s", nullptr},
                                    {"message", nullptr}};
-  if (!checkpoints_.empty()) status["from_s"] = InSeconds(checkpoints_.front().time_us);
+  if (!checkpoints_.empty()) status["from_s"] = RewindSeconds(checkpoints_.front().time_us);
   if (shows_past()) {
-    status["shows_s"] = InSeconds(shown_us_);
+    status["shows_s"] = RewindSeconds(shown_us_);
     status["message"] = shown_messages_;
   }
   return status;
@@ -225,7 +225,7 @@ Rewind::Checkpoint* Rewind::LastBefore(int64_t time_us, uint64_t messages) {
 
 std::string Rewind::ShowTime(int64_t time_us) {
   if (time_us > system().now_us())
-    return fmt::format("t={:.3f} s is in the future", InSeconds(time_us));
+    return fmt::format("t={:.3f} s is in the future", RewindSeconds(time_us));
   return Show(LastBefore(time_us, UINT64_MAX), {{"time_us", time_us}});
 }
 
@@ -243,7 +243,7 @@ std::string Rewind::Show(Checkpoint* checkpoint, const PlainJson& target) {
     return checkpoints_.empty() ? "there is no checkpoint yet; checkpoints are taken while a "
                                   "client watches the run"
                                 : fmt::format("the first checkpoint is of t={:.3f} s",
-                                              InSeconds(checkpoints_.front().time_us));
+                                              RewindSeconds(checkpoints_.front().time_us));
   // Keeps the present view, the process that shows a past moment, only if the new moment is later,
   // because a view can only go forward.
   const bool is_later =
