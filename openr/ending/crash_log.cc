@@ -18,6 +18,7 @@
 #include "openr/ending/code_lookup.h"
 #include "openr/ending/crash_stack.h"
 #include "openr/ending/ending.h"
+#include "openr/ending/integer_division.h"
 #include "openr/ending/robot_record.h"
 #include "openr/ending/signal_text.h"
 #include "runtime/core/code_place.h"
@@ -87,10 +88,12 @@ const char* MeaningOfAddress(const siginfo_t& info, const void* context) {
 }
 
 // Returns the name and the cause of a SIGFPE.
-const char* MeaningOfFloat(const siginfo_t& info) {
+const char* MeaningOfArithmetic(const siginfo_t& info, const void* context) {
   switch (KindOf(info)) {
     case 0:
-      return "SIGFPE (a division by zero)";
+      return IsSmallestByMinusOne(*static_cast<const ucontext_t*>(context))
+                 ? "SIGFPE (the smallest integer divided by -1, at which the robot would go on)"
+                 : "SIGFPE (a division by zero)";
     case kFpDenormal:
       return "SIGFPE (a denormal number was used)";
     default:
@@ -109,7 +112,7 @@ void AddName(int signal, const siginfo_t& info, const void* context, SignalText*
       text->Add("SIGBUS (an address that cannot be)");
       break;
     case SIGFPE:
-      text->Add(MeaningOfFloat(info));
+      text->Add(MeaningOfArithmetic(info, context));
       break;
     default:
       if (*AnnouncedFault() != 0) {
@@ -121,6 +124,19 @@ void AddName(int signal, const siginfo_t& info, const void* context, SignalText*
   }
 }
 
+// Lets the code of an image go on after it has divided the smallest integer by -1, because the
+// robot does not stop there.  Stores the address of the instruction for the warning, which
+// ImageObject adds when the handler has returned.  Returns false for another division, and for a
+// division of code that is not in an image: there it is an error of the runtime.
+bool ContinueAfterDivision(void* context) {
+  if (!t_current.image_code) return false;
+  Object* const object = t_current.object;
+  const CrashStack stack(*object, context);
+  if (!DivideAsTheRobotDoes(static_cast<ucontext_t*>(context))) return false;
+  object->number_faults().NoteTooLargeQuotient(stack.OwnAddress());
+  return true;
+}
+
 // Lets the object go on after a floating-point error, because such an error is only a warning.
 // Stores the address of the instruction for this warning, which ImageObject adds when the handler
 // has returned.  Masks this kind of error, so that the instruction runs again without a signal.
@@ -129,7 +145,8 @@ void AddName(int signal, const siginfo_t& info, const void* context, SignalText*
 bool ContinueInSignal(const siginfo_t& info, void* context) {
 #if defined(__x86_64__)
   const unsigned kind = KindOf(info);
-  if (kind == 0 || t_current.object == nullptr) return false;
+  if (t_current.object == nullptr) return false;
+  if (kind == 0) return ContinueAfterDivision(context);
   const bool stops_the_robot = kind == kFpInvalid || kind == kFpDenormal;
   if (stops_the_robot && t_current.system->options().strict) return false;
   const CrashStack stack(*t_current.object, context);

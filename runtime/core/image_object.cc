@@ -266,4 +266,17 @@ void ImageObject::ReportFpFlags(uint32_t selector) {
   }
 }
 
+// Adds a finding about a division of the smallest integer by -1.  The finding is a warning with
+// --strict, too, because the robot does not stop there (docs/limits.md).
+void ImageObject::ReportTooLargeQuotient(uint32_t selector) {
+  const ApiScope scope;
+  const std::string place = NameOfPlace(number_faults().TakeTooLargeQuotient());
+  system->AddFindingAbout(
+      this, Severity::kWarning,
+      fmt::format("{}{}{}: the smallest integer was divided by -1, and the quotient is too large "
+                  "for its type: C++ leaves the result open; the robot does not stop, and the run "
+                  "goes on with the smallest integer and the remainder 0",
+                  EntryName(selector), place.empty() ? "" : ", at ", place));
+}
+
 }  // namespace openr_host

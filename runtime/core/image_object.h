@@ -40,9 +40,11 @@ class ImageObject : public Object {
   size_t StackUsed() const { return stack_ == nullptr ? 0 : stack_->UsedBytes(); }
 
   // Adds a finding if the handler that has just ended did an operation that would stop the robot's
-  // floating-point unit.  Called after every handler, even after a handler that was abandoned.
+  // floating-point unit, or a division of the smallest integer by -1.  Called after every handler,
+  // even after a handler that was abandoned.
   void CheckNumbers(uint32_t selector) {
     if ((FpFlags() & ~fp_seen_) != 0) ReportFpFlags(selector);
+    if (number_faults().HasNewTooLargeQuotient()) ReportTooLargeQuotient(selector);
   }
 
  private:
@@ -54,6 +56,7 @@ class ImageObject : public Object {
   std::string ReadOcf();
   std::string ReadTables();
   void ReportFpFlags(uint32_t selector);
+  void ReportTooLargeQuotient(uint32_t selector);
 
   std::unique_ptr<HandlerStack> stack_;  // null if addresses are not planned
   void* handle_ = nullptr;

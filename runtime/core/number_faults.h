@@ -1,4 +1,4 @@
-// NumberFaults: what is known about the floating-point faults of an object's handlers, for the
+// NumberFaults: what is known about the faults of an object's handlers in calculations, for the
 // findings that ImageObject adds after a handler.
 #pragma once
 
@@ -18,6 +18,22 @@ class NumberFaults {
   // raised it, or if the instruction is not known.
   const void* InstructionOf(unsigned kind) const { return instructions_[std::countr_zero(kind)]; }
 
+  // Records an instruction that has divided the smallest integer by -1.  Called in a signal
+  // handler.
+  void NoteTooLargeQuotient(const void* instruction) {
+    if (has_too_large_quotient_) return;
+    has_too_large_quotient_ = is_too_large_quotient_new_ = true;
+    too_large_quotient_ = instruction;
+  }
+  // Returns whether such a division was recorded and not reported yet.
+  bool HasNewTooLargeQuotient() const { return is_too_large_quotient_new_; }
+  // Returns the first instruction that NoteTooLargeQuotient() has recorded; null if the instruction
+  // is not known.  The division then counts as reported.
+  const void* TakeTooLargeQuotient() {
+    is_too_large_quotient_new_ = false;
+    return too_large_quotient_;
+  }
+
   // Records that checked_code.cc has reported, in the running handler, a floating-point number that
   // is too large for the integer type to which it is converted.
   void NoteReportedCast() { has_reported_cast_ = true; }
@@ -27,6 +43,9 @@ class NumberFaults {
  private:
   const void* instructions_[kFpKinds] = {};  // the index is the bit number of the flag
   bool has_reported_cast_ = false;
+  bool has_too_large_quotient_ = false;
+  bool is_too_large_quotient_new_ = false;
+  const void* too_large_quotient_ = nullptr;
 };
 
 }  // namespace openr_host

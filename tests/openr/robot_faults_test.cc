@@ -141,6 +141,18 @@ TEST(RobotFaultsTest, ADivisionByAConstantZeroStopsThoughNobodyUsesTheResult) {
     ExpectStop(RunFault("zero", is_strict), "a division by zero at Faults.cc:");
 }
 
+// The robot's division instruction never stops, and its compiler checks only for 0.
+TEST(RobotFaultsTest, TheSmallestIntegerByMinusOneIsAWarningStrictlyToo) {
+  for (const bool is_strict : {false, true}) {
+    const FaultRun run = RunFault("smallest", is_strict);
+    ExpectWarning(run,
+                  "DoStart, at Faults.cc:[0-9]+: the smallest integer was divided by -1, .* the "
+                  "robot does not stop");
+    EXPECT_THAT(run.result.err,
+                HasSubstr("quotients -2147483648 -9223372036854775808, remainders 0 0\n"));
+  }
+}
+
 TEST(RobotFaultsTest, ExecutedDataAreCalledThat) {
   for (const bool is_strict : {false, true})
     ExpectStop(RunFault("execute", is_strict), "SIGSEGV (data were executed)");

@@ -2,6 +2,7 @@
 
 #include <OPENR/RCRegion.h>
 #include <float.h>
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -79,6 +80,18 @@ DivideByConstantZero()
     const int result = 1 / nothing;  // compilers leave out what nobody uses; the robot's did not
 #pragma GCC diagnostic pop
     (void)result;
+}
+
+// Divides the smallest integers by -1, and prints quotients and remainders.
+static void
+DivideSmallest()
+{
+    static volatile int minusOne = -1;
+    volatile int smallest = INT_MIN;
+    volatile long long longest = LLONG_MIN, longMinusOne = -1;
+    const int quotient = smallest / minusOne, remainder = smallest % minusOne;
+    printf("quotients %d %lld, remainders %d %lld\n", quotient, longest / longMinusOne, remainder,
+           longest % longMinusOne);
 }
 
 // The bytes are those of a NaN, as a message or a file may have them.
@@ -191,6 +204,8 @@ MakeFault(const char* word)
         *(volatile int*)0x12345678 = 1;
     } else if (strcmp(word, "zero") == 0) {
         DivideByConstantZero();
+    } else if (strcmp(word, "smallest") == 0) {
+        DivideSmallest();
     } else if (strcmp(word, "regions") == 0) {
         LeakRegions();
     } else if (strcmp(word, "memory") == 0) {
