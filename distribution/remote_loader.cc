@@ -1,5 +1,7 @@
 #include "distribution/remote_loader.h"
 
+#include <string>
+
 #include "distribution/remote_object.h"
 
 namespace openr_host {
@@ -44,17 +46,24 @@ bool RemoteLoader::HandleSample(const openr_wire_ToMaster& to_master,
   if (effects_->HandleRequest(to_master)) return false;
   if (to_master.body._d != openr_wire_TO_MASTER_LOADED)
     connection_->Refuse("no list of its objects");
-  effects_->Apply(to_master, nullptr);
   const auto& loaded = to_master.body._u.loaded.objects;
+  std::string problem;
   for (uint32_t i = 0; i < loaded._length; ++i) {
     const openr_wire_LoadedObject& entry = loaded._buffer[i];
     const auto found = objects.find(entry.id);
     if (found == objects.end() || awaited_objects_.erase(entry.id) == 0)
       connection_->Refuse("an object that is not its own, or sent it twice");
-    if (entry.problem != nullptr && *entry.problem != '\0') throw ProcessLost(entry.problem);
+    if (entry.problem != nullptr && *entry.problem != '\0') {
+      if (problem.empty()) problem = entry.problem;
+      continue;
+    }
     found->second->SetDescription(entry);
     resources_->RecordHeap(found->second->robot, entry.heap_here);
   }
+  // Applies the effects only after the objects have their entries and priorities, because
+  // constructors may have sent messages to their own objects.
+  effects_->Apply(to_master, nullptr);
+  if (!problem.empty()) throw ProcessLost(problem);
   if (!awaited_objects_.empty()) connection_->Refuse("nothing of an object that it was to load");
   return true;
 }

@@ -151,6 +151,8 @@ class Worker : public MasterLink {
   bool is_shutting_down_ =
       false;  // whether the objects are being unloaded, so that no handler runs
   // Entries of objects in other processes.  The master has told this worker that these entries
+  // The object whose image is loaded now; kNoObject if none is loaded.
+  ObjectId loading_ = kNoObject;
   // exist, so the worker need not ask again before it sends a message to them.
   std::set<std::pair<ObjectId, uint32_t>> known_entries_;
   std::deque<ReceivedSample> deferred_;  // samples that arrived while an answer was awaited

@@ -14,7 +14,8 @@
 namespace openr_host {
 
 int32_t WorkerCalls::Post(OwnedMessage&& message, int64_t delay_us) {
-  if (system_->object(message->target) == nullptr) return sINVALIDOID;
+  if (system_->object(message->target) == nullptr)
+    return MessagePoster::PostToUnknown(std::move(message), delay_us);
   return master_->Post(std::move(message), delay_us);
 }
 

@@ -88,6 +88,10 @@ openr_wire_PostedMessage Worker::Encode(const Message& message, int64_t delay_us
 // messages: a reply, because the receiver may have closed the reply box; any message with --strict,
 // which limits the number of waiting messages; and a message to an entry that does not exist.
 bool Worker::MayBeRefused(const Message& message) {
+  // Does not ask about messages that constructors have sent to their own object, because the master
+  // does not know the entries of this object before it gets the sample Loaded.  The messages are in
+  // this sample.
+  if (message.target == loading_) return false;
   if (message.is_reply || system_->options().strict) return true;
   const std::pair<ObjectId, uint32_t> entry(message.target, message.selector);
   if (known_entries_.contains(entry)) return false;

@@ -118,7 +118,9 @@ void Worker::AddObject(const openr_wire_ObjectEntry& entry,
     return;
   }
   if (entry.is_own) {
+    loading_ = entry.id;
     Object* const object = LoadImage(system_.get(), entry.robot, StringOf(entry.path), "join");
+    loading_ = kNoObject;
     if (object != nullptr) {
       object->boxes().set_last(entry.last_box);
       own_object_names_.insert(object->name);

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <utility>
 
+#include "runtime/api/known_object.h"
 #include "runtime/api/mcoop_limits.h"
 #include "runtime/core/api.h"
 #include "runtime/core/dispatcher.h"
@@ -96,7 +97,7 @@ sError Register(OID oid, const char* name) {
   if (t_current.object == nullptr || name == nullptr || *name == '\0') return sINVALIDARG;
   if (std::strlen(name) > kObjectNameMax) return sOBLETNAMETOOLONG;
   const ObjectId id = ObjectIdOf(oid);
-  if (t_current.system->object(id) == nullptr) return sINVALIDOID;
+  if (!IsKnown(id)) return sINVALIDOID;
   return t_current.system->calls().RegisterName(id, name);
 }
 

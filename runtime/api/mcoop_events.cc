@@ -2,6 +2,7 @@
 // set limits of an object.  MCOOP.h is the interface of Aperios, the robot's operating system.
 #include <MCOOP.h>
 
+#include "runtime/api/known_object.h"
 #include "runtime/api/mcoop_limits.h"
 #include "runtime/core/api.h"
 #include "runtime/core/system.h"
@@ -16,7 +17,7 @@ namespace {
 sError CheckEventMessage(const OID& oid, size_t size) {
   if (t_current.object == nullptr) return sFAIL;
   if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;
-  if (t_current.system->object(ObjectIdOf(oid)) == nullptr) return sINVALIDOID;
+  if (!IsKnown(ObjectIdOf(oid))) return sINVALIDOID;
   if (t_current.system->calls().CountEvents() >= kEventsMax) return sFULLEVENTENTRY;
   return sSUCCESS;
 }

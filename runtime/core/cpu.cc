@@ -12,6 +12,23 @@
 #include "runtime/core/system.h"
 
 namespace openr_host {
+namespace {
+
+// Handles a message of `sender` that Post() refuses when it leaves the outbox.  The program cannot
+// handle this refusal, because the function with which the program posted the message has already
+// returned success.
+void HandleRefused(Object* sender, const Message& message) {
+  if (message.kind == PayloadKind::kNotify || message.kind == PayloadKind::kReady)
+    HandleLateRefusal(sender, message);
+  if (message.reply_box == 0) return;
+  // Ends the wait of the object that has sent the request, as at a time-out, because nothing will
+  // reply.
+  System* const system = sender->system;
+  const CurrentScope scope(system, system->object(message.sender));
+  system->calls().BeginWait(message.reply_box, 0, "");
+}
+
+}  // namespace
 
 int64_t CostModel::FrameUs() const { return kFrameUs; }
 
@@ -73,14 +90,7 @@ void Cpu::End(int64_t now_us) {
   jobs_.pop_back();
   if (!jobs_.empty()) jobs_.back().since_us = now_us;
   object->delivery().set_busy(false);
-  // Posts the messages to their receivers.  Post() puts a message into an outbox only while an
-  // object is current.  No object is current here, so Post() really sends the messages.
-  for (ProcessorState::Outgoing& outgoing : object->processor().TakeOutbox()) {
-    const Message* const message = outgoing.message.get();
-    // A message that Post() refuses stays in `outgoing`, so `message` is valid in HandleRefused().
-    if (system_->Post(std::move(outgoing.message), outgoing.delay_us) != sSUCCESS)
-      HandleRefused(object, *message);
-  }
+  PostOutbox(object);
   // Puts the messages that were held for the object, and those that waited for the processor, at
   // the front of the queue, because they are older than all messages due now.  Begins with the
   // newest message, so that afterwards the oldest is at the front.
@@ -91,17 +101,16 @@ void Cpu::End(int64_t now_us) {
   }
 }
 
-// Handles a message of `sender` that Post() refuses when it leaves the outbox.  The program cannot
-// handle this refusal, because the function with which the program posted the message has already
-// returned success.
-void Cpu::HandleRefused(Object* sender, const Message& message) {
-  if (message.kind == PayloadKind::kNotify || message.kind == PayloadKind::kReady)
-    HandleLateRefusal(sender, message);
-  if (message.reply_box == 0) return;
-  // Ends the wait of the object that has sent the request, as at a time-out, because nothing will
-  // reply.
-  const CurrentScope scope(system_, system_->object(message.sender));
-  system_->calls().BeginWait(message.reply_box, 0, "");
+// Post() sends the messages and does not put them into the outbox again, because `object` is not
+// busy any more.
+void PostOutbox(Object* object) {
+  ASSERT(!object->delivery().is_busy(), "{} still has the processor", object->name);
+  for (ProcessorState::Outgoing& outgoing : object->processor().TakeOutbox()) {
+    const Message* const message = outgoing.message.get();
+    // A message that Post() refuses stays in `outgoing`, so `message` is valid in HandleRefused().
+    if (object->system->Post(std::move(outgoing.message), outgoing.delay_us) != sSUCCESS)
+      HandleRefused(object, *message);
+  }
 }
 
 void Cpu::HashState(Hasher* hasher) const {

@@ -90,12 +90,14 @@ class Cpu {
     int64_t since_us;  // virtual time when the handler last got the processor
   };
 
-  void HandleRefused(Object* sender, const Message& message);
-
   System* const system_;
   std::vector<Job> jobs_;  // the last job runs; the jobs before it were interrupted
   // The messages whose receiver waits for the processor, oldest first.
   std::vector<OwnedMessage> waiting_;
 };
+
+// Posts the messages in the outbox of `object`, which is not busy any more.  If a request is
+// refused, ends the wait of its sender for the reply, as at a time-out.
+void PostOutbox(Object* object);
 
 }  // namespace openr_host

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "runtime/base/spelling.h"
+#include "runtime/core/cpu.h"
+#include "runtime/core/early_work.h"
 #include "runtime/core/image_object.h"
 #include "runtime/core/system.h"
 #include "runtime/stick/memory_stick.h"
@@ -28,13 +30,6 @@ std::string NearestName(const std::string& path) {
   }
   std::sort(names.begin(), names.end());
   return DidYouMean(fs::path(path).filename().string(), names);
-}
-
-std::vector<uint32_t> RegionsOf(const System& system, ObjectId owner) {
-  std::vector<uint32_t> regions;
-  system.regions().ForEachOf(
-      owner, [&regions](uint32_t region, char*, size_t) { regions.push_back(region); });
-  return regions;
 }
 
 }  // namespace
@@ -61,21 +56,15 @@ std::unique_ptr<ImageObject> OpenImage(System* system, int robot, ObjectId id,
   }
   auto image = std::make_unique<ImageObject>(system, id, robot);
   image->path = path;
-  // The regions of the object that the new image is to replace; none if there is no such object.
-  const std::vector<uint32_t> old_regions = RegionsOf(*system, id);
-  const uint32_t last_event = system->time_events().last_id();
-  const std::string problem = image->Load(location.path, system->run_folder());
-  if (const Object* const old = system->object(id); old != nullptr && !old->is_absent()) {
-    std::vector<uint32_t> early_regions;
-    for (const uint32_t region : RegionsOf(*system, id)) {
-      if (std::find(old_regions.begin(), old_regions.end(), region) != old_regions.end()) continue;
-      system->regions().SetOwner(region, kNoObject);
-      early_regions.push_back(region);
-    }
-    image->KeepEarly(std::move(early_regions), system->time_events().TakeNewerThan(last_event));
+  std::string problem;
+  const auto load = [&] { problem = image->Load(location.path, system->run_folder()); };
+  if (Object* const old = system->object(id); old != nullptr && !old->is_absent()) {
+    image->KeepEarlyWork(CollectEarlyWork(image.get(), old, load));
+  } else {
+    load();
   }
   const auto refuse_loaded = [&](const std::string& why) {
-    for (const uint32_t region : image->early_regions()) system->regions().Delete(region);
+    DropEarlyWork(image.get());
     return refuse(why);
   };
   if (!problem.empty()) return refuse_loaded(problem);
@@ -93,7 +82,13 @@ Object* LoadImage(System* system, int robot, const std::string& path, const std:
                   const std::string& file) {
   const ObjectId id = system->object_table().IdFor(robot, path);
   auto image = OpenImage(system, robot, id, path, where, file);
-  return image == nullptr ? nullptr : system->object_table().Adopt(std::move(image));
+  if (image == nullptr) return nullptr;
+  Object* const object = system->object_table().Adopt(std::move(image));
+  // Sends the messages that constructors of the image have sent to their own object, which was not
+  // in the table yet.
+  const CurrentScope scope(system, object);
+  PostOutbox(object);
+  return object;
 }
 
 }  // namespace openr_host

@@ -63,7 +63,7 @@ int32_t MessagePoster::ReportFullQueue(const Message& message, Object* target) {
 }
 
 int32_t MessagePoster::Post(OwnedMessage&& message, Object* target, int64_t delay_us) {
-  if (target == nullptr) return sINVALIDOID;
+  if (target == nullptr) return PostToUnknown(std::move(message), delay_us);
   ASSERT(delay_us >= 0, "message to {} in {} us", target->name, delay_us);
   // While the sender's handler still takes processor time, the message waits in the sender's
   // outbox.  Cpu::End() posts it when that time is over.
@@ -92,6 +92,13 @@ int32_t MessagePoster::Post(OwnedMessage&& message, Object* target, int64_t dela
   if (schedule_ != nullptr)
     message->due_us += schedule_->ExtraDelayUs(*message, queue_.now_us(), delay_us);
   queue_.Push(std::move(message), target->limits().priority);
+  return sSUCCESS;
+}
+
+int32_t MessagePoster::PostToUnknown(OwnedMessage&& message, int64_t delay_us) {
+  Object* const self = t_current.object;
+  if (self == nullptr || self->id != message->target) return sINVALIDOID;
+  self->processor().KeepOutgoing(std::move(message), delay_us);
   return sSUCCESS;
 }
 

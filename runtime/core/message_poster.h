@@ -32,6 +32,10 @@ class MessagePoster {
   // the id of the receiver.  Called by LocalCalls::Post().  Returns an sError as System::Post()
   // does.  A refused message stays in `message`.  REQUIRES: delay_us >= 0.
   int32_t Post(OwnedMessage&& message, Object* target, int64_t delay_us);
+  // Handles a message whose receiver is in no table.  If constructors of this receiver run now and
+  // have sent it, keeps the message in the outbox of the receiver until the receiver is in its
+  // place (LoadImage()), and returns sSUCCESS.  Otherwise returns sINVALIDOID.
+  static int32_t PostToUnknown(OwnedMessage&& message, int64_t delay_us);
   // Puts `message` back into the queue after it was held: by a gate, or because `target` could not
   // handle it yet or waited for the processor (cpu.h).  The message is due now and comes before all
   // others of its class and priority.

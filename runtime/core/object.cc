@@ -102,10 +102,15 @@ void Object::Succeed(const Object& old) {
   boxes_.set_last(std::max(boxes_.last(), old.boxes_.last()));
 }
 
-void Object::KeepEarly(std::vector<uint32_t> regions, TimeEvents::Events events) {
-  ASSERT(early_regions_.empty() && early_events_.empty(), "{} keeps early regions", name);
-  early_regions_ = std::move(regions);
-  early_events_ = std::move(events);
+void Object::KeepEarlyWork(EarlyWork work) {
+  ASSERT(!has_early_work_, "{} keeps early work", name);
+  has_early_work_ = true;
+  early_work_ = std::move(work);
+}
+
+EarlyWork Object::TakeEarlyWork() {
+  has_early_work_ = false;
+  return std::exchange(early_work_, {});
 }
 
 void Object::ReturnHeld() {

@@ -14,6 +14,7 @@
 
 #include "runtime/base/assert.h"
 #include "runtime/core/delivery_state.h"
+#include "runtime/core/early_work.h"
 #include "runtime/core/entry_names.h"
 #include "runtime/core/message.h"
 #include "runtime/core/number_faults.h"
@@ -21,7 +22,6 @@
 #include "runtime/core/object_statistics.h"
 #include "runtime/core/processor_state.h"
 #include "runtime/core/reply_boxes.h"
-#include "runtime/core/time_events.h"
 #include "runtime/core/wait_state.h"
 
 class RCRegion;
@@ -277,16 +277,12 @@ class Object {
   // of `old`.  REQUIRES: `old` has the same id; called once.
   void Succeed(const Object& old);
 
-  // Keeps what the constructors of this image made while the image was loaded to replace an object
-  // with the same id.  `regions` have no owner at first, because EndAllOf() deletes all regions of
-  // the replaced object, which has the same id.  `events` were taken out of TimeEvents, because the
-  // end of the replaced object removes all time events of this id.  REQUIRES: nothing is kept.
-  void KeepEarly(std::vector<uint32_t> regions, TimeEvents::Events events);
-  const std::vector<uint32_t>& early_regions() const { return early_regions_; }
-  // Return what KeepEarly() has kept and keep it no longer.  ObjectTable::Place() makes this object
-  // the owner of the regions and puts the events back into TimeEvents.
-  std::vector<uint32_t> TakeEarlyRegions() { return std::exchange(early_regions_, {}); }
-  TimeEvents::Events TakeEarlyEvents() { return std::exchange(early_events_, {}); }
+  // Keeps what the constructors of this image did while the image was loaded to replace an object
+  // with the same id (early_work.h).  REQUIRES: called once.
+  void KeepEarlyWork(EarlyWork work);
+  // Returns whether KeepEarlyWork() has kept something that TakeEarlyWork() has not returned yet.
+  bool has_early_work() const { return has_early_work_; }
+  EarlyWork TakeEarlyWork();
 
   System* const system;
   const ObjectId id;
@@ -321,8 +317,8 @@ class Object {
   bool is_lost_ = false;
   bool is_absent_ = false;
   int predecessors_ = 0;
-  std::vector<uint32_t> early_regions_;
-  TimeEvents::Events early_events_;
+  bool has_early_work_ = false;
+  EarlyWork early_work_;
   uint32_t random_state_ = 1;
   NumberFaults number_faults_;
   EntryNames entry_names_;

@@ -253,8 +253,6 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
     KeepSentRegions(id);
     EndAllOf(id);
   }
-  for (const uint32_t region : fresh->TakeEarlyRegions()) system_->regions().SetOwner(region, id);
-  system_->time_events().PutBack(fresh->TakeEarlyEvents());
   for (const Listener& listener : replace_listeners_) listener(id);
   fresh->Succeed(*old);
   fresh->delivery().set_off(old->delivery().is_off());
@@ -266,6 +264,7 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
     replaced_running_.push_back(std::move(objects_[static_cast<size_t>(id)]));
   }
   objects_[static_cast<size_t>(id)] = std::move(fresh);
+  if (Object* const placed = Get(id); placed->has_early_work()) RestoreEarlyWork(placed);
 }
 
 ObjectTable::Readies ObjectTable::Replace(std::vector<std::unique_ptr<Object>> fresh) {

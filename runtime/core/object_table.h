@@ -76,7 +76,9 @@ class ObjectTable {
   // object, then DoInit, connections and DoStart of the new one.  The new object has the same OID,
   // static variables with their initial values, and an empty heap.  Messages to the old object are
   // lost, and regions that it had received go back to their subjects.  Data that it had sent still
-  // arrive.  If the image cannot be loaded, an error finding is added and nothing changes.
+  // arrive.  If the image cannot be loaded, an error finding is added and nothing changes.  The
+  // constructors of the new image run before DoStop of the old object; what they send and register
+  // takes effect when the new object is in place (early_work.h).
   // REQUIRES: System::booted(), and `id` names an image.
   void Reload(ObjectId id);
 

@@ -92,7 +92,7 @@ class RegionTable {
   // Returns the object that made the region, even if another object owns it now.  In a run with
   // several processes, the bytes of the region are in the process of this object.  Returns
   // kNoObject if the region was deleted or its maker has ended.  Also returns kNoObject for a
-  // region of Object::early_regions(), which a new image has made before the object that it
+  // region of EarlyWork, which a new image has made before the object that it
   // replaces ends: both have the same id, so this end removes the maker of the region.
   ObjectId MakerOf(uint32_t id) const;
   void SetOwner(uint32_t id, ObjectId owner);

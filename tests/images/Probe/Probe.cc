@@ -11,11 +11,20 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "Early.h"
 #include "Imports.h"
 
 static int callCount = 0;  // a static of the image, so each loaded copy has its own
 
-Probe::Probe() : oidWasKnown(myOID_.IsValid()) {}
+static int earlyCount = 0;  // messages to the entry DoEarly
+
+// If the stick has the file OWN.TXT, does for its own object what constructors seldom do.
+Probe::Probe() : oidWasKnown(myOID_.IsValid()) {
+  if (!SendEarly(myOID_)) return;
+  RegisterServiceEntry(OServiceEntry(myOID_, earlyEntry), "Probe.Early.Text.S");
+}
+
+void Probe::DoEarly(void*) { ++earlyCount; }
 
 OStatus Probe::DoInit(const OSystemEvent& event) {
   NEW_ALL_SUBJECT_AND_OBSERVER;
@@ -101,6 +110,7 @@ std::string Probe::Answer(const std::string& command) {
   std::ostringstream out;
   out << AnswerImports(command);
   if (command == "count") out << ++callCount;
+  if (command == "early") out << earlyCount << " early, " << AnswerEarly();
   if (command == "oid") out << (oidWasKnown ? "known" : "unknown");
   if (command == "stream") out << 3.25 << " " << true << " " << std::hex << 255;
   if (command == "read") out << ReadAll("/MS/OPEN-R/mw/data/p/hello.txt");

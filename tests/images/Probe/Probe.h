@@ -29,6 +29,7 @@ public:
     void DoExit(void* msg);
     void DoAbort(void* msg);
     void DoThrow(void* msg);
+    void DoEarly(void* msg);
 
 private:
     void        Say(const std::string& text);

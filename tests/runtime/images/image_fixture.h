@@ -1,6 +1,7 @@
 // A stick in a temporary folder with the probe image on it, and somebody to talk to it.
 #pragma once
 
+#include <MCOOP.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -34,6 +35,11 @@ class Talker : public CodeObject {
       system().requests().Await(box, kSleepUs, "nothing", &timed_out);
     });
     AddExtra("Tick", [this](void*) { ++ticks; });
+    AddExtra("Answer", [this](void*) {
+      ++questions;
+      char reply[] = "me";
+      Reply(reply, sizeof reply);
+    });
   }
   OStatus DoStart(const OSystemEvent&) override {
     in->AssertReady();
@@ -57,6 +63,7 @@ class Talker : public CodeObject {
   std::string answer;
   // The number of messages to Tick, the sixth entry, which a constructor of the probe orders.
   int ticks = 0;
+  int questions = 0;  // the number of requests to Answer, the seventh entry
 };
 
 class ImageTest : public testing::Test {

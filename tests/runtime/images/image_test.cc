@@ -293,6 +293,53 @@ TEST_F(ImageTest, TimeEventsThatConstructorsOrderOutliveAReload) {
   EXPECT_EQ(talker->ticks, 1);  // the event of the old object has ended with it
 }
 
+constexpr char kAllEarly[] = "sent 0, registered 0, ordered 0, asked 0, me";
+
+// An OID is valid in constructors of global objects (core.md, 10.2).
+TEST_F(ImageTest, AConstructorSendsToItsOwnObjectAndGivesItAName) {
+  Write("OPEN-R/MW/DATA/P/OWN.TXT", "");
+  Start();
+  EXPECT_EQ(Findings(), "");
+  EXPECT_EQ(talker->Ask("early"), std::string("1 early, ") + kAllEarly);
+  system->RunFor(1'000'000);
+  EXPECT_EQ(talker->Ask("early"), "2 early, sent 0, registered 0, ordered 0, asked 0");
+}
+
+// The old object has the id of the new one, and the same names, while the constructors run.
+TEST_F(ImageTest, WhatConstructorsSendAndRegisterOutlivesAReload) {
+  Write("OPEN-R/MW/DATA/P/OWN.TXT", "");
+  Start();
+  system->RunFor(1'000'000);
+  const ObjectId id = system->FindObject(0, "probe")->id;
+  Robot& robot = system->robot(0);
+  const auto names = robot.names;
+  const auto directory = robot.directory;
+  EXPECT_TRUE(names.contains("early bird"));
+  EXPECT_TRUE(directory.contains("Probe.Early.Text.S"));
+  system->object_table().Reload(id);
+  system->RunFor(1000);
+  EXPECT_EQ(Findings(), "");
+  EXPECT_EQ(robot.names, names);
+  EXPECT_EQ(robot.directory, directory);
+  EXPECT_EQ(talker->questions, 2);
+  EXPECT_EQ(talker->Ask("early"), std::string("1 early, ") + kAllEarly);
+}
+
+TEST_F(ImageTest, AReloadThatThrowsInAConstructorSendsAndRegistersNothing) {
+  Start();
+  Write("OPEN-R/MW/DATA/P/OWN.TXT", "");
+  Write("OPEN-R/MW/DATA/P/THROW.TXT", "");
+  const auto names = system->robot(0).names;
+  const auto directory = system->robot(0).directory;
+  system->object_table().Reload(system->FindObject(0, "probe")->id);
+  system->RunFor(1'000'000);
+  EXPECT_NE(Findings().find("throws an exception: thrown early"), std::string::npos) << Findings();
+  EXPECT_EQ(system->robot(0).names, names);
+  EXPECT_EQ(system->robot(0).directory, directory);
+  EXPECT_EQ(talker->questions, 0);
+  EXPECT_EQ(talker->Ask("count"), "1");
+}
+
 TEST_F(ImageTest, AnImageThatWasCutOffIsRefused) {
   const fs::path image = root / "OPEN-R/MW/OBJS/PROBE.BIN";
   fs::resize_file(image,
