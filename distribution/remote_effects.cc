@@ -131,6 +131,14 @@ void RemoteEffects::ApplyForgotten(const openr_wire_ToMaster& to_master) {
   resources_->marshaller()->PeerDropped(VectorOf(to_master.body._u.forgotten.dropped));
 }
 
+void RemoteEffects::ApplyTookBack(const openr_wire_ToMaster& to_master) {
+  const openr_wire_TookBack& took_back = to_master.body._u.took_back;
+  RemoteObject* const object = resources_->ObjectOf(took_back.object);
+  Apply(to_master, object);
+  resources_->RecordDropped(object, took_back.dropped);
+  object->pending_count = took_back.pending;
+}
+
 // Returns whether `message` answers the request that the handler of `self` is serving, or forwards
 // that request to another object.  In both cases the object owes no answer any more.
 bool RemoteEffects::Answers(const Message& message, const Object* self) {

@@ -51,6 +51,9 @@ class RemoteEffects {
   // Handles the sample that reports that the worker has dropped its connections to a replaced
   // object: applies the effects, and forgets regions that the worker does not use any more.
   void ApplyForgotten(const openr_wire_ToMaster& to_master);
+  // Handles the sample that reports that a subject in the worker has taken back data: applies the
+  // effects, and records the data about the object of the subject.
+  void ApplyTookBack(const openr_wire_ToMaster& to_master);
 
  private:
   void SendAnswer(const CallResult& answer);

@@ -80,6 +80,20 @@ std::vector<StandingReady> RemoteObject::StandingReadies() const {
 
 void RemoteObject::ReturnRegion(RCRegion* region) { process_->ReturnRegion(region); }
 
+TakenBack RemoteObject::TakeBack(const Message& message) {
+  if (process_->is_lost()) return TakenBack::kNoSubject;
+  const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
+  bool is_ready = false;
+  TakenBack result = TakenBack::kNoSubject;
+  try {
+    result = process_->TakeBack(this, message, &is_ready);
+  } catch (const ProcessLost& lost) {
+    lost_(this, Loss::kGone, lost.what());
+  }
+  if (is_ready) readies_.insert({notify.subjectID.GetSelector(), message.target, message.selector});
+  return result;
+}
+
 void RemoteObject::HandleUndelivered(const Message& message) {
   ++undelivered_count;
   process_->HandleUndelivered(message);

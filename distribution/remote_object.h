@@ -60,6 +60,7 @@ class RemoteObject : public Object {
 
   std::vector<StandingReady> StandingReadies() const override;
   void ReturnRegion(RCRegion* region) override;
+  TakenBack TakeBack(const Message& message) override;
   // Counts `message`, which came after the worker was lost.  If it is a ready message, releases the
   // regions that it gives back.  If it is a notification, gives its regions back to the subject.
   // If its sender waits for a reply, sends an empty reply.

@@ -1,10 +1,14 @@
 #include "distribution/remote_process.h"
 
+#include <OPENR/ObjcommMessages.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
+#include "distribution/remote_object.h"
+#include "runtime/core/api.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {
@@ -43,6 +47,38 @@ std::string RemoteProcess::FetchState(ObjectId object) {
     std::copy_n(in.bytes._buffer, in.bytes._length, reinterpret_cast<uint8_t*>(base));
   }
   return StringOf(state.subjects);
+}
+
+TakenBack RemoteProcess::TakeBack(const RemoteObject* sender, const Message& message,
+                                  bool* is_ready) {
+  if (handlers_.is_free()) return TakenBack::kNoSubject;
+  const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
+  // Sends the regions in the form of a ready, which gives regions back as well.
+  const OwnedMessage returned =
+      resources_.system()->NewMessage(sender->id, notify.subjectID.GetSelector());
+  auto& ready = *new (returned->payload) OReadyMessage;
+  ready.command = objcommCMD_DEASSERT_READY;
+  ready.observerID = OServiceEntry(OidOf(message.target), message.selector);
+  ready.numOfData = notify.numOfData;
+  for (int i = 0; i < notify.numOfData; ++i) ready.rcRegion[i] = notify.data[i].srcRCR;
+  returned->size = sizeof ready;
+  returned->kind = PayloadKind::kReady;
+  WireArena arena;
+  openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_TAKE_BACK);
+  openr_wire_TakeBack& take_back = to_worker.body._u.take_back;
+  take_back.now_us = resources_.system()->now_us();
+  take_back.notifications = static_cast<uint32_t>(notify.numOfNotify);
+  resources_.marshaller()->Encode(*returned, nullptr, &arena, &take_back.message);
+  connection_.Send(to_worker);
+  const RemoteConnection::ReceivedSample to_master = connection_.Next();
+  if (to_master->body._d != openr_wire_TO_MASTER_TOOK_BACK ||
+      to_master->body._u.took_back.object != sender->id)
+    connection_.Refuse("something else when it was to take data back");
+  effects_.ApplyTookBack(*to_master);
+  if (!to_master->body._u.took_back.has_data) return TakenBack::kNoObserver;
+  *is_ready = to_master->body._u.took_back.is_ready;
+  resources_.marshaller()->CompleteSend(*returned);
+  return TakenBack::kPending;
 }
 
 void RemoteProcess::SetLost() {

@@ -52,6 +52,12 @@ class RemoteProcess {
   // master's copies.  Throws ProcessLost.
   std::string FetchState(ObjectId object);
 
+  // Makes the worker take back the data of `message`, a refused notification of `sender`
+  // (Object::TakeBack()).  Sets `is_ready` to whether the observer is ready for the subject now. In
+  // a free run does nothing and returns kNoSubject, because the master waits for no worker.  Throws
+  // ProcessLost.
+  TakenBack TakeBack(const RemoteObject* sender, const Message& message, bool* is_ready);
+
   // ---- Loss and restart of the worker
 
   // Counts the worker as lost, also in the stand-ins for its objects (Object::is_lost).  Does not

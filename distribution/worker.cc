@@ -273,6 +273,9 @@ std::string Worker::Serve() {
       case openr_wire_TO_WORKER_FORGET:
         Forget(to_worker->body._u.replaced_object);
         break;
+      case openr_wire_TO_WORKER_TAKE_BACK:
+        TakeBack(to_worker->body._u.take_back);
+        break;
       case openr_wire_TO_WORKER_END:
         if (to_worker->body._u.ended.run_goes_on) return kAbandonedText;
         ReportRunEnded(to_worker->body._u.ended);
@@ -383,9 +386,7 @@ void Worker::SendStopped(Object* object) {
   if (object->memory().arena() != nullptr)
     stopped.heap_max = object->memory().arena()->bytes_in_use_max();
   stopped.heap_here = HeapOfThisProcess(object->robot);
-  for (const auto& subject : object->subjects()) {
-    for (const ObserverLink& link : subject->links) stopped.pending += link.units.size();
-  }
+  stopped.pending = object->CountPending();
   MoveEffectsTo(&to_master);
   // In a free run, keeps the sample for a moment, so that it shares a packet with the sample of the
   // next handler.

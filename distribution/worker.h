@@ -113,6 +113,7 @@ class Worker : public MasterLink {
   void SendStopped(Object* object);
   void SendState(ObjectId id);
   void Forget(ObjectId id);
+  void TakeBack(const openr_wire_TakeBack& in);
 
   static openr_wire_ToMaster NewToMaster(openr_wire_ToMasterKind kind);
   void Send(const openr_wire_ToMaster& to_master, bool batched = false);
@@ -150,9 +151,9 @@ class Worker : public MasterLink {
   std::set<ObjectId> fast_objects_;  // objects whose last handler took less than kFastHandlerNs
   bool is_shutting_down_ =
       false;  // whether the objects are being unloaded, so that no handler runs
-  // Entries of objects in other processes.  The master has told this worker that these entries
   // The object whose image is loaded now; kNoObject if none is loaded.
   ObjectId loading_ = kNoObject;
+  // Entries of objects in other processes.  The master has told this worker that these entries
   // exist, so the worker need not ask again before it sends a message to them.
   std::set<std::pair<ObjectId, uint32_t>> known_entries_;
   std::deque<ReceivedSample> deferred_;  // samples that arrived while an answer was awaited

@@ -60,23 +60,15 @@ void HandleLateRefusal(Object* sender, const Message& message) {
     return;
   }
   const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
-  bool is_here = false;  // whether the subject is in this process
-  for (const auto& subject : sender->subjects()) {
-    if (subject->id != notify.subjectID) continue;
-    is_here = true;
-    const ObserverID observer = OServiceEntry(OidOf(target->id), message.selector);
-    ObserverLink* const link = subject->Find(observer);
-    if (link == nullptr) continue;
-    const CurrentScope scope(system, sender);
-    return subject->TakeBack(link, notify);
-  }
-  // Gives the regions back with a message, because `sender` is in a worker process, or has removed
-  // this observer since.
+  const TakenBack result = sender->TakeBack(message);
+  if (result == TakenBack::kPending) return;
+  // Gives the regions back with a message, because `sender` cannot be asked, or has removed this
+  // observer since.
   RefuseNotification(target, message);
   // The refused notification has used up the observer's ready, and RefuseNotification() has told
-  // the subject that the observer is not ready.  So if the subject is in a worker process, asserts
+  // the subject that the observer is not ready.  So if the subject may still be connected, asserts
   // ready again in the name of the observer.
-  if (!is_here) {
+  if (result == TakenBack::kNoSubject) {
     system->object_table().AssertAgain(
         sender->id, {{notify.subjectID.GetSelector(), target->id, message.selector}});
   }

@@ -50,9 +50,9 @@ void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
 void RefuseNotification(Object* object, const Message& message);
 // Handles `message`, a notification or a ready of `sender` that was refused when it left the outbox
 // of `sender` (cpu.h).  The function that has sent `message` has already returned success.  The
-// data of a notification become pending again, as if Send() had failed.  If the subject is in a
-// worker process or no longer has the observer, its regions are given back instead.  The command of
-// a ready is lost, but the regions in the ready are given back.
+// data of a notification become pending again, as if Send() had failed.  If the subject cannot be
+// asked or no longer has the observer (TakenBack), its regions are given back instead.  The command
+// of a ready is lost, but the regions in the ready are given back.
 void HandleLateRefusal(Object* sender, const Message& message);
 
 }  // namespace openr_host

@@ -1,5 +1,6 @@
 #include "runtime/core/object.h"
 
+#include <OPENR/ObjcommMessages.h>
 #include <OPENR/RCRegion.h>
 #include <Types.h>
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include <utility>
 
 #include "runtime/base/assert.h"
+#include "runtime/core/api.h"
 #include "runtime/core/connection_messages.h"
 #include "runtime/core/observer_state.h"
 #include "runtime/core/subject_state.h"
@@ -61,6 +63,14 @@ std::vector<StandingReady> Object::StandingReadies() const {
   return readies;
 }
 
+uint64_t Object::CountPending() const {
+  uint64_t count = 0;
+  for (const auto& subject : subjects_) {
+    for (const ObserverLink& link : subject->links) count += link.units.size();
+  }
+  return count;
+}
+
 SubjectState* Object::AddSubject(std::unique_ptr<SubjectState> subject) {
   return subjects_.emplace_back(std::move(subject)).get();
 }
@@ -76,6 +86,22 @@ void Object::HandleUndelivered(const Message& message) {
 
 void Object::ReturnRegion(RCRegion* region) {
   if (!is_leaving_ && !subjects_.empty()) region->RemoveReference();
+}
+
+TakenBack Object::TakeBack(const Message& message) {
+  const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
+  const ObserverID observer = OServiceEntry(OidOf(message.target), message.selector);
+  TakenBack result = TakenBack::kNoSubject;
+  for (const auto& subject : subjects_) {
+    if (subject->id != notify.subjectID) continue;
+    result = TakenBack::kNoObserver;
+    ObserverLink* const link = subject->Find(observer);
+    if (link == nullptr) continue;
+    const CurrentScope scope(system, this);
+    subject->TakeBack(link, notify);
+    return TakenBack::kPending;
+  }
+  return result;
 }
 
 int Object::NextRandom() {

@@ -53,6 +53,13 @@ struct StandingReady {
   auto operator<=>(const StandingReady&) const = default;
 };
 
+// The result of Object::TakeBack().
+enum class TakenBack {
+  kPending,     // the data of the notification are pending again
+  kNoObserver,  // the subject is not connected with the observer any more
+  kNoSubject,   // the subject cannot be asked, because its process is lost or runs freely
+};
+
 // Receives the reply when an object calls an entry of its own directly and not by a message.  An
 // object does this to connect one of its subjects with one of its observers, or to disconnect them.
 struct SelfReply {
@@ -106,10 +113,18 @@ class Object {
   // replaced, their readies are sent again to its successor.
   virtual std::vector<StandingReady> StandingReadies() const;
 
+  // Returns the number of notifications that wait in the subjects of this object, because their
+  // observers are not ready.
+  uint64_t CountPending() const;
+
   // Takes back a region that a subject of this object had sent to an observer and that the observer
   // cannot give back with a ready.  Does nothing if this object is being replaced (is_leaving()),
   // because its regions end with it.
   virtual void ReturnRegion(RCRegion* region);
+
+  // Makes the data of `message` pending again in the subject of this object that has sent them.
+  // `message` is a notification that was refused after NotifyObservers() had returned success.
+  virtual TakenBack TakeBack(const Message& message);
 
   // Counts a `message` to this object that will not be delivered.  If `message` is a notification,
   // gives the regions of this notification back to the subject.

@@ -101,6 +101,24 @@ TEST_F(ForgedMasterTest, AReadyWithATokenOfItsOwnMaking) {
   EXPECT_THAT(EndBy(to_worker), HasSubstr("a malformed message: a ready with an unknown region"));
 }
 
+TEST_F(ForgedMasterTest, DataOfNobodyToTakeBack) {
+  openr_wire_ToWorker to_worker = New(openr_wire_TO_WORKER_TAKE_BACK);
+  to_worker.body._u.take_back.message.target = 4242;
+  EXPECT_THAT(EndBy(to_worker), HasSubstr("data of an object that is not there"));
+}
+
+TEST_F(ForgedMasterTest, DataToTakeBackThatAreNotInAReady) {
+  openr_wire_ToWorker to_worker = New(openr_wire_TO_WORKER_TAKE_BACK);
+  to_worker.body._u.take_back.notifications = 1;
+  EXPECT_THAT(EndBy(to_worker), HasSubstr("malformed data to take back"));
+}
+
+TEST_F(ForgedMasterTest, DataOfNoNotificationToTakeBack) {
+  openr_wire_ToWorker to_worker = New(openr_wire_TO_WORKER_TAKE_BACK);
+  to_worker.body._u.take_back.message.payload._d = openr_wire_PAYLOAD_READY;
+  EXPECT_THAT(EndBy(to_worker), HasSubstr("malformed data to take back"));
+}
+
 // No memory is allocated for the region.
 TEST_F(ForgedMasterTest, ARegionLargerThanTheRobot) {
   openr_wire_ToWorker to_worker = Deliver(openr_wire_PAYLOAD_NOTIFY);

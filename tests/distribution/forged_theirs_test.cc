@@ -79,6 +79,23 @@ TEST_F(ForgedTheirsTest, ANotificationWithARegionThatItHasDropped) {
   }
 }
 
+// The worker is to take back the data of a notification, and answers something else, or in the name
+// of another object.
+TEST_F(ForgedTheirsTest, AnotherAnswerThanThatItHasTakenDataBack) {
+  const OwnedMessage refused = system_.NewMessage(sender_->host().id, kEntry);
+  auto& notify = *new (refused->payload) ONotifyMessage;
+  notify.numOfData = 0;
+  notify.numOfNotify = 1;
+  const auto take_back = [&] {
+    bool is_ready = false;
+    process_.TakeBack(remote_, *refused, &is_ready);
+  };
+  EXPECT_THAT(LossBy(Stopped(), take_back), HasSubstr("when it was to take data back"));
+  openr_wire_ToMaster to_master = New(openr_wire_TO_MASTER_TOOK_BACK);
+  to_master.body._u.took_back.object = sender_->host().id;
+  EXPECT_THAT(LossBy(to_master, take_back), HasSubstr("when it was to take data back"));
+}
+
 TEST_F(ForgedTheirsTest, NetworkDataInTheRegionOfAnother) {
   const std::string bytes(sizeof(antEnvMsg), '\0');
   openr_wire_Message message = Message(openr_wire_PAYLOAD_ANT);
