@@ -42,6 +42,7 @@
 #include "openr/panel/panel_process.h"
 #include "openr/rewind/rewind.h"
 #include "openr/rewind/saved_files.h"
+#include "openr/rewind/stick_entries.h"
 #include "openr/run/event_script.h"
 #include "openr/run/gdb_start.h"
 #include "openr/run/interrupt.h"
@@ -306,26 +307,6 @@ std::string CommandedRun::ReasonNotRewindable() const {
   if (distribution_.has_processes()) return "its objects are in several processes";
   if (flags_.ros2.is_on) return "it is connected to ROS 2 (--ros2)";
   return "";
-}
-
-// Returns entries for the recording of a branch.  By these entries, a replay of the branch restores
-// the files `changed`, which the first run has changed on its stick.  A replay restores the last
-// entry first.  It must restore a folder before the files in the folder, so the entry of a folder
-// comes after the entries of its files.
-std::vector<TraceEntry> EntriesOf(const SavedStick& changed) {
-  std::vector<TraceEntry> entries;
-  for (auto file = changed.files().rbegin(); file != changed.files().rend(); ++file) {
-    const SavedStick::SavedFile& saved = file->second;
-    TraceEntry entry;
-    entry.kind = TraceEntry::Kind::kStick;
-    entry.name = file->first;
-    entry.what = saved.is_folder ? TraceEntry::PathKind::kFolder
-                 : saved.content ? TraceEntry::PathKind::kFile
-                                 : TraceEntry::PathKind::kNothing;
-    entry.payload = saved.content.value_or("");
-    entries.push_back(std::move(entry));
-  }
-  return entries;
 }
 
 // Sets up the run so that clients of its server can go back to earlier moments.
