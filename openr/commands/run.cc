@@ -48,6 +48,7 @@
 #include "openr/run/interrupt.h"
 #include "openr/run/report.h"
 #include "openr/run/runner.h"
+#include "openr/run/stick_lock.h"
 #include "openr/simulation/run_stick.h"
 #include "openr/simulation/sanitizer_start.h"
 #include "openr/simulation/simulation.h"
@@ -186,6 +187,7 @@ class CommandedRun {
   const RunFlags flags_;
   RunPlan plan_;
   const RunStick stick_;
+  const StickLock stick_lock_;
   Console console_;
   ConsoleLog console_log_;
   InterruptCounter interrupts_;
@@ -217,6 +219,7 @@ CommandedRun::CommandedRun(const RunFlags& flags)
     : flags_(flags),
       plan_(PlanOf(flags)),
       stick_(flags.simulation.stick, flags.simulation.robots == 1),
+      stick_lock_(stick_.is_default() || flags.simulation.robots > 1 ? "" : stick_.name()),
       console_(flags.console_file),
       interrupts_(plan_.for_us || plan_.until_idle ? HangUp::kIgnored : HangUp::kCounts),
       events_(ReadEvents(flags.events_file)),
@@ -233,6 +236,7 @@ CommandedRun::CommandedRun(const RunFlags& flags)
       live_events_({&simulation_, &clock_, &console_log_, &history_, nullptr, &rewind_}),
       live_context_{&simulation_, &clock_, &console_log_, &history_, &live_events_, &rewind_} {
   is_assembled_ = true;
+  if (!stick_lock_.note().empty()) fmt::print(stderr, "openr: note: {}\n", stick_lock_.note());
   facts_.seed = options_.seed;
   plan_.events = &events_;
   if (const std::string problem = events_.Check(system()); !problem.empty())
