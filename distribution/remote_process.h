@@ -20,6 +20,7 @@
 #include "distribution/remote_handlers.h"
 #include "distribution/remote_loader.h"
 #include "distribution/remote_resources.h"
+#include "runtime/core/object.h"
 
 class RCRegion;
 

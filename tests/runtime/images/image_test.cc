@@ -295,7 +295,7 @@ TEST_F(ImageTest, TimeEventsThatConstructorsOrderOutliveAReload) {
 
 constexpr char kAllEarly[] = "sent 0, registered 0, ordered 0, asked 0, me";
 
-// An OID is valid in constructors of global objects (core.md, 10.2).
+// An OID is valid in constructors of global objects (core.md, 10.1).
 TEST_F(ImageTest, AConstructorSendsToItsOwnObjectAndGivesItAName) {
   Write("OPEN-R/MW/DATA/P/OWN.TXT", "");
   Start();
