@@ -2,6 +2,7 @@
 // types.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace openr_host {
@@ -13,15 +14,19 @@ class ConsoleFeed {
   // Opens the source of the console input.  If `file` is "-", or if it is "" and standard input is
   // a terminal, the source is standard input, and each Feed() gives the lines that have arrived.
   // If `file` is "" and standard input is no terminal, there is no input.  The content of any other
-  // file is given at the start of the run.  Throws std::runtime_error if the file cannot be read.
+  // file is given from the start of the run.  Throws std::runtime_error if the file cannot be read.
   explicit ConsoleFeed(const std::string& file);
 
   // Gives every robot of `system` the console input since the last call: lines from standard input,
-  // or, in the first call, the content of the file that the constructor got.
+  // or of the file that the constructor got.  Gives only as much as the terminals of all robots
+  // that are on have room for (ConsoleInput::RoomOf()); the rest follows in later calls, when
+  // programs have read.  Does not read from standard input meanwhile, so that its writer waits.
+  // Breaks a line that is longer than the terminal of a robot can hold.
   void Feed(System* system);
 
  private:
-  std::string TakeLines();
+  void ReadStandardInput(size_t size_max);
+  size_t ReadyLength(size_t room) const;
 
   std::string text_;  // input that has arrived and was not given to robots yet
   // True: standard input is a terminal, which shows the typed text itself, so that the program need

@@ -11,6 +11,22 @@
 
 namespace openr_host {
 
+size_t ConsoleInput::RoomOf(int robot) const {
+  size_t used = 0;
+  if (const auto found = terminals_.find(robot); found != terminals_.end())
+    used += found->second.text.size();
+  if (const auto found = reserved_.find(robot); found != reserved_.end()) used += *found->second;
+  return kUnreadMax - std::min(used, kUnreadMax);
+}
+
+std::shared_ptr<const void> ConsoleInput::Reserve(int robot, size_t bytes) {
+  std::shared_ptr<size_t>& reserved = reserved_[robot];
+  if (reserved == nullptr) reserved = std::make_shared<size_t>(0);
+  *reserved += bytes;
+  return std::shared_ptr<const void>(reserved.get(),
+                                     [reserved, bytes](const void*) { *reserved -= bytes; });
+}
+
 void ConsoleInput::Enter(int robot, std::string_view text) {
   Terminal& terminal = terminals_[robot];
   terminal.text += text;

@@ -10,6 +10,7 @@
 #include <deque>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,7 +24,25 @@ class System;
 
 class ConsoleInput {
  public:
+  // The largest number of bytes of typed text that a robot holds for programs that have not read it
+  // yet.  The limit is our choice.  It bounds the memory that text from outside can take: without
+  // a program that reads the console, all typed text would stay until the end of the run.
+  static constexpr size_t kUnreadMax = size_t{64} << 10;
+
   explicit ConsoleInput(System* system) : system_(system) {}
+
+  // Returns how many bytes can be typed on the terminal of `robot` now: kUnreadMax without the text
+  // that has not been read yet and without the text that Reserve() keeps room for.
+  size_t RoomOf(int robot) const;
+
+  // Keeps room for the text of an input that waits for its frame boundary, `bytes` long, on the
+  // terminal of `robot` until the last copy of the result is destroyed.
+  std::shared_ptr<const void> Reserve(int robot, size_t bytes);
+
+  // Returns the number of bytes that Enter() adds to the terminal for `text`.
+  static size_t EnteredSize(std::string_view text) {
+    return text.size() + (text.ends_with('\n') ? 0 : 1);
+  }
 
   // Gives `text`, which was typed on the terminal of `robot`, to the objects that read from this
   // terminal, and wakes the first object that waits for a line.  Adds a newline if `text` does not
@@ -58,6 +77,10 @@ class ConsoleInput {
 
   System* const system_;
   std::map<int, Terminal> terminals_;  // the key is the number of the robot
+  // The number of bytes for which Reserve() keeps room; the key is the number of the robot.  Not
+  // part of HashState(), because the inputs that wait are part of Inputs::HashState().  The numbers
+  // are shared with the results of Reserve(), which may be destroyed after this object.
+  std::map<int, std::shared_ptr<size_t>> reserved_;
   bool echo_ = true;
 };
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "runtime/base/characters.h"
@@ -140,6 +142,31 @@ std::string ReadSend(System* system, int robot, std::string_view rest, Inputs::A
   return problem;
 }
 
+// Returns "" if `text` can be typed on the terminal of `robot` now, or the reason why not.
+std::string CheckRoom(const ConsoleInput& console, int robot, std::string_view text) {
+  const size_t room = console.RoomOf(robot);
+  if (ConsoleInput::EnteredSize(text) <= room) return "";
+  if (room == ConsoleInput::kUnreadMax)
+    return fmt::format("the text has {} bytes with its newline; at most {} can wait to be read",
+                       ConsoleInput::EnteredSize(text), ConsoleInput::kUnreadMax);
+  return fmt::format(
+      "no program of the robot reads the console: {} bytes of typed text wait already, and at most "
+      "{} can wait",
+      ConsoleInput::kUnreadMax - room, ConsoleInput::kUnreadMax);
+}
+
+std::string ReadType(System* system, int robot, std::string_view text, Inputs::Action* action) {
+  ConsoleInput& console = system->console_input();
+  if (std::string problem = CheckRoom(console, robot, text); !problem.empty()) return problem;
+  // The action owns the room for its text, because many inputs can wait for the same frame
+  // boundary, and without an end while the run is paused.
+  std::shared_ptr<const void> room = console.Reserve(robot, ConsoleInput::EnteredSize(text));
+  *action = [&console, robot, text = std::string(text), room = std::move(room)] {
+    console.Enter(robot, text);
+  };
+  return "";
+}
+
 }  // namespace
 
 std::string ReadMessageValue(std::string_view word, std::string* bytes) {
@@ -163,8 +190,8 @@ std::string ReadMessageValue(std::string_view word, std::string* bytes) {
   return fmt::format("'{}' is no type; types are byte, short, int, long, float, double, hex", type);
 }
 
-void TypeText(System* system, int robot, std::string_view text) {
-  system->inputs().Add(robot, fmt::format("type {}", text));
+std::string TypeText(System* system, int robot, std::string_view text) {
+  return system->inputs().Add(robot, fmt::format("type {}", text));
 }
 
 void AddSystemInputs(System* system) {
@@ -172,10 +199,7 @@ void AddSystemInputs(System* system) {
       Inputs::kEveryRobot,
       {"type", "type TEXT", "Types a line on the robot's terminal, for objects that read it.",
        [system](int robot, std::string_view rest, Inputs::Action* action) {
-         *action = [system, robot, text = std::string(rest)] {
-           system->console_input().Enter(robot, text);
-         };
-         return std::string();
+         return ReadType(system, robot, rest, action);
        }});
   system->inputs().AddKind(Inputs::kEveryRobot,
                            {"send", "send OBSERVER [from SUBJECT] VALUE...",

@@ -12,8 +12,10 @@ class System;
 // Adds the kinds of inputs that begin with `type`, `send` and `shutdown` to System::inputs().
 void AddSystemInputs(System* system);
 
-// Adds the input `type TEXT`, which types `text` on the terminal of `robot`.
-void TypeText(System* system, int robot, std::string_view text);
+// Adds the input `type TEXT`, which types `text` on the terminal of `robot`.  Returns "", or the
+// reason why the input was refused, for example because the programs of the robot have not read the
+// text that was typed before (ConsoleInput::kUnreadMax).
+std::string TypeText(System* system, int robot, std::string_view text);
 
 // Reads one value of a message from `word` and appends its bytes, little-endian and without
 // padding, to `bytes`.  The forms of `word` are "5" (an int), "1.5" (a double), "float:1.5",

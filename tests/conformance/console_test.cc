@@ -89,6 +89,32 @@ TEST_F(ConsoleConformance, WhatIsTypedIsHeardByARecordingAndPartOfTheState) {
   EXPECT_NE(system->state_hash(), before);
 }
 
+TEST_F(ConsoleConformance, TextIsRefusedWhileTooMuchTextWaitsUntilAProgramReads) {
+  Start();
+  std::string lines;
+  while (lines.size() < ConsoleInput::kUnreadMax) lines += "1234567\n";
+  EXPECT_EQ(TypeText(system.get(), 0, lines), "");
+  const std::string refused =
+      "type: no program of the robot reads the console: 65536 bytes of typed text wait already, "
+      "and at most 65536 can wait; usage: type TEXT";
+  EXPECT_EQ(TypeText(system.get(), 0, "x"), refused);  // the text before may wait for its frame
+  system->RunFor(8000);
+  EXPECT_EQ(TypeText(system.get(), 0, "x"), refused);
+  EXPECT_EQ(system->inputs().Check(0, "type x"), refused);
+  EXPECT_EQ(Answer("gets"), "1234567\nT gets '1234567'\n");
+  EXPECT_EQ(system->inputs().Check(0, "type x"), "");  // checking keeps no room
+  EXPECT_EQ(TypeText(system.get(), 0, "1234567"), "");
+  EXPECT_EQ(TypeText(system.get(), 0, "x"), refused);
+}
+
+TEST_F(ConsoleConformance, ALineThatNoConsoleCanHoldIsRefused) {
+  Start();
+  EXPECT_EQ(TypeText(system.get(), 0, std::string(ConsoleInput::kUnreadMax, 'x')),
+            "type: the text has 65537 bytes with its newline; at most 65536 can wait to be read; "
+            "usage: type TEXT");
+  EXPECT_EQ(TypeText(system.get(), 0, std::string(ConsoleInput::kUnreadMax - 1, 'x')), "");
+}
+
 TEST_F(ConsoleConformance, AReaderInDoStartGetsItsLine) {
   Data("TSTART.TXT", "gets\n");
   ASSERT_TRUE(Load());

@@ -1,16 +1,62 @@
 #include "openr/run/console_feed.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <cstddef>
 #include <fstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "runtime/base/temp_folder.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {
+
+// A pipe in place of the standard input of this process.
+class PipedInput {
+ public:
+  PipedInput() : saved_(dup(STDIN_FILENO)) {
+    int ends[2];
+    EXPECT_EQ(pipe(ends), 0);
+    dup2(ends[0], STDIN_FILENO);
+    close(ends[0]);
+    writer_ = ends[1];
+    fcntl(writer_, F_SETFL, O_NONBLOCK);
+  }
+  ~PipedInput() {
+    close(writer_);
+    dup2(saved_, STDIN_FILENO);
+    close(saved_);
+  }
+  PipedInput(const PipedInput&) = delete;
+  PipedInput& operator=(const PipedInput&) = delete;
+
+  // Writes `text` until the pipe is full, and returns the number of bytes written.
+  size_t Write(std::string_view text) const {
+    size_t count = 0;
+    while (count < text.size()) {
+      const ssize_t written = write(writer_, text.data() + count, text.size() - count);
+      if (written <= 0) break;
+      count += static_cast<size_t>(written);
+    }
+    return count;
+  }
+
+ private:
+  const int saved_;  // descriptor of the previous standard input
+  int writer_ = -1;
+};
+
+// Appends to `typed` the text that inputs `type` give to `system` from now on.
+void ListenToTyping(System* system, std::string* typed) {
+  system->inputs().OnAdd([typed](int, std::string_view line) {
+    typed->append(line.substr(std::string_view("type ").size()));
+  });
+}
 
 TEST(ConsoleFeedTest, AFileIsTypedOnceOnEveryRobot) {
   const TempFolder folder;
@@ -31,6 +77,57 @@ TEST(ConsoleFeedTest, AFileIsTypedOnceOnEveryRobot) {
 
 TEST(ConsoleFeedTest, AFileThatCannotBeReadIsNamed) {
   EXPECT_THROW(ConsoleFeed("/no/such/file"), std::runtime_error);
+}
+
+TEST(ConsoleFeedTest, StandardInputIsNotReadWhileNoProgramReadsWhatCameBefore) {
+  const PipedInput input;
+  System system;
+  system.AddRobot("ERS-210", nullptr);
+  std::string typed;
+  ListenToTyping(&system, &typed);
+  ConsoleFeed feed("-");
+  std::string lines;
+  while (lines.size() < 4 * ConsoleInput::kUnreadMax) lines += "1234567\n";
+  size_t written = 0;
+  for (int i = 0; i < 20; ++i) {
+    written += input.Write(std::string_view(lines).substr(written));
+    feed.Feed(&system);
+  }
+  EXPECT_EQ(typed, lines.substr(0, ConsoleInput::kUnreadMax));
+  EXPECT_LT(written, lines.size());  // the writer has to wait
+}
+
+TEST(ConsoleFeedTest, ALineThatIsLongerThanTheConsoleIsBroken) {
+  const PipedInput input;
+  System system;
+  system.AddRobot("ERS-210", nullptr);
+  std::string typed;
+  ListenToTyping(&system, &typed);
+  ConsoleFeed feed("-");
+  const std::string line(2 * ConsoleInput::kUnreadMax, 'x');
+  size_t written = 0;
+  for (int i = 0; i < 20; ++i) {
+    written += input.Write(std::string_view(line).substr(written));
+    feed.Feed(&system);
+  }
+  EXPECT_EQ(typed, line.substr(0, ConsoleInput::kUnreadMax - 1));
+}
+
+TEST(ConsoleFeedTest, ALongFileIsTypedInParts) {
+  const TempFolder folder;
+  const std::string file = folder.path() + "/typed.txt";
+  std::string lines = "12\n";
+  while (lines.size() < ConsoleInput::kUnreadMax + 100) lines += "1234567\n";
+  std::ofstream(file) << lines;
+  System system;
+  system.AddRobot("ERS-210", nullptr);
+  std::string typed;
+  ListenToTyping(&system, &typed);
+  ConsoleFeed feed(file);
+  feed.Feed(&system);
+  feed.Feed(&system);
+  // The first part is the complete lines within 65,536 bytes: 3 bytes, and 8,191 times 8 bytes.
+  EXPECT_EQ(typed, lines.substr(0, 3 + 8191 * 8));
 }
 
 }  // namespace
