@@ -87,6 +87,12 @@ const char* MeaningOfAddress(const siginfo_t& info, const void* context) {
   return "an address that is not the object's";
 }
 
+// Returns whether the processor has refused an address without telling it, so that Linux gives
+// si_addr = 0 (SI_KERNEL).  x86-64 processors do so with an address whose upper 17 bits are not
+// all equal, such as 0x7070707070707070, and with an address that is not aligned for its
+// instruction.
+bool HasHiddenAddress(const siginfo_t& info) { return info.si_code == SI_KERNEL; }
+
 // Returns the name and the cause of a SIGFPE.
 const char* MeaningOfArithmetic(const siginfo_t& info, const void* context) {
   switch (KindOf(info)) {
@@ -313,7 +319,9 @@ void OnCrashSignal(int signal, siginfo_t* info, void* context) {
   // SIGILL) and an address just beyond a full stack differ from run to run, so they are left out;
   // the call stack in the crash record shows the place of the crash.
   const bool is_access = (signal == SIGSEGV || signal == SIGBUS) && !is_overflow;
-  if (is_access)
+  if (is_access && HasHiddenAddress(*info))
+    text.Add(" at an address that this processor cannot have");
+  else if (is_access)
     text.Add(" at address 0x").AddNumber(reinterpret_cast<uint64_t>(info->si_addr), 16);
   text.Add("\nOBJECT ");
   if (!AddCurrentHandler(&text)) {  // no object was running: the program itself has crashed
@@ -335,7 +343,9 @@ void OnCrashSignal(int signal, siginfo_t* info, void* context) {
   const int robot = t_current.object->robot;
   RobotException exception{.code = RobotExceptionCode(signal, *info, context),
                            .is_in_own_code = t_current.image_code};
-  if (is_access) exception.bad_address = reinterpret_cast<uint64_t>(info->si_addr);
+  if (is_access)
+    exception.bad_address =
+        HasHiddenAddress(*info) ? kUnknownAddress : reinterpret_cast<uint64_t>(info->si_addr);
   BeginEnding(&ending);  // clears t_current, so the lines above read the running object first
   WriteRecordInSignal(&ending, &exception, context, robot);
   ending.finding.Add("; on the robot this stops all objects");

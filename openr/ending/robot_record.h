@@ -11,6 +11,11 @@ namespace openr_host {
 
 class Object;
 
+// Value of RobotException::bad_address if the address is not known.  It is not 0, because a reader
+// of EMON.LOG would look for a null pointer.  We take the number that the SDK uses for what is not
+// defined, such as OID_UNDEF and oprimitiveID_UNDEF (core.md 6.2, 6.5).
+inline constexpr uint64_t kUnknownAddress = 0xffffffff;
+
 // The exception that the robot's processor would raise for a crash of a run.
 struct RobotException {
   unsigned code = 0;         // exception code (field-notes.md 4.1); 0 if the robot would go on

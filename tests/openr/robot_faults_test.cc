@@ -171,6 +171,17 @@ TEST(RobotFaultsTest, AWildPointerStops) {
   }
 }
 
+#if defined(__x86_64__)  // other processors tell such an address
+TEST(RobotFaultsTest, AWildPointerThatIsNoAddressOfTheProcessorIsNotCalledNull) {
+  for (const bool is_strict : {false, true}) {
+    const FaultRun run = RunFault("wildfar", is_strict);
+    ExpectStop(run, "SIGSEGV (an address that is not the object's)");
+    EXPECT_THAT(run.record, HasSubstr(" at an address that this processor cannot have\n"));
+    EXPECT_THAT(run.record, HasSubstr("0xffffffff, epc:"));
+  }
+}
+#endif
+
 TEST(RobotFaultsTest, RegionsThatAreNeverGivenUpAreNamedWithTheLineThatMakesThem) {
   EXPECT_THAT(RunFault("regions").Findings(),
               ContainsRegex("65535 regions are alive, 65535 of them made at Faults.cc:[0-9]+"));

@@ -202,6 +202,8 @@ MakeFault(const char* word)
         nobody->Set(1);
     } else if (strcmp(word, "wild") == 0) {
         *(volatile int*)0x12345678 = 1;
+    } else if (strcmp(word, "wildfar") == 0) {
+        *(volatile int*)(~0UL / 0xff * 0x70) = 1;  // 0x7070..., no address of an x86-64 processor
     } else if (strcmp(word, "zero") == 0) {
         DivideByConstantZero();
     } else if (strcmp(word, "smallest") == 0) {
