@@ -32,6 +32,7 @@ class StickLoader {
         stick_(robot_.stick.get()),
         stand_ins_(stand_ins) {}
 
+  void CheckFiles();
   bool LoadObjects();
   void LoadConnections();
   void LoadDesign();
@@ -167,6 +168,17 @@ void StickLoader::LoadDesign() {
     robot_.design_data.emplace(record.keyword, record.path);
 }
 
+// Warns once if the stick has FIFOs, sockets or devices, which programs of the robot cannot open.
+void StickLoader::CheckFiles() {
+  if (stick_ == nullptr || stick_->special_files().empty()) return;
+  const std::vector<std::string>& names = stick_->special_files();
+  const std::string more =
+      names.size() == 1 ? "" : fmt::format(" (and {} more on this stick)", names.size() - 1);
+  Report(Severity::kWarning, fmt::format("/MS/{}{} is neither a file nor a folder, and a stick has "
+                                         "nothing else; programs cannot open it",
+                                         names.front(), more));
+}
+
 }  // namespace
 
 bool LoadStick(System* system, int robot, StandIns stand_ins,
@@ -179,6 +191,7 @@ bool LoadStick(System* system, int robot, StandIns stand_ins,
   ASSERT(!system->booted() || dog.powered_off, "robot {} is on already", robot);
   if (dog.stick != nullptr) dog.stick_hash = dog.stick->ContentHash();
   StickLoader loader(system, robot, stand_ins);
+  loader.CheckFiles();
   const bool is_good = loader.LoadObjects();
   loader.LoadConnections();
   loader.LoadDesign();

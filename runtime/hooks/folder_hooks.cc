@@ -7,7 +7,9 @@
 #include <cctype>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "runtime/core/system.h"
@@ -41,9 +43,18 @@ std::string UpperCase(std::string text) {
   return text;
 }
 
+// Returns whether `entry` of the host's folder `path` is no FIFO, socket or device, and no link to
+// such a file.  A link to nothing counts as a file.
+bool IsOnStick(const std::string& path, const struct dirent& entry) {
+  if (entry.d_type == DT_REG || entry.d_type == DT_DIR) return true;
+  std::error_code error;
+  return !std::filesystem::is_other(std::filesystem::status(path + "/" + entry.d_name, error));
+}
+
 // Returns the entries of the host's folder `path`, sorted by name, because the host may list the
 // entries in another order in each run.  `name` is the path that the object has used; messages to
-// the user show it.
+// the user show it.  Leaves out FIFOs, sockets and devices, which no program of the robot can open
+// (MemoryStick::Locate()).
 std::vector<Folder::Name> ReadFolder(const std::string& path, const char* name) {
   static const auto next_open = OPENR_NEXT(opendir);
   static const auto next_read = OPENR_NEXT(readdir);
@@ -59,6 +70,7 @@ std::vector<Folder::Name> ReadFolder(const std::string& path, const char* name) 
       has_long_names = true;
       continue;
     }
+    if (!IsOnStick(path, *entry)) continue;
     Folder::Name result = {};
     UpperCase(text).copy(result.text, sizeof result.text - 1);
     result.type = entry->d_type == DT_DIR ? DT_DIR : DT_REG;

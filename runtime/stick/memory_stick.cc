@@ -172,6 +172,10 @@ MemoryStick::Location FolderStick::Locate(std::string_view name) {
     path += "/" + entry;
   }
   if (!IsBelow(path, root_)) return {"", false, EACCES};
+  std::error_code no_status;
+  // Refuses a FIFO, a socket or a device.
+  if (std::filesystem::is_other(std::filesystem::status(path, no_status)))
+    return {"", false, EACCES};
   return {path, true, 0};
 }
 
@@ -187,6 +191,7 @@ uint64_t FolderStick::ContentHash() {
   namespace fs = std::filesystem;
   std::error_code error;
   std::vector<std::string> names;
+  special_files_.clear();
   constexpr auto kOptions = fs::directory_options::skip_permission_denied;
   for (fs::recursive_directory_iterator it(root_, kOptions, error), end; !error && it != end;
        it.increment(error)) {
@@ -195,12 +200,15 @@ uint64_t FolderStick::ContentHash() {
     // not read that file.
     const bool is_crash_record = UpperCase(it->path().filename().string()) == kCrashRecord;
     std::error_code no_file;  // not read: a dangling link gives an error and counts as no file
+    if (it->is_other(no_file) && !is_crash_record)
+      special_files_.push_back(it->path().lexically_relative(root_).string());
     if (it->is_regular_file(no_file) && extension != ".BIN" && extension != ".DBG" &&
         !is_crash_record)
       names.push_back(it->path().lexically_relative(root_).string());
   }
   if (error && error != std::errc::no_such_file_or_directory)
     ThrowUnreadable(root_, error.message());
+  std::sort(special_files_.begin(), special_files_.end());
   if (names.empty()) return 0;
   std::sort(names.begin(), names.end());
   Hasher hasher;

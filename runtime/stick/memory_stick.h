@@ -23,8 +23,10 @@ class MemoryStick {
   virtual ~MemoryStick() = default;
 
   // The place of a file or folder on the host.  `error` is 0 or an errno: ENOENT (also for names
-  // outside of /MS), EINVAL (a zero byte in the name), EACCES, EIO.  If a file does not exist but
-  // its folder does, `path` is the place to create the file, `exists` is false and `error` is 0.
+  // outside of /MS), EINVAL (a zero byte in the name), EACCES, EIO.  EACCES also for what is
+  // neither a file nor a folder, such as a FIFO or a device: the robot's file system has none, and
+  // opening or reading it could wait without end.  If a file does not exist but its folder does,
+  // `path` is the place to create the file, `exists` is false and `error` is 0.
   struct Location {
     std::string path;
     bool exists = false;
@@ -44,6 +46,10 @@ class MemoryStick {
   // files that may differ although the program is the same: images and debug files, which differ
   // from build to build, and the record of a crash in an earlier run.
   virtual uint64_t ContentHash() = 0;
+
+  // Returns the names below /MS, sorted, of what is neither a file nor a folder, as the last
+  // ContentHash() has found them.
+  const std::vector<std::string>& special_files() const { return special_files_; }
 
   // Records that objects change the file `name`, so that HashState() adds its content to the state
   // hash.  Called before an object makes, writes, renames or removes the file.
@@ -70,6 +76,8 @@ class MemoryStick {
   // Adds to `hasher` the size and the bytes of the file `name`, or the text `otherwise` if the file
   // cannot be read.
   void HashFile(std::string_view name, std::string_view otherwise, Hasher* hasher);
+
+  std::vector<std::string> special_files_;
 
  private:
   bool writable_ = true;

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <zlib.h>
 
@@ -50,6 +51,23 @@ TEST_F(FilesConformance, AFileCanBeOpenTwiceOnlyIfAllReadIt) {
   EXPECT_TRUE(Found("HELLO.TXT is refused: teller has it open already")) << Findings();
   EXPECT_EQ(Answer("leave open"), "T 1\n");
   EXPECT_EQ(Answer("read read"), "T first refused\n");
+}
+
+TEST_F(FilesConformance, AFifoCannotBeOpenedAndIsNotListed) {
+  const std::filesystem::path data = root / "OPEN-R/MW/DATA/P";
+  std::filesystem::remove(data / "HELLO.TXT");
+  ASSERT_EQ(mkfifo((data / "HELLO.TXT").c_str(), 0600), 0);
+  std::filesystem::create_directory(data / "MANY");
+  ASSERT_EQ(mkfifo((data / "MANY/PIPE.TXT").c_str(), 0600), 0);
+  Data("MANY/A.TXT", "a");
+  Start();
+  EXPECT_TRUE(
+      Found("/MS/OPEN-R/MW/DATA/P/HELLO.TXT (and 1 more on this stick) is neither a file "
+            "nor a folder"))
+      << Findings();
+  EXPECT_EQ(Answer("read read"), "T first refused\n");
+  EXPECT_EQ(Answer("write read"), "T first refused\n");
+  EXPECT_EQ(Answer("list"), "T 1 entries, last A.TXT, again 1\n");
 }
 
 TEST_F(FilesConformance, ANameBeyond8And3IsReportedAndRefusedWhenStrict) {

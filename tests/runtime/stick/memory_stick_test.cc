@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include "runtime/base/hasher.h"
 #include "runtime/base/temp_folder.h"
@@ -79,6 +82,31 @@ TEST(MemoryStickTest, NoLinkLeadsOutOfTheStick) {
   const MemoryStick::Location made = stick.Locate("/MS/NEAR/NEW.TXT");
   EXPECT_EQ(made.error, 0);
   EXPECT_EQ(made.path, folder.path() + "/NEAR/NEW.TXT");
+}
+
+TEST(MemoryStickTest, AFifoIsNoFileOfTheStick) {
+  const TempFolder folder;
+  fs::create_directories(folder.path() + "/OPEN-R");
+  std::ofstream(folder.path() + "/OPEN-R/A.TXT") << "x";
+  FolderStick stick(folder.path());
+  const uint64_t hash = stick.ContentHash();
+  EXPECT_TRUE(stick.special_files().empty());
+  ASSERT_EQ(mkfifo((folder.path() + "/OPEN-R/PIPE.TXT").c_str(), 0600), 0);
+  fs::create_symlink("PIPE.TXT", folder.path() + "/OPEN-R/LINK.TXT");
+  EXPECT_EQ(stick.ContentHash(), hash);
+  EXPECT_EQ(stick.special_files(),
+            (std::vector<std::string>{"OPEN-R/LINK.TXT", "OPEN-R/PIPE.TXT"}));
+  for (const char* const name :
+       {"/MS/OPEN-R/PIPE.TXT", "/MS/open-r/pipe.txt", "/MS/OPEN-R/LINK.TXT"}) {
+    EXPECT_EQ(stick.Locate(name).error, EACCES) << name;
+    EXPECT_EQ(stick.ReadError(name), EACCES) << name;
+    EXPECT_FALSE(stick.ReadFile(name)) << name;
+  }
+  // The state hash reads the files that objects have written, and somebody may have put a FIFO in
+  // the place of such a file.
+  stick.NoteWritten("/MS/OPEN-R/PIPE.TXT");
+  Hasher hasher;
+  stick.HashState(&hasher);
 }
 
 TEST(MemoryStickTest, WhatIsNotThereIsToldFromWhatIsNoFile) {
