@@ -18,6 +18,7 @@
 #include "openr/emon/robot_code.h"
 #include "openr/ending/robot_record.h"
 #include "runtime/base/read_file.h"
+#include "runtime/base/terminal_text.h"
 
 namespace openr_host {
 namespace {
@@ -34,9 +35,8 @@ struct EmonFlags {
 };
 
 // Returns the first part of a run's crash record: a text for people, with functions and lines.  The
-// second part has the form of a robot's crash record.  Returns "" if a robot has written `record`.
+// second part has the form of a robot's crash record.
 std::string TextOfRun(const std::string& record) {
-  if (!record.starts_with(kOwnRecord)) return "";
   return record.substr(0, record.find(kRobotRecordBegin));
 }
 
@@ -46,10 +46,22 @@ std::string LastRecord(const std::string& text) {
   return last == std::string::npos ? text : text.substr(last + 1);
 }
 
+// Returns whether `record`, a crash record of a run, has all its parts.  Its last part is the list
+// of objects.
+bool IsCompleteRecord(const std::string& record) {
+  const size_t robot_record = record.find(kRobotRecordBegin);
+  return robot_record != std::string::npos && record.ends_with('\n') &&
+         record.find("[object list]\n", robot_record) != std::string::npos;
+}
+
+constexpr char kIncompleteRecord[] =
+    "the record is not complete: it has no list of objects at its end, because it was cut off, or "
+    "because the crash had damaged the stack";
+
 // Prints what the crash record of a run on a computer says.  Needs no image, because such a record
-// already names functions and lines.  `log` is the part of the record that has the form of a
-// robot's crash record; nullopt if the record has no such part.
-void ExplainRunRecord(const EmonFlags& flags, const std::string& text,
+// already names functions and lines.  `log` is the part of `record` that has the form of a robot's
+// crash record; nullopt if the record has no such part.
+void ExplainRunRecord(const EmonFlags& flags, const std::string& record,
                       const std::optional<EmonLog>& log) {
   if (!flags.image.empty()) {
     throw std::runtime_error(flags.file +
@@ -57,7 +69,8 @@ void ExplainRunRecord(const EmonFlags& flags, const std::string& text,
                              "itself; leave out --image");
   }
   CrashExplanation explanation = ExplainCrash(log.value_or(EmonLog()), nullptr);
-  explanation.problem.clear();
+  explanation.problem = IsCompleteRecord(record) ? "" : kIncompleteRecord;
+  std::string text = TextOfRun(record);
   if (flags.is_json) {
     nlohmann::ordered_json json = ExplanationJson(explanation);
     json["record"] = text;
@@ -71,15 +84,17 @@ void ExplainRunRecord(const EmonFlags& flags, const std::string& text,
                                ? "no exception at this place; it may go wrong later"
                                : fmt::format("exception {}: {}", *log->code, explanation.meaning));
   }
-  PrintAnswer(text + on_robot);
+  if (!text.ends_with('\n')) text += '\n';
+  if (!explanation.problem.empty()) on_robot += fmt::format("note: {}\n", explanation.problem);
+  PrintAnswer(TerminalText(text + on_robot));
 }
 
 int ExplainRecord(const EmonFlags& flags) {
   RequireReadable(flags.file, kEmonLog);
   const std::string text = LastRecord(ReadFileOrThrow(flags.file));
   const std::optional<EmonLog> log = ParseEmonLog(text);
-  if (const std::string told = TextOfRun(text); !told.empty()) {
-    ExplainRunRecord(flags, told, log);
+  if (text.starts_with(kOwnRecord)) {
+    ExplainRunRecord(flags, text, log);
     return kExitGood;
   }
   if (!log)
@@ -90,7 +105,7 @@ int ExplainRecord(const EmonFlags& flags) {
   if (!flags.image.empty()) code.emplace(flags.image);
   const CrashExplanation explanation = ExplainCrash(*log, code ? &*code : nullptr);
   PrintAnswer(flags.is_json ? JsonText(ExplanationJson(explanation)) + "\n"
-                            : ExplanationText(explanation));
+                            : TerminalText(ExplanationText(explanation)));
   return kExitGood;
 }
 

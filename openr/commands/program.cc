@@ -22,6 +22,7 @@
 #include "openr/commands/command_examples.h"
 #include "openr/commands/command_line.h"
 #include "openr/commands/commands.h"
+#include "runtime/base/terminal_text.h"
 
 namespace openr_host {
 namespace {
@@ -49,11 +50,12 @@ constexpr Command kCommands[] = {
     {"editor", &AddEditorCommand},
 };
 
-// Prints the error `why` on standard error.  With `as_json`, because the user gave --json, also
-// prints it as a JSON object on standard output.
+// Prints the error `why` on standard error, without control bytes, because `why` may quote a file
+// or an answer of another program.  With `as_json`, because the user gave --json, also prints it as
+// a JSON object on standard output.
 void PrintFailure(const std::string& why, bool as_json) {
   const std::string name = Coloured(Colour::kError, "openr:", HasColours(STDERR_FILENO));
-  std::fprintf(stderr, "%s %s\n", name.c_str(), why.c_str());
+  std::fprintf(stderr, "%s %s\n", name.c_str(), TerminalText(why).c_str());
   if (!as_json) return;
   std::printf("%s\n", JsonText(nlohmann::json{{"error", why}}).c_str());
 }

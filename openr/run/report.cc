@@ -13,6 +13,7 @@
 #include "openr/ending/ending.h"
 #include "openr/explore/quantity.h"
 #include "openr/simulation/simulation.h"
+#include "runtime/base/terminal_text.h"
 #include "runtime/core/api.h"
 #include "runtime/core/current.h"
 #include "runtime/core/system.h"
@@ -176,7 +177,7 @@ std::string DescribeFindings(Simulation* simulation, bool has_colours) {
     }
     const std::string word = fmt::format("{}:", SeverityName(finding.severity));
     text += fmt::format("{} {}{}{}\n", Coloured(ColourOf(finding.severity), word, has_colours),
-                        about, finding.text, RepetitionText(finding));
+                        TerminalText(about), TerminalText(finding.text), RepetitionText(finding));
   }
   if (findings.not_kept() > 0) text += "and " + Counted(findings.not_kept(), "more finding") + "\n";
   return text;

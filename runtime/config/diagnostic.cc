@@ -6,18 +6,10 @@
 #include <cstddef>
 #include <utility>
 
+#include "runtime/base/terminal_text.h"
+
 namespace openr_host {
 namespace {
-
-bool IsControl(char c) {
-  const unsigned char byte = static_cast<unsigned char>(c);
-  return (byte < 0x20 && c != '\t') || byte == 0x7f;
-}
-
-std::string Printable(std::string text) {
-  std::replace_if(text.begin(), text.end(), IsControl, '?');
-  return text;
-}
 
 // Returns blanks and tabs that take as much width on a terminal as the first `column` - 1 bytes of
 // `text`.  A caret after them is under the byte at `column`.
@@ -33,10 +25,10 @@ std::string Indent(const std::string& text, int column) {
 }
 
 std::string RenderAs(const Diagnostic& d, const char* kind) {
-  const std::string message = Printable(d.message);
+  const std::string message = TerminalLine(d.message);
   if (d.line == 0) return fmt::format("{}: {}{}", d.file, kind, message);
   std::string result =
-      fmt::format("{}:{}: {}{}\n{}", d.file, d.line, kind, message, Printable(d.text));
+      fmt::format("{}:{}: {}{}\n{}", d.file, d.line, kind, message, TerminalLine(d.text));
   if (d.column > 0) result += fmt::format("\n{}^", Indent(d.text, d.column));
   return result;
 }

@@ -277,6 +277,14 @@ TEST(CommandLineTest, AWorldThatCannotBeReadIsRefused) {
                 "--world nowhere.json: No such file or directory\n");
 }
 
+TEST(CommandLineTest, ControlBytesOfAFileDoNotReachTheTerminal) {
+  const ScratchFolder folder;
+  folder.Write("w.json", R"({"schema": "openr-host world 2", "name": "w",
+                             "things": [{"shape": "a\u001b[2Jb", "name": "c"}]})");
+  ExpectRefusal({"run", "--no-panel", "--world", folder.File("w.json")}, 1,
+                "things[0].shape: is 'a?[2Jb'; known are");
+}
+
 // The JSON library copies JSON by recursion, so a copy of this JSON would overflow the stack.
 TEST(CommandLineTest, AWorldOrAScheduleThatIsNestedTooDeeplyIsRefused) {
   constexpr size_t kLevels = 1'000'000;  // enough to overflow the stack

@@ -183,6 +183,15 @@ TEST(EmonCommandTest, SaysCauseAndObjectWithoutAnImage) {
             "note: give --image to get the function and the line\n");
 }
 
+TEST(EmonCommandTest, PrintsNoControlBytesOfNames) {
+  const ScratchFolder folder;
+  std::string log = kLog;
+  const size_t name = log.find(" dancer ");
+  log.replace(name, std::string(" dancer ").size(), " d\x1b[5mr ");
+  folder.Write("EMON.LOG", log);
+  EXPECT_THAT(RunProgram({"emon", folder.File("EMON.LOG")}).out, HasSubstr("OBJECT d?[5mr (OID"));
+}
+
 TEST(EmonCommandTest, HelpNamesTheFilesBesideAnImage) {
   EXPECT_THAT(RunProgram({"emon", "--help"}).out,
               HasSubstr("NAME.nosnap.elf, NAME.elf or NAME.DBG has the names"));

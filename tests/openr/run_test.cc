@@ -354,7 +354,34 @@ TEST(CrashTest, EmonTellsARecordWithoutTheRobotsForm) {
   folder.Write("EMON.LOG", "EXCEPTION SIGSEGV (data were executed)\nOBJECT dancer\n");
   const ProgramResult told = RunProgram({"emon", folder.File("EMON.LOG")});
   EXPECT_EQ(told.status, 0) << told.err;
-  EXPECT_EQ(told.out, "EXCEPTION SIGSEGV (data were executed)\nOBJECT dancer\n");
+  EXPECT_EQ(
+      told.out,
+      "EXCEPTION SIGSEGV (data were executed)\nOBJECT dancer\n"
+      "note: the record is not complete: it has no list of objects at its end, because it was "
+      "cut off, or because the crash had damaged the stack\n");
+}
+
+TEST(CrashTest, EmonSaysThatARecordIsCutOff) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("crash");
+  RunFor("1s", {"--stick", stick.path()});
+  const std::string record = stick.Read("OPEN-R/EMON.LOG");
+  const size_t robot_record = record.find("[exception info]\n");
+  for (const size_t size : {size_t{40}, robot_record + 20, record.size() - 1}) {
+    stick.Write("EMON.LOG", record.substr(0, size));
+    const ProgramResult told = RunProgram({"emon", stick.File("EMON.LOG")});
+    EXPECT_EQ(told.status, 0) << told.err;
+    EXPECT_THAT(told.out, HasSubstr("\nnote: the record is not complete: ")) << size;
+    const json answer = json::parse(RunProgram({"emon", stick.File("EMON.LOG"), "--json"}).out);
+    EXPECT_THAT(answer["problem"].get<std::string>(), HasSubstr("is not complete")) << size;
+  }
+}
+
+TEST(CrashTest, EmonPrintsNoControlBytesOfARecord) {
+  const ScratchFolder folder;
+  folder.Write("EMON.LOG", "EXCEPTION \x1b[31m\nOBJECT\tdancer\n");
+  EXPECT_THAT(RunProgram({"emon", folder.File("EMON.LOG")}).out,
+              HasSubstr("EXCEPTION ?[31m\nOBJECT\tdancer\n"));
 }
 
 TEST(CrashTest, EmonTellsWhatItIsOnTheRobot) {
