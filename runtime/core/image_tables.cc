@@ -11,9 +11,9 @@ namespace openr_host {
 namespace {
 
 #if defined(__aarch64__)
-constexpr uint32_t kRelative = R_AARCH64_RELATIVE;
+constexpr uint32_t kRelativeRelocation = R_AARCH64_RELATIVE;
 #else
-constexpr uint32_t kRelative = R_X86_64_RELATIVE;
+constexpr uint32_t kRelativeRelocation = R_X86_64_RELATIVE;
 #endif
 
 constexpr uint64_t kAddressMax = uint64_t{1} << 47;
@@ -234,14 +234,15 @@ bool ImageTables::IsRelocationTableSound(int64_t table, int64_t size) const {
   if (!Value(table)) return true;
   const uint64_t begin = *Value(table), bytes = ValueOr0(size);
   if (bytes % sizeof(Elf64_Rela) != 0 || !memory_.Has(begin, bytes)) return false;
-  // The number of relocations at the beginning that must be of the type kRelative.
+  // The number of relocations at the beginning that must be of the type kRelativeRelocation.
   const uint64_t relative_count = table == DT_RELA ? ValueOr0(DT_RELACOUNT) : 0;
   for (uint64_t at = 0; at < bytes; at += sizeof(Elf64_Rela)) {
     const auto relocation = memory_.Read<Elf64_Rela>(begin + at);
     if (!relocation || !memory_.Has(relocation->r_offset, sizeof(uint64_t), PF_W) ||
         !IsSymbol(ELF64_R_SYM(relocation->r_info)))
       return false;
-    if (at / sizeof(Elf64_Rela) < relative_count && ELF64_R_TYPE(relocation->r_info) != kRelative)
+    if (at / sizeof(Elf64_Rela) < relative_count &&
+        ELF64_R_TYPE(relocation->r_info) != kRelativeRelocation)
       return false;
   }
   return true;
