@@ -278,7 +278,7 @@ std::string DecodeReady(const std::string& content) {
 // Returns a text for `content` if it is a message of the system to an object, or the object's
 // answer to such a message; else "".  The first word of these messages is the type of the message.
 std::string DecodeSystemMessage(const std::string& content) {
-  OMessageType type;
+  OMessageType type{};
   if (!ReadAt(content, 0, &type)) return "";
   OPowerStatusMessage power;
   if (type == omsgPOWER_STATUS && content.size() == sizeof power && ReadAt(content, 0, &power))

@@ -101,10 +101,15 @@ python3 "$here/robot_stick_test.py" --build "$build" >"$work/robot_stick.log" 2>
 robot_stick=$!
 trap 'kill "$robot_stick" 2>/dev/null' EXIT
 
-make_with host dump -DCMAKE_BUILD_TYPE=Release
-make_with clang dump -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_C_COMPILER=clang
+# Compiles all sources of a target at a time, because only the values of these builds are compared.
+# The stacks of mipsel must be those of the robot, where each source is compiled alone.
+values=(dump -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0)
+make_with host "${values[@]}" -DCMAKE_BUILD_TYPE=Release
+make_with clang "${values[@]}" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++ \
+  -DCMAKE_C_COMPILER=clang
 make_with mipsel all -DCMAKE_BUILD_TYPE=Release -DCMAKE_TOOLCHAIN_FILE="$here/mipsel.cmake"
-make_with mipsel-O0 dump -DCMAKE_BUILD_TYPE=Debug -DCMAKE_TOOLCHAIN_FILE="$here/mipsel.cmake"
+make_with mipsel-O0 "${values[@]}" -DCMAKE_BUILD_TYPE=Debug \
+  -DCMAKE_TOOLCHAIN_FILE="$here/mipsel.cmake"
 
 "$work/host/bin/dump" >"$work/host.txt"
 "$work/clang/bin/dump" >"$work/clang.txt"

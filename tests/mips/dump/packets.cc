@@ -24,9 +24,9 @@ std::vector<Uint8> Noise(int size, Draw* draw) {
   return bytes;
 }
 
-class Robot : public RequestPort {
+class RequestedRobot : public RequestPort {
  public:
-  Robot() : handler(this), draw_(6) {
+  RequestedRobot() : handler(this), draw_(6) {
     handler.Begin(FindRobot("ERS-210"));
     SensorValues values;
     memset(&values, 0, sizeof(values));
@@ -146,7 +146,7 @@ void DumpPackets() {
 }
 
 void DumpRequests() {
-  Robot robot;
+  RequestedRobot robot;
   for (int command = 0; command < 256; command++) {
     robot.Ask(command, command, std::vector<Uint8>());
     for (int index = 0; index < 32; index += 5) {
