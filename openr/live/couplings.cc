@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "openr/live/request_reader.h"
 #include "openr/live/run_clock.h"
 #include "openr/rewind/rewind.h"
 
@@ -17,8 +19,9 @@ constexpr size_t kAddressMax = 255;
 }  // namespace
 
 nlohmann::ordered_json Couplings::Answer(uint64_t client, const nlohmann::json& request) {
-  const int robot = request.value("robot", 0);
-  const std::string with = request.value("with", "");
+  const JsonReader reader = RequestReader(request);
+  const auto robot = static_cast<int>(reader.WholeOr("robot", 0, INT32_MAX, 0));
+  const std::string with = reader.TextOr("with", "");
   std::erase_if(all_,
                 [&](const Coupling& each) { return each.client == client && each.robot == robot; });
   const std::string problem = with.empty() ? "" : Begin({client, robot, with});

@@ -24,7 +24,7 @@ class Couplings {
   Couplings(RunClock* clock, Rewind* rewind) : clock_(clock), rewind_(rewind) {}
 
   // Answers the request "couple" (docs/inputs.md), which the client with the number `client` has
-  // sent.
+  // sent.  REQUIRES: the run has the robot that the request names.
   nlohmann::ordered_json Answer(uint64_t client, const nlohmann::json& request);
 
   // Ends the couplings of a client whose connection has ended.

@@ -15,6 +15,7 @@
 #include "openr/live/live_context.h"
 #include "openr/live/live_events.h"
 #include "openr/live/message_history.h"
+#include "openr/live/request_reader.h"
 #include "openr/live/run_clock.h"
 #include "openr/live/scene_json.h"
 #include "openr/render/png_file.h"
@@ -42,7 +43,9 @@ struct RequestContext {
 
   Simulation* simulation() const { return live.simulation; }
   System& system() const { return live.simulation->system(); }
-  int robot() const { return request.value("robot", 0); }
+  JsonReader reader() const { return RequestReader(request); }
+  // Returns the robot that the request is about.  Throws if the run has no such robot.
+  int robot() const { return RobotOfRequest(request, std::max(1, system().robot_count())); }
 };
 
 // Returns `bytes` in Base64 (RFC 4648).
@@ -67,7 +70,7 @@ double TimeOf(const RequestContext& context) {
 }
 
 Json AnswerInput(const RequestContext& context) {
-  const std::string line = context.request.at("line").get<std::string>();
+  const std::string line = context.reader().At("line").Text();
   if (context.live.known != nullptr) return Error("this is a recording; nothing can be changed");
   const std::string problem = context.system().inputs().Add(context.robot(), line);
   if (!problem.empty()) return Error(problem);
@@ -119,7 +122,7 @@ std::string ServiceAt(const System& system, const OServiceEntry& entry, ObjectId
 
 Json AnswerObject(const RequestContext& context) {
   const System& system = context.system();
-  const std::string name = context.request.at("name").get<std::string>();
+  const std::string name = context.reader().At("name").Text();
   const Object* const object = system.FindObject(context.robot(), name);
   if (object == nullptr) {
     std::vector<std::string> known;
@@ -228,35 +231,37 @@ Json GoTo(const RequestContext& context, int64_t time_us) {
   return context.live.events->Clock();
 }
 
+// Returns how many steps `request` asks for.
+int CountOf(const JsonReader& request) {
+  return static_cast<int>(request.WholeOr("count", 1, RunClock::kStepsMax, 1));
+}
+
 Json AnswerClock(const RequestContext& context) {
   RunClock* const clock = context.live.clock;
-  const nlohmann::json& request = context.request;
-  if (request.contains("to_s")) return GoTo(context, InUs(request["to_s"].get<double>()));
+  const JsonReader request = context.reader();
+  if (request.Has("to_s")) return GoTo(context, InUs(request.At("to_s").Number()));
   if (clock->is_fixed())
     return Error("a free run cannot be paused, and keeps its rate: its processes do not wait");
-  if (request.contains("rate")) {
-    const auto rate = request["rate"].get<double>();
+  if (request.Has("rate")) {
+    const double rate = request.At("rate").Number();
     if (!(rate == 0 || (rate >= Pacer::kRateMin && rate <= Pacer::kRateMax)))
       return Error(fmt::format("the rate {} is neither 0, as fast as possible, nor {} to {}", rate,
                                Pacer::kRateMin, Pacer::kRateMax));
     clock->set_rate(rate);
   }
-  if (request.contains("pause")) {
-    if (request["pause"].get<bool>()) {
+  if (request.Has("pause")) {
+    if (request.At("pause").Bool()) {
       clock->Pause();
     } else {
       clock->GoOn();
     }
   }
-  if (request.contains("step")) {
+  if (request.Has("step")) {
     RunClock::Step step;
-    const auto name = request["step"].get<std::string>();
+    const std::string name = request.At("step").Text();
     if (!RunClock::ParseStep(name, &step))
       return Error(fmt::format("a step is frame, message or vector, not '{}'", name));
-    const int count = request.value("count", 1);
-    if (count < 1 || count > RunClock::kStepsMax)
-      return Error(fmt::format("the count is 1 to {}", RunClock::kStepsMax));
-    clock->AddSteps(step, count);
+    clock->AddSteps(step, CountOf(request));
   }
   return context.live.events->Clock();
 }
@@ -266,7 +271,7 @@ Json AnswerCamera(const RequestContext& context) {
   const int robot = context.robot();
   if (robot < 0 || robot >= static_cast<int>(robots.size()))
     return Error(fmt::format("there is no robot {}", robot));
-  const auto layer = context.request.value("layer", std::string("picture"));
+  const std::string layer = context.reader().TextOr("layer", "picture");
   if (layer != "picture" && layer != "colour")
     return Error(fmt::format("a layer is picture or colour, not '{}'", layer));
   VirtualRobot& dog = *robots[static_cast<size_t>(robot)];
@@ -285,7 +290,7 @@ Json AnswerCamera(const RequestContext& context) {
 // describes the state of this process: in a view (a copy that repeats the run up to a past moment)
 // the state at the past moment.
 Json AnswerEvent(const RequestContext& context) {
-  const auto name = context.request.at("name").get<std::string>();
+  const auto name = context.reader().At("name").Text();
   const auto& kinds = LiveEvents::Kinds();
   if (std::none_of(kinds.begin(), kinds.end(), [&](const auto& kind) { return kind.name == name; }))
     return Error(fmt::format("there is no event '{}'", name));
@@ -295,19 +300,20 @@ Json AnswerEvent(const RequestContext& context) {
 
 Json AnswerRewind(const RequestContext& context) {
   Rewind* const rewind = context.live.rewind;
-  const nlohmann::json& request = context.request;
+  const JsonReader request = context.reader();
   std::string problem;
-  if (request.contains("present")) {
+  if (request.Has("present")) {
     rewind->ShowPresent();
-  } else if (request.contains("to_message")) {
-    problem = rewind->ShowMessage(
-        static_cast<uint64_t>(std::max<int64_t>(request["to_message"].get<int64_t>(), 0)));
-  } else {
+  } else if (request.Has("to_message")) {
+    problem =
+        rewind->ShowMessage(static_cast<uint64_t>(request.At("to_message").Whole(0, INT64_MAX)));
+  } else if (request.Has("back_s")) {
     const int64_t from_us = rewind->shows_past() ? rewind->shown_us() : context.system().now_us();
-    const int64_t to_us = request.contains("back_s")
-                              ? from_us - InUs(request["back_s"].get<double>())
-                              : InUs(request.at("to_s").get<double>());
-    problem = rewind->ShowTime(to_us);
+    problem = rewind->ShowTime(from_us - InUs(request.At("back_s").Number()));
+  } else if (request.Has("to_s")) {
+    problem = rewind->ShowTime(InUs(request.At("to_s").Number()));
+  } else {
+    request.Fail("'rewind' needs 'to_s', 'to_message', 'back_s' or 'present'");
   }
   if (!problem.empty()) return Error(problem);
   // Pauses the run, because its state must not change while its user looks at the past.
@@ -335,18 +341,17 @@ Json AnswerInPast(const RequestContext& context, const std::string& name) {
         "this is the past, where nothing can be changed; go on from here, or go back to "
         "the present");
   if (name != "clock") return rewind->Forward(context.request);
-  const nlohmann::json& request = context.request;
-  if (request.contains("to_s")) {
+  const JsonReader request = context.reader();
+  if (request.Has("to_s")) {
     rewind->ShowPresent();
     return AnswerClock(context);
   }
-  if (!request.value("pause", true))
+  if (!request.BoolOr("pause", true))
     return Error("this is the past; go on from here, or go back to the present");
-  if (!request.contains("step")) return AnswerClock(context);
+  if (!request.Has("step")) return AnswerClock(context);
   RunClock::Step step;
-  if (!RunClock::ParseStep(request["step"].get<std::string>(), &step)) return AnswerClock(context);
-  const int count = request.value("count", 1);
-  if (count < 1 || count > RunClock::kStepsMax) return AnswerClock(context);
+  if (!RunClock::ParseStep(request.At("step").Text(), &step)) return AnswerClock(context);
+  const int count = CountOf(request);
   // Converts `count` to frames: a step of the kind kVector is four frames long, because sensor
   // values come every four frames.
   const int64_t frames = step == RunClock::Step::kVector ? 4 * count : count;
@@ -365,7 +370,7 @@ std::string HexOf(const std::string& content) {
 }
 
 Json AnswerConnection(const RequestContext& context) {
-  const auto wanted = context.request.at("connection").get<std::string>();
+  const auto wanted = context.reader().At("connection").Text();
   for (const Connection& each : context.system().connections()) {
     if (ConnectionName(each.robot, each.subject, each.observer) != wanted) continue;
     Json messages = Json::array();
@@ -399,7 +404,7 @@ const std::map<std::string, Json (*)(const RequestContext&)>& KnownRequests() {
 }  // namespace
 
 Json AnswerLive(const LiveContext& live, const nlohmann::json& request) {
-  const std::string name = request.at("do").get<std::string>();
+  const std::string name = RequestReader(request).At("do").Text();
   const auto found = KnownRequests().find(name);
   const bool is_about_time = name == "rewind" || name == "branch";
   if (live.rewind->shows_past() && !is_about_time && found != KnownRequests().end())

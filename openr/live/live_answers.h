@@ -11,7 +11,7 @@ struct LiveContext;
 // to a wrong request is an object with the error text in "error". docs/inputs.md, "The socket of a
 // run", lists the requests.  Only the request "input" changes what happens in the run; the request
 // "clock" changes only how fast the run goes on and when it pauses.  Throws
-// nlohmann::json::exception if a member of the request has a wrong type.  REQUIRES: not called in a
+// std::runtime_error if a member of the request has a wrong type.  REQUIRES: not called in a
 // handler.
 nlohmann::ordered_json AnswerLive(const LiveContext& context, const nlohmann::json& request);
 

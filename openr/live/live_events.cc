@@ -94,6 +94,8 @@ uint64_t LiveEvents::Version() const {
   return system.message_count() + static_cast<uint64_t>(system.now_us());
 }
 
+int LiveEvents::robot_count() const { return context_.simulation->system().robot_count(); }
+
 void LiveEvents::WatchGraph(bool is_watched) {
   if (is_watched) {
     context_.history->Begin();

@@ -46,6 +46,9 @@ class LiveEvents {
   // the event "graph", which shows these messages.
   void WatchGraph(bool is_watched);
 
+  // Returns the number of robots of the run.
+  int robot_count() const;
+
   // Returns the state of the clock: virtual time, messages, pause, wanted rate and measured speed.
   nlohmann::ordered_json Clock();
 

@@ -8,15 +8,19 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include "cli/json_text.h"
 #include "openr/live/couplings.h"
 #include "openr/live/live_folder.h"
+#include "openr/live/request_reader.h"
 #include "runtime/base/assert.h"
 #include "runtime/base/wall_clock.h"
 
@@ -27,6 +31,31 @@ constexpr int64_t kNsPerMs = 1'000'000;
 constexpr int64_t kIntervalNs = 2 * kNsPerMs;
 constexpr int64_t kLastAnswersNs = 3'000 * kNsPerMs;
 constexpr int kPeriodMs = 8;  // shortest time between two events of a kind: one frame
+constexpr int kPeriodMaxMs = 1000;
+
+nlohmann::json ParseRequest(const std::string& line) {
+  try {
+    return ParseJson<nlohmann::json>(line);
+  } catch (const nlohmann::json::exception& error) {
+    // Leaves out the beginning of the text, such as "[json.exception.parse_error.101] ", because it
+    // names a class of the JSON library.
+    const std::string why = error.what();
+    throw std::runtime_error("the request is no JSON: " + why.substr(why.find(' ') + 1));
+  }
+}
+
+// Returns the index in LiveEvents::Kinds() of the event that the element `wanted` of a request
+// names.
+size_t KindOfEvent(const JsonReader& wanted) {
+  const std::string name = wanted.Text();
+  const std::vector<LiveEvents::Kind>& kinds = LiveEvents::Kinds();
+  std::string known;
+  for (size_t i = 0; i < kinds.size(); ++i) {
+    if (name == kinds[i].name) return i;
+    known += (known.empty() ? "" : ", ") + std::string(kinds[i].name);
+  }
+  wanted.Fail("there is no event '{}'; known are {}", name, known);
+}
 
 }  // namespace
 
@@ -129,7 +158,7 @@ bool LiveServer::AnswerLines(Client* client) {
     nlohmann::ordered_json answer;
     nlohmann::json request;
     try {
-      request = ParseJson<nlohmann::json>(line);
+      request = ParseRequest(line);
       CheckFractions(request, Fractions::kBounded);
       answer = AnswerTo(client, request);
     } catch (const JsonTooDeep& error) {
@@ -152,26 +181,26 @@ bool LiveServer::AnswerLines(Client* client) {
 // answer_ does not know which client has sent the request.  For all other requests calls answer_,
 // which answers from the state of the run.
 nlohmann::ordered_json LiveServer::AnswerTo(Client* client, const nlohmann::json& request) {
-  if (request.at("do") == "watch") return BeginWatch(client, request);
-  if (request.at("do") == "couple" && couplings_ != nullptr)
+  const std::string what = RequestReader(request).At("do").Text();
+  if (what == "watch") return BeginWatch(client, request);
+  if (what == "couple" && couplings_ != nullptr) {
+    ASSERT(events_ != nullptr);
+    RobotOfRequest(request, events_->robot_count());  // throws if the run has no such robot
     return couplings_->Answer(client->number, request);
+  }
   return answer_(request);
 }
 
 // Answers the request "watch".  From now on `client` gets only the events that the request names.
 nlohmann::ordered_json LiveServer::BeginWatch(Client* client, const nlohmann::json& request) {
   if (events_ == nullptr) throw std::runtime_error("there is nothing to watch here");
-  const int period_ms = std::clamp(request.value("period_ms", kPeriodMs), kPeriodMs, 1000);
+  const JsonReader reader = RequestReader(request);
+  const int64_t period_ms = reader.WholeOr("period_ms", kPeriodMs, kPeriodMaxMs, kPeriodMs);
   std::vector<Watch> watches;
-  for (const nlohmann::json& wanted : request.at("events")) {
-    const auto& kinds = LiveEvents::Kinds();
-    const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const LiveEvents::Kind& each) {
-      return wanted.get<std::string>() == each.name;
-    });
-    if (kind == kinds.end())
-      throw std::runtime_error(fmt::format("there is no event {}", JsonText(wanted)));
-    const int64_t interval_ns = std::max<int64_t>(kind->interval_ns, period_ms * kNsPerMs);
-    watches.push_back({static_cast<size_t>(kind - kinds.begin()), interval_ns, 0});
+  for (const JsonReader& wanted : reader.At("events").Elements()) {
+    const size_t kind = KindOfEvent(wanted);
+    watches.push_back(
+        {kind, std::max(LiveEvents::Kinds()[kind].interval_ns, period_ms * kNsPerMs), 0});
   }
   client->watches = std::move(watches);
   client->cursor = {};

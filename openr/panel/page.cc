@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
 #include "cli/json_text.h"
+#include "openr/live/request_reader.h"
 #include "openr/panel/endpoints.h"
 
 namespace openr_host {
@@ -23,12 +25,13 @@ bool BeginsUpload(std::string_view text) {
 }
 
 bool IsUpload(const nlohmann::json& request) {
-  return request.value("do", "") == "rc" && request.value("call", "") == "upload";
+  const JsonReader reader = RequestReader(request);
+  return reader.TextOr("do", "") == "rc" && reader.TextOr("call", "") == "upload";
 }
 
 // Returns the number of the robot of the run that `request` is about.
 size_t RobotOf(const nlohmann::json& request) {
-  const int robot = request.value("robot", 0);
+  const int64_t robot = RequestReader(request).WholeOr("robot", INT64_MIN, INT64_MAX, 0);
   if (robot < 0) throw std::runtime_error(fmt::format("there is no robot {}", robot));
   return static_cast<size_t>(robot);
 }
@@ -144,7 +147,7 @@ void Page::HandleRequest(const std::string& text) {
     CheckFractions(request, Fractions::kBounded);
     if (text.size() > kMessageMax && !IsUpload(request)) {
       End(kCloseTooLong, fmt::format("a message of more than {} bytes", kMessageMax));
-    } else if (const std::string what = request.value("do", ""); what == "runs") {
+    } else if (const std::string what = RequestReader(request).TextOr("do", ""); what == "runs") {
       runs_->Ask(answers_, id);
     } else if (what == "rc") {
       CallRobot(std::move(request), text.size());
@@ -168,7 +171,8 @@ void Page::PassOn(const std::string& text, const nlohmann::json& id) {
 }
 
 void Page::CallRobot(nlohmann::json request, size_t size) {
-  if (!allows_controllers_ && IsUpload(request) && request.value("kind", "") != "motion") {
+  if (!allows_controllers_ && IsUpload(request) &&
+      RequestReader(request).TextOr("kind", "") != "motion") {
     throw std::runtime_error(
         "a controller is code, so it cannot be uploaded through a panel that other computers "
         "reach; openr run --listen takes it with --allow-uploads");
@@ -178,7 +182,7 @@ void Page::CallRobot(nlohmann::json request, size_t size) {
 }
 
 RcBridge* Page::BridgeTo(const nlohmann::json& request) {
-  const std::string endpoint = request.value("endpoint", "run");
+  const std::string endpoint = RequestReader(request).TextOr("endpoint", "run");
   const size_t robot = RobotOf(request);
   const std::string key = endpoint == "run" ? fmt::format("run {}", robot) : endpoint;
   const auto found = bridges_.find(key);
@@ -204,7 +208,7 @@ RcBridge* Page::BridgeTo(const nlohmann::json& request) {
 // disconnects it, or changes which robot follows the other, and how.
 void Page::CallPair(const nlohmann::json& request) {
   const size_t robot = RobotOf(request);
-  const std::string call = request.at("call").get<std::string>();
+  const std::string call = RequestReader(request).At("call").Text();
   const auto found = pairs_.find(robot);
   const bool is_there = found != pairs_.end() && !found->second->is_over();
   if (call == "connect") {

@@ -15,6 +15,7 @@
 
 #include "cli/json_text.h"
 #include "openr/live/live_client.h"
+#include "openr/live/request_reader.h"
 #include "openr/pair/remote_pair.h"
 #include "openr/panel/endpoints.h"
 
@@ -70,8 +71,8 @@ const char* NameOf(Follow follow) {
 
 PairSettings SettingsOf(const nlohmann::json& request) {
   PairSettings settings;
-  settings.follows_motions = request.value("simulation", true);
-  const std::string follow = request.value("follow", "none");
+  settings.follows_motions = RequestReader(request).BoolOr("simulation", true);
+  const std::string follow = RequestReader(request).TextOr("follow", "none");
   if (follow == "simulation") {
     settings.follow = Follow::kFirst;
   } else if (follow == "robot") {
@@ -205,11 +206,10 @@ std::string ServePair(PairBridge::Work* work) {
 PairBridge::PairBridge(const LiveRun& run, size_t robot, const nlohmann::json& request,
                        std::shared_ptr<AnswerQueue> answers)
     : work_(std::make_shared<Work>(run, robot,
-                                   ParseEndpoint(request.at("endpoint").get<std::string>()),
+                                   ParseEndpoint(RequestReader(request).At("endpoint").Text()),
                                    request.value("id", nlohmann::json()), std::move(answers))) {
-  const int period_ms = request.value("period_ms", kPeriodMinMs);
-  if (period_ms < kPeriodMinMs || period_ms > kPeriodMaxMs)
-    throw std::runtime_error(fmt::format("'period_ms' is {} to {}", kPeriodMinMs, kPeriodMaxMs));
+  const auto period_ms = static_cast<int>(
+      RequestReader(request).WholeOr("period_ms", kPeriodMinMs, kPeriodMaxMs, kPeriodMinMs));
   work_->options.period = period_ms / (kFrameMs * RC_FRAMES_PER_VECTOR) * RC_FRAMES_PER_VECTOR;
   work_->options.first_may_pause = true;
   work_->control.SetSettings(SettingsOf(request));

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "cli/json_text.h"
+#include "openr/live/request_reader.h"
 
 namespace openr_host {
 namespace {
@@ -24,7 +25,7 @@ std::atomic<int> g_bridge_threads = 0;
 // Returns the name of the value that a remote-control command sets for a joint.  Commands that set
 // the same value give the same name.
 std::string JointValueOf(const nlohmann::json& request) {
-  const std::string call = request.value("call", "");
+  const std::string call = RequestReader(request).TextOr("call", "");
   if (call != "move" && call != "speed" && call != "accel") return "";
   const auto joint = request.find("joint");
   return joint == request.end() ? "" : call + " " + JsonText(*joint);

@@ -14,6 +14,8 @@
 #include <vector>
 
 #include "cli/base64.h"
+#include "cli/json_text.h"
+#include "openr/live/request_reader.h"
 #include "openr/remote/power_format.h"
 #include "openr/remote/sensor_format.h"
 #include "openr/upload/file_checks.h"
@@ -27,15 +29,18 @@ constexpr double kCdegPerDeg = 100;
 // Largest value of a joint, in degrees, that a page may send.  A larger value in 0.01 degree would
 // not fit into 32 bits.
 constexpr double kValueMax = 1e6;
+constexpr int kLoopsMax = 65535;  // the remote control sends the number in 16 bits
 
 double Degrees(Sint32 value_cdeg) { return value_cdeg / kCdegPerDeg; }
 
 // Returns the member `member` of a request as text, even if it is a number, because a page may name
 // a device by its name or by its number.
 std::string TextOf(const nlohmann::json& request, const char* member) {
-  const nlohmann::json& value = request.at(member);
-  return value.is_number_integer() ? std::to_string(value.get<int64_t>())
-                                   : value.get<std::string>();
+  const JsonReader reader = RequestReader(request).At(member);
+  const nlohmann::json& value = request[member];
+  if (value.is_number_integer()) return std::to_string(value.get<int64_t>());
+  if (!value.is_string()) reader.Fail("must be a name or a whole number, is {}", JsonText(value));
+  return reader.Text();
 }
 
 std::string UpperCase(std::string text) {
@@ -46,9 +51,7 @@ std::string UpperCase(std::string text) {
 // Returns how many times `request` plays a motion.  Throws std::runtime_error if the number is not
 // allowed.
 int LoopsOf(const nlohmann::json& request) {
-  const int64_t loops = request.value("loops", int64_t{1});
-  if (loops < 1 || loops > 65535) throw std::runtime_error("'loops' must be from 1 to 65535");
-  return static_cast<int>(loops);
+  return static_cast<int>(RequestReader(request).WholeOr("loops", 1, kLoopsMax, 1));
 }
 
 Json JointJson(const remote::Description& joint, const remote::JointState& state) {
@@ -101,7 +104,7 @@ RcCalls::Call RcCalls::FindCall(const std::string& name) {
 
 Json RcCalls::Do(const nlohmann::json& request, const Progress& progress) {
   try {
-    const Call call = FindCall(request.at("call").get<std::string>());
+    const Call call = FindCall(RequestReader(request).At("call").Text());
     Robot();
     return (this->*call)(request, progress);
   } catch (const remote::Error& error) {
@@ -152,7 +155,7 @@ Json RcCalls::Connect(const Request&, const Progress&) {
 
 Json RcCalls::JointValue(Setter setter, const Request& request, const char* member) {
   const int joint = robot_->Find(rcdeviceJOINT, TextOf(request, "joint"));
-  const double value = request.at(member).get<double>();
+  const double value = RequestReader(request).At(member).Number();
   if (!(std::abs(value) < kValueMax))
     throw std::runtime_error(fmt::format("'{}' must be a number of degrees below 1000000", member));
   return {{"value", (robot_.get()->*setter)(joint, value)}};
@@ -172,7 +175,7 @@ Json RcCalls::Accel(const Request& request, const Progress&) {
 
 int RcCalls::Switch(RcDeviceKind kind, const Request& request, bool* is_on) {
   const int index = robot_->Find(kind, TextOf(request, "index"));
-  *is_on = request.at("on").get<bool>();
+  *is_on = RequestReader(request).At("on").Bool();
   return index;
 }
 
@@ -200,7 +203,7 @@ Json RcCalls::Motions(const Request&, const Progress&) {
 Json RcCalls::Play(const Request& request, const Progress&) {
   const int loops = LoopsOf(request);
   const remote::PlayAnswer answer =
-      robot_->PlayMotion(request.at("name").get<std::string>(), loops);
+      robot_->PlayMotion(RequestReader(request).At("name").Text(), loops);
   return {{"duration_s", answer.durationMs / 1000.0},
           {"key_frames", answer.keyFrames},
           {"loops", answer.loops}};
@@ -212,9 +215,9 @@ Json RcCalls::Stop(const Request&, const Progress&) {
 }
 
 Json RcCalls::Upload(const Request& request, const Progress& progress) {
-  const std::string kind = request.at("kind").get<std::string>();
-  std::string name = UpperCase(request.at("name").get<std::string>());
-  std::optional<std::string> bytes = FromBase64(request.at("data").get_ref<const std::string&>());
+  const std::string kind = RequestReader(request).At("kind").Text();
+  std::string name = UpperCase(RequestReader(request).At("name").Text());
+  std::optional<std::string> bytes = FromBase64(RequestReader(request).At("data").Text());
   if (!bytes) throw std::runtime_error("'data' is no Base64");
   const remote::Info info = robot_->GetInfo();
   RcFileKind file_kind = rcfileMOTION;
@@ -254,7 +257,7 @@ std::string RcCalls::FreeName() {
 
 // Plays a motion, and deletes its file as soon as the robot's object JointMover has read it.
 Json RcCalls::PlayAndDelete(const Request& request) {
-  const std::string name = request.at("name").get<std::string>();
+  const std::string name = RequestReader(request).At("name").Text();
   Json answer;
   try {
     answer = Play(request, {});
@@ -278,17 +281,17 @@ Json RcCalls::PlayAndDelete(const Request& request) {
 }
 
 Json RcCalls::Delete(const Request& request, const Progress&) {
-  robot_->DeleteMotion(request.at("name").get<std::string>());
+  robot_->DeleteMotion(RequestReader(request).At("name").Text());
   return Json::object();
 }
 
 Json RcCalls::Download(const Request& request, const Progress&) {
-  const std::string name = request.at("name").get<std::string>();
+  const std::string name = RequestReader(request).At("name").Text();
   return {{"data", ToBase64(robot_->Download(rcfileMOTION, name))}};
 }
 
 Json RcCalls::Motors(const Request& request, const Progress&) {
-  robot_->SwitchMotor(RC_ALL_JOINTS, request.at("on").get<bool>());
+  robot_->SwitchMotor(RC_ALL_JOINTS, RequestReader(request).At("on").Bool());
   return Json::object();
 }
 

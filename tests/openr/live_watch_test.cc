@@ -133,11 +133,49 @@ TEST_F(LiveWatchTest, WrongRequestsAboutTheClockSayWhy) {
             "the rate -1 is neither 0, as fast as possible, nor 0.001 to 1000");
   EXPECT_EQ(error(R"({"do":"clock","step":"leap"})"),
             "a step is frame, message or vector, not 'leap'");
-  EXPECT_EQ(error(R"({"do":"clock","step":"frame","count":0})"), "the count is 1 to 1000");
-  EXPECT_EQ(error(R"({"do":"watch","events":["poses"]})"), "there is no event \"poses\"");
-  EXPECT_THAT(error(R"({"do":"watch","events":7})"), HasSubstr("type must be string"));
+  EXPECT_EQ(error(R"({"do":"clock","step":"frame","count":0})"),
+            "request: count: is 0, must be 1 to 1000");
   EXPECT_EQ(error(R"({"do":"connection","connection":"0:A>B"})"), "there is no connection '0:A>B'");
   EXPECT_EQ(error(R"({"do":"clock","rate":2})"), "no error");
+}
+
+TEST_F(LiveWatchTest, RefusalsNameTheMemberAndWhatIsAllowed) {
+  const auto run = Start();
+  Watcher watcher(LiveRuns().at(0).socket);
+  const auto error = [&](const std::string& request) {
+    return watcher.Ask(request).value("error", "no error");
+  };
+  EXPECT_EQ(error("{}"), "request: 'do' is missing");
+  EXPECT_EQ(error(R"({"do":5})"), "request: do: must be a text, is 5");
+  EXPECT_THAT(error("{"), ::testing::StartsWith("the request is no JSON: parse error at line 1"));
+  EXPECT_EQ(error(R"({"do":"watch"})"), "request: 'events' is missing");
+  EXPECT_EQ(error(R"({"do":"watch","events":7})"), "request: events: must be a list, is 7");
+  EXPECT_EQ(error(R"({"do":"watch","events":"pose"})"),
+            "request: events: must be a list, is \"pose\"");
+  EXPECT_EQ(error(R"({"do":"watch","events":["poses"]})"),
+            "request: events[0]: there is no event 'poses'; known are clock, pose, values, graph, "
+            "findings, log");
+  EXPECT_EQ(error(R"({"do":"watch","events":["pose"],"period_ms":-5})"),
+            "request: period_ms: is -5, must be 8 to 1000");
+  EXPECT_EQ(error(R"({"do":"input","line":7})"), "request: line: must be a text, is 7");
+  EXPECT_EQ(error(R"({"do":"joints","robot":1.5})"),
+            "request: robot: must be a whole number, is 1.5");
+  EXPECT_EQ(error(R"({"do":"inputs","robot":1})"), "there is no robot 1; this run has 1");
+  EXPECT_EQ(error(R"({"do":"clock","pause":1})"), "request: pause: must be true or false, is 1");
+  EXPECT_EQ(error(R"({"do":"rewind"})"),
+            "request: 'rewind' needs 'to_s', 'to_message', 'back_s' or 'present'");
+}
+
+TEST_F(LiveWatchTest, OnlyARobotOfTheRunCanBeCoupled) {
+  const auto run = Start();
+  Watcher watcher(LiveRuns().at(0).socket);
+  const auto couple = [&](const std::string& robot) {
+    return watcher.Ask(R"({"do":"couple","with":"127.0.0.1:1","robot":)" + robot + "}");
+  };
+  EXPECT_EQ(couple("7"), Json({{"error", "there is no robot 7; this run has 1"}}));
+  EXPECT_EQ(couple("-1"), Json({{"error", "there is no robot -1; this run has 1"}}));
+  EXPECT_EQ(couple("0.5"), Json({{"error", "request: robot: must be a whole number, is 0.5"}}));
+  EXPECT_EQ(couple("0").at("coupled"), true);
 }
 
 TEST_F(LiveWatchTest, AConnectionShowsItsLastMessagesInWords) {

@@ -149,7 +149,15 @@ TEST_F(PanelRunTest, APageMovesFilesAndEndsTheRun) {
                                    {"name", "mine.mtn"},
                                    {"data", walk},
                                    {"loops", 65536}});
-  EXPECT_EQ(too_often, Json({{"error", "'loops' must be from 1 to 65535"}}));
+  EXPECT_EQ(too_often, Json({{"error", "request: loops: is 65536, must be 1 to 65535"}}));
+  const Json half =
+      page.Ask({{"do", "rc"}, {"call", "play"}, {"name", "MINE.MTN"}, {"loops", 1.5}});
+  EXPECT_EQ(half, Json({{"error", "request: loops: must be a whole number, is 1.5"}}));
+  EXPECT_EQ(page.Ask({{"do", "rc"}, {"call", "move"}, {"joint", 1.5}, {"deg", 1}}),
+            Json({{"error", "request: joint: must be a name or a whole number, is 1.5"}}));
+  EXPECT_EQ(page.Ask({{"do", "rc"}, {"call", "move"}, {"joint", "neck_pan"}}),
+            Json({{"error", "request: 'deg' is missing"}}));
+  EXPECT_EQ(page.Ask({{"do", "rc"}}), Json({{"error", "request: 'call' is missing"}}));
   EXPECT_EQ(page.Ask({{"do", "rc"}, {"call", "motions"}}).at("motions"), motions);
   EXPECT_EQ(page.Ask({{"do", "rc"}, {"call", "delete"}, {"name", "MINE.MTN"}}), Json::object());
   EXPECT_EQ(page.Ask({{"do", "rc"}, {"call", "delete"}, {"name", "MINE.MTN"}}).at("status"), 8);

@@ -381,7 +381,8 @@ TEST_F(RewindTest, RefusalsSayWhy) {
   EXPECT_EQ(Error(R"({"do":"rewind","back_s":1})"), "none");
   EXPECT_THAT(Error(R"({"do":"input","robot":0,"line":"press chin"})"), HasSubstr("is the past"));
   EXPECT_THAT(Error(R"({"do":"clock","pause":false})"), HasSubstr("is the past"));
-  EXPECT_THAT(Error(R"({"do":"sensors","robot":"first"})"), HasSubstr("type must be number"));
+  EXPECT_THAT(Error(R"({"do":"sensors","robot":"first"})"),
+              HasSubstr("robot: must be a whole number, is \"first\""));
 }
 
 TEST_F(RewindTest, ARunInSeveralProcessesCannotBeRewound) {

@@ -95,6 +95,18 @@ int64_t JsonReader::Whole(int64_t min, int64_t max) const {
   return number;
 }
 
+std::string JsonReader::TextOr(const char* key, const std::string& otherwise) const {
+  return Has(key) ? At(key).Text() : otherwise;
+}
+
+bool JsonReader::BoolOr(const char* key, bool otherwise) const {
+  return Has(key) ? At(key).Bool() : otherwise;
+}
+
+int64_t JsonReader::WholeOr(const char* key, int64_t min, int64_t max, int64_t otherwise) const {
+  return Has(key) ? At(key).Whole(min, max) : otherwise;
+}
+
 Eigen::Vector3d JsonReader::Vector() const {
   const std::vector<double> v = Numbers(3);
   return {v[0], v[1], v[2]};

@@ -1,5 +1,6 @@
 // A JSON value together with its place in the file.  Every error names the place, for example
-// "model.json: joints.rows[3].hard: ...".  The readers of models and worlds use this class.
+// "model.json: joints.rows[3].hard: ...".  The readers of models, worlds and requests use this
+// class.
 #pragma once
 
 #include <fmt/format.h>
@@ -53,6 +54,12 @@ class JsonReader {
   double NumberAbove(double floor) const;
   double NumberWithin(double min, double max) const;
   int64_t Whole(int64_t min, int64_t max) const;
+
+  // Return the member `key` of a JSON object, or `otherwise` if it is missing.
+  std::string TextOr(const char* key, const std::string& otherwise) const;
+  bool BoolOr(const char* key, bool otherwise) const;
+  int64_t WholeOr(const char* key, int64_t min, int64_t max, int64_t otherwise) const;
+
   Eigen::Vector3d Vector() const;  // reads a vector from the array [x, y, z]
   std::vector<double> Numbers(size_t count) const;
 

@@ -65,6 +65,19 @@ TEST(JsonReaderTest, AValueOfAnotherKindIsShown) {
             "f.json: a: must be a list, is {}");
 }
 
+TEST(JsonReaderTest, AMemberThatMayBeMissingHasAValueOfItsOwnThen) {
+  const nlohmann::json json = nlohmann::json::parse(R"({"t": "x", "b": true, "w": 3})");
+  const JsonReader root(json, "f.json");
+  EXPECT_EQ(root.TextOr("t", "y"), "x");
+  EXPECT_EQ(root.TextOr("none", "y"), "y");
+  EXPECT_TRUE(root.BoolOr("b", false));
+  EXPECT_FALSE(root.BoolOr("none", false));
+  EXPECT_EQ(root.WholeOr("w", 0, 9, 5), 3);
+  EXPECT_EQ(root.WholeOr("none", 0, 9, 5), 5);
+  EXPECT_EQ(ErrorOf([&] { root.WholeOr("w", 0, 2, 1); }), "f.json: w: is 3, must be 0 to 2");
+  EXPECT_EQ(ErrorOf([&] { root.TextOr("w", ""); }), "f.json: w: must be a text, is 3");
+}
+
 TEST(JsonReaderTest, LimitsBelongToTheRangeAndAFloorDoesNot) {
   const auto whole = [](const char* value) {
     return ErrorIn(fmt::format(R"({{"a": {}}})", value),
