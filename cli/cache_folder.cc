@@ -2,6 +2,8 @@
 
 #include <cstdlib>
 
+#include "runtime/base/temp_folder.h"
+
 namespace openr_host {
 
 namespace fs = std::filesystem;
@@ -11,7 +13,7 @@ fs::path CacheFolder() {
     return fs::path(cache) / "openr-host";
   if (const char* const home = std::getenv("HOME"); home != nullptr && *home == '/')
     return fs::path(home) / ".cache" / "openr-host";
-  return fs::temp_directory_path() / "openr-host-cache";
+  return fs::path(TemporaryFiles()) / "openr-host-cache";
 }
 
 }  // namespace openr_host

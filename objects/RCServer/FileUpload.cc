@@ -16,6 +16,10 @@ WriteErrorReason()
 {
     if (errno == ENOSPC) return "the stick is full; delete files from it";
     if (errno == EROFS) return "the stick is write-protected";
+    if (errno == EACCES) {
+        return "the stick does not allow it: it is open already, or a link that leads out of the "
+               "stick, or neither a file nor a folder";
+    }
     return "is the stick full or write-protected?";
 }
 
@@ -201,5 +205,7 @@ FileUpload::PutInPlace(StickStore* store, std::string* why)
     }
     if (StickStore::Replace(path_, target)) return rcOK;
     *why = target + ": cannot be replaced; " + WriteErrorReason();
+    // Replaces the reason if `target` is a folder, because systems give different errors for it.
+    if (IsStickFolder(target)) *why = target + ": is a folder, and a file cannot replace it";
     return rcerrorNOT_WRITTEN;
 }

@@ -89,10 +89,7 @@ StickStore::Insert(const char* name)
 static FILE*
 OpenStickFile(const std::string& path)
 {
-    DIR* folder = opendir(path.c_str());
-    if (folder == 0) return fopen(path.c_str(), "rb");
-    closedir(folder);
-    return 0;
+    return IsStickFolder(path) ? 0 : fopen(path.c_str(), "rb");
 }
 
 static long

@@ -6,14 +6,21 @@
 #include "TextFormat.h"
 
 bool
+IsStickFolder(const std::string& path)
+{
+    DIR* folder = opendir(path.c_str());
+    if (folder == 0) return false;
+    closedir(folder);
+    return true;
+}
+
+bool
 ReadStickFile(const std::string& path, std::vector<Uint8>* bytes, std::string* error)
 {
     bytes->clear();
-    DIR* folder = opendir(path.c_str());
     // Folders are refused here, because some systems open a folder as a file, with a size that
     // means nothing.
-    if (folder != 0) {
-        closedir(folder);
+    if (IsStickFolder(path)) {
         *error = path + ": is a folder, not a file";
         return false;
     }

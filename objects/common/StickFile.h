@@ -1,5 +1,6 @@
 //
 // ReadStickFile(): reads a whole file of the Memory Stick.
+// IsStickFolder(): tells folders from files.
 //
 
 #ifndef StickFile_h_DEFINED
@@ -13,6 +14,9 @@
 // Largest file that is read, in bytes.  The limit is far above the largest known motion, which has
 // 10 KB, and far below the robot's memory of 32 MB.
 const long STICK_FILE_MAX = 1024 * 1024;
+
+// Returns whether `path` ("/MS/OPEN-R/...") is a folder.
+bool IsStickFolder(const std::string& path);
 
 // Reads the file `path` ("/MS/OPEN-R/...") into `bytes`.  On failure, returns false, sets `error`
 // to the reason and leaves `bytes` empty.

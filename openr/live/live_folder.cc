@@ -16,6 +16,7 @@
 #include <stdexcept>
 
 #include "runtime/base/characters.h"
+#include "runtime/base/temp_folder.h"
 
 namespace openr_host {
 namespace {
@@ -36,11 +37,9 @@ std::string Describe(const std::vector<LiveRun>& runs) {
 
 std::string LiveFolder() {
   const char* const runtime = std::getenv("XDG_RUNTIME_DIR");
-  const std::string folder =
-      runtime != nullptr && *runtime == '/'
-          ? fmt::format("{}/openr-host", runtime)
-          : fmt::format("{}/openr-host-{}", std::filesystem::temp_directory_path().string(),
-                        geteuid());
+  const std::string folder = runtime != nullptr && *runtime == '/'
+                                 ? fmt::format("{}/openr-host", runtime)
+                                 : fmt::format("{}/openr-host-{}", TemporaryFiles(), geteuid());
   if (mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
     throw std::runtime_error(fmt::format("{}: cannot be made: {}", folder, std::strerror(errno)));
   // Checks that the folder for the sockets of runs is a folder of this user.  The folder may lie in

@@ -136,12 +136,29 @@ bool MayUseMemory() {
 
 fs::path ParentFor(TempUse use) {
   if (use == TempUse::kSmallFiles && MayUseMemory()) return kMemoryFolder;
-  std::error_code error;
-  const fs::path parent = fs::temp_directory_path(error);
-  return error ? "." : parent;
+  return TemporaryFiles();
 }
 
 }  // namespace
+
+std::string TemporaryFiles() {
+  std::error_code error;
+  const fs::path place = fs::temp_directory_path(error);
+  if (!error) return place.string();
+  // Names the variable that has the wrong folder.  The C++ library looks for these variables in
+  // this order, and its own error names none of them.
+  for (const char* const variable : {"TMPDIR", "TMP", "TEMP", "TEMPDIR"}) {
+    const char* const value = std::getenv(variable);
+    if (value == nullptr) continue;
+    throw std::runtime_error(
+        fmt::format("{}: is no folder for temporary files, but the environment variable {} names "
+                    "it; set {} to a folder that exists, or unset it",
+                    value, variable, variable));
+  }
+  throw std::runtime_error(
+      "/tmp: is no folder; the environment variable TMPDIR names another place for temporary "
+      "files");
+}
 
 TempFolder::TempFolder(TempUse use) : process_(getpid()) {
   std::error_code error;

@@ -6,6 +6,10 @@
 
 namespace openr_host {
 
+// Returns the host's folder for temporary files, which TMPDIR may name.  Throws std::runtime_error
+// if there is no such folder; the text names the environment variable that names it.
+std::string TemporaryFiles();
+
 enum class TempUse {
   kAnyFiles,
   // Files that are few and small.  They are kept in memory (/dev/shm) if three conditions hold:

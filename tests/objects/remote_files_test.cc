@@ -343,6 +343,7 @@ TEST_F(FilesTest, AStickWithoutTheFolderRefusesUploads) {
 TEST_F(FilesTest, AFolderOfThatNameIsNoFile) {
   std::filesystem::create_directory(Motion("A.MTN"));
   EXPECT_EQ(Upload(rcfileMOTION, "A.MTN", kGoodMotion), rcerrorNOT_WRITTEN);
+  EXPECT_EQ(error_, Motion("A.MTN") + ": is a folder, and a file cannot replace it");
   EXPECT_EQ(AskWith(rcDELETE, RcFileName{rcfileMOTION, "A.MTN"}), rcerrorNO_SUCH_FILE);
   EXPECT_EQ(AskWith(rcDOWNLOAD, RcDownload{rcfileMOTION, "A.MTN", 0}), rcerrorNO_SUCH_FILE);
   EXPECT_TRUE(std::filesystem::is_directory(Motion("A.MTN")));

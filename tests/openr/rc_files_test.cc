@@ -128,6 +128,23 @@ TEST_F(RcFilesTest, AnUploadShowsItsProgressOnATerminalOnly) {
   EXPECT_EQ(RunRc(words).err, "");
 }
 
+TEST_F(RcFilesTest, WhatAnUploadCannotReplaceIsCalledWhatItIs) {
+  folder_.Write("dir.mtn", folder_.Read(OnStick("DATA/P/WALK.MTN")));
+  folder_.Write("link.mtn", folder_.Read("dir.mtn"));
+  folder_.Write("outside.mtn", "x");
+  std::filesystem::create_directory(folder_.File(OnStick("DATA/P/DIR.MTN")));
+  std::filesystem::create_symlink(folder_.File("outside.mtn"),
+                                  folder_.File(OnStick("DATA/P/LINK.MTN")));
+  EXPECT_EQ(Shown(ErrorOf({"mtn", "upload", folder_.File("dir.mtn")}),
+                  "DIR.MTN: is a folder, and a file cannot replace it"),
+            "");
+  EXPECT_EQ(Shown(ErrorOf({"mtn", "upload", folder_.File("link.mtn")}),
+                  "LINK.MTN: cannot be replaced; the stick does not allow it: it is open already, "
+                  "or a link that leads out of the stick"),
+            "");
+  EXPECT_EQ(folder_.Read("outside.mtn"), "x");
+}
+
 TEST_F(RcFilesTest, WrongFilesAreNamedWithTheCause) {
   folder_.Write("text.mtn", "hello");
   folder_.Write("robot.bin", std::string("\x7f"

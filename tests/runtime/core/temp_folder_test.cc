@@ -118,6 +118,28 @@ TEST(TempFolderTest, SmallFilesAreWhereTMPDIRSaysAndElseInMemoryOrAmongTheOthers
   if (before != nullptr) setenv("TMPDIR", kept.c_str(), 1);
 }
 
+TEST(TempFolderTest, AFolderThatDoesNotExistIsNamedWithItsVariable) {
+  const char* const before = std::getenv("TMPDIR");
+  const std::string kept = before == nullptr ? "" : before;
+  setenv("TMPDIR", "/nonexistent", 1);
+  std::string problem, problem_of_folder;
+  try {
+    TemporaryFiles();
+  } catch (const std::runtime_error& error) {
+    problem = error.what();
+  }
+  try {
+    const TempFolder folder;
+  } catch (const std::runtime_error& error) {
+    problem_of_folder = error.what();
+  }
+  before == nullptr ? unsetenv("TMPDIR") : setenv("TMPDIR", kept.c_str(), 1);
+  EXPECT_EQ(problem,
+            "/nonexistent: is no folder for temporary files, but the environment variable TMPDIR "
+            "names it; set TMPDIR to a folder that exists, or unset it");
+  EXPECT_EQ(problem_of_folder, problem);
+}
+
 TEST(TempFolderTest, AFolderThatCannotBeMadeIsNamedWithTheReasonAndTheRemedy) {
   const char* const before = std::getenv("TMPDIR");
   const std::string kept = before == nullptr ? "" : before;
