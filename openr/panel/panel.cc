@@ -37,6 +37,8 @@ namespace openr_host {
 namespace {
 
 constexpr size_t kPagesMax = 16;
+// Longest path of a file that is looked up; the paths of the page's files are far shorter.
+constexpr size_t kPathMax = 2048;
 // The time that the server of the panel waits before it ends, so that pages can receive the message
 // that the run has ended.
 constexpr int kFarewellMs = 300;
@@ -323,6 +325,9 @@ WebAnswer Panel::Answer(const WebRequest& request) {
     answer.status = 405;
     answer.text = "only GET is served\n";
     answer.headers.emplace_back("allow", "GET");
+  } else if (request.path.size() > kPathMax) {
+    answer.status = 414;
+    answer.text = fmt::format("the path has more than {} bytes\n", kPathMax);
   } else if (folder_.empty() && request.path == "/") {
     answer.type = "text/html; charset=utf-8";
     answer.text = kNoPage;

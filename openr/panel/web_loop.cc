@@ -21,6 +21,11 @@ constexpr int kSendBufferSize = 128 << 10;
 constexpr size_t kReceivePartMax = size_t{64} << 10;
 constexpr size_t kHeadersMax = size_t{8} << 10;
 constexpr unsigned kDescriptorsMax = 512;
+// The largest number of bytes of a request's path and headers that libwebsockets keeps.  It closes
+// the connection of a longer request without an answer.  The number is far above
+// the longest path that the panel looks up (panel.cc), so that most requests with a longer path are
+// answered.
+constexpr unsigned short kRequestHeadersMax = 16 << 10;
 
 // Shortens `why`, a reason for closing a WebSocket, to 123 bytes, the most that RFC 6455, section
 // 5.5, allows.  Cuts between two characters of UTF-8, because a browser takes a part of a character
@@ -185,6 +190,7 @@ class LwsLoop : public WebLoop {
     info.protocols = protocols_.data();
     info.user = this;
     info.fd_limit_per_thread = kDescriptorsMax;
+    info.max_http_header_data = kRequestHeadersMax;
     info.options = LWS_SERVER_OPTION_EXPLICIT_VHOSTS;
     context_ = lws_create_context(&info);
     if (context_ != nullptr) vhost_ = lws_create_vhost(context_, &info);

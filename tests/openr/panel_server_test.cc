@@ -71,6 +71,12 @@ TEST_F(PanelServerTest, FilesOutsideOfThePageAreNotServed) {
   }
 }
 
+TEST_F(PanelServerTest, APathThatIsTooLongIsRefused) {
+  EXPECT_THAT(Http(port_, "/" + std::string(2047, 'a')), StartsWith("HTTP/1.1 404 "));
+  for (const size_t size : {size_t{2048}, size_t{5000}, size_t{12'000}})
+    EXPECT_THAT(Http(port_, "/" + std::string(size, 'a')), StartsWith("HTTP/1.1 414 ")) << size;
+}
+
 // libwebsockets 4.1 never ends to parse this request if it comes in one packet behind another one.
 TEST_F(PanelServerTest, ARequestBehindAnotherDoesNotStopTheServer) {
   TcpClient client(port_);
