@@ -166,6 +166,15 @@ TEST_F(LiveWatchTest, RefusalsNameTheMemberAndWhatIsAllowed) {
             "request: 'rewind' needs 'to_s', 'to_message', 'back_s' or 'present'");
 }
 
+TEST_F(LiveWatchTest, TypedTextThatNoProgramReadsIsRefusedInTheEnd) {
+  const auto run = Start();
+  Watcher watcher(LiveRuns().at(0).socket);
+  const std::string request = R"({"do":"input","line":"type )" + std::string(40'000, 'a') + R"("})";
+  EXPECT_FALSE(watcher.Ask(request).contains("error"));
+  EXPECT_THAT(watcher.Ask(request).value("error", ""),
+              HasSubstr("no program of the robot reads the console"));
+}
+
 TEST_F(LiveWatchTest, OnlyARobotOfTheRunCanBeCoupled) {
   const auto run = Start();
   Watcher watcher(LiveRuns().at(0).socket);

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -143,6 +144,13 @@ TEST_F(RcFilesTest, WhatAnUploadCannotReplaceIsCalledWhatItIs) {
                   "or a link that leads out of the stick"),
             "");
   EXPECT_EQ(folder_.Read("outside.mtn"), "x");
+  // Opening a FIFO would stop the run.
+  folder_.Write("pipe.mtn", folder_.Read("dir.mtn"));
+  ASSERT_EQ(mkfifo(folder_.File(OnStick("DATA/P/PIPE.MTN")).c_str(), 0600), 0);
+  EXPECT_EQ(Shown(ErrorOf({"mtn", "upload", folder_.File("pipe.mtn")}),
+                  "PIPE.MTN: cannot be replaced; the stick does not allow it"),
+            "");
+  EXPECT_EQ(Shown(ErrorOf({"mtn", "download", "PIPE.MTN"}), "PIPE.MTN: no such file"), "");
 }
 
 TEST_F(RcFilesTest, WrongFilesAreNamedWithTheCause) {
