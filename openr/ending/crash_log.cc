@@ -320,7 +320,7 @@ void OnCrashSignal(int signal, siginfo_t* info, void* context) {
   // the call stack in the crash record shows the place of the crash.
   const bool is_access = (signal == SIGSEGV || signal == SIGBUS) && !is_overflow;
   if (is_access && HasHiddenAddress(*info))
-    text.Add(" at an address that this processor cannot have");
+    text.Add(" at an address that this processor cannot use");
   else if (is_access)
     text.Add(" at address 0x").AddNumber(reinterpret_cast<uint64_t>(info->si_addr), 16);
   text.Add("\nOBJECT ");

@@ -176,7 +176,7 @@ TEST(RobotFaultsTest, AWildPointerThatIsNoAddressOfTheProcessorIsNotCalledNull) 
   for (const bool is_strict : {false, true}) {
     const FaultRun run = RunFault("wildfar", is_strict);
     ExpectStop(run, "SIGSEGV (an address that is not the object's)");
-    EXPECT_THAT(run.record, HasSubstr(" at an address that this processor cannot have\n"));
+    EXPECT_THAT(run.record, HasSubstr(" at an address that this processor cannot use\n"));
     EXPECT_THAT(run.record, HasSubstr("0xffffffff, epc:"));
   }
 }
