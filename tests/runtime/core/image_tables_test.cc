@@ -12,7 +12,7 @@
 namespace openr_host {
 namespace {
 
-std::string Probe() { return ReadImageFile(std::string(OPENR_IMAGES) + "/PROBE.BIN").bytes; }
+std::string ProbeImage() { return ReadImageFile(std::string(OPENR_IMAGES) + "/PROBE.BIN").bytes; }
 
 // Returns the offset in `image` of the first entry with `tag` in the dynamic section; 0: none.
 uint64_t EntryOf(const std::string& image, int64_t tag) {
@@ -40,7 +40,7 @@ uint64_t ValueOf(const std::string& image, int64_t tag) {
 
 // Returns what is damaged after the value of `tag` was set to `value`; "none" without such a tag.
 std::string DamageWith(int64_t tag, uint64_t value) {
-  std::string image = Probe();
+  std::string image = ProbeImage();
   const uint64_t entry = EntryOf(image, tag);
   if (entry == 0) return "none";
   std::memcpy(image.data() + entry + sizeof tag, &value, sizeof value);
@@ -49,11 +49,13 @@ std::string DamageWith(int64_t tag, uint64_t value) {
 
 constexpr uint64_t kNowhere = uint64_t{1} << 40;
 
-TEST(ImageTablesTest, AnImageAsTheLinkerWroteItIsSound) { EXPECT_EQ(DamagedTableIn(Probe()), ""); }
+TEST(ImageTablesTest, AnImageAsTheLinkerWroteItIsSound) {
+  EXPECT_EQ(DamagedTableIn(ProbeImage()), "");
+}
 
 // A transfer as text inserts such a byte.
 TEST(ImageTablesTest, AnInsertedByteDamagesATable) {
-  const std::string probe = Probe();
+  const std::string probe = ProbeImage();
   for (const size_t part : {3, 4, 5}) {
     std::string image = probe;
     image.insert(image.size() / part, 1, '\n');
@@ -90,7 +92,7 @@ TEST(ImageTablesTest, AnEntrySizeOfAnotherFormatIsFound) {
 }
 
 TEST(ImageTablesTest, ARelocationOfReadOnlyMemoryIsFound) {
-  std::string image = Probe();
+  std::string image = ProbeImage();
   // Tables before the first page that is written to lie at their addresses in the file.
   const uint64_t relocation = ValueOf(image, DT_RELA);
   const uint64_t beginning = 0;
@@ -99,14 +101,14 @@ TEST(ImageTablesTest, ARelocationOfReadOnlyMemoryIsFound) {
 }
 
 TEST(ImageTablesTest, AnImageWithADamagedTableIsRefusedWithTheReason) {
-  std::string image = Probe();
+  std::string image = ProbeImage();
   image.insert(image.size() / 3, 1, '\n');
   EXPECT_TRUE(CheckImage(image).problem.starts_with("is damaged: the "))
       << CheckImage(image).problem;
 }
 
 TEST(ImageTablesTest, NoBytesOfAFileLeadOutOfIt) {
-  const std::string probe = Probe();
+  const std::string probe = ProbeImage();
   const uint64_t dynamic = EntryOf(probe, DT_NEEDED);
   for (size_t i = 0; i < 4096; ++i) {
     std::string image = probe;
