@@ -77,7 +77,10 @@ TEST(StickFaultsTest, AFifoInPlaceOfConnectConfigDoesNotHoldTheRunUp) {
   ASSERT_EQ(mkfifo(config.c_str(), 0600), 0);
   const ProgramResult result = RunStick(stick);
   EXPECT_EQ(result.status, 0);
-  ExpectSaid(result, "note: /MS/OPEN-R/MW/CONF/CONNECT.CFG: No such file on the stick");
+  ExpectSaid(result,
+             "warning: /MS/OPEN-R/MW/CONF/CONNECT.CFG is neither a file nor a folder, and a stick "
+             "has nothing else");
+  ExpectSaid(result, "no object is connected");
 }
 
 TEST(StickFaultsTest, AWarningSaysSoOnce) {
