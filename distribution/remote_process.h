@@ -54,9 +54,9 @@ class RemoteProcess {
   std::string FetchState(ObjectId object);
 
   // Makes the worker take back the data of `message`, a refused notification of `sender`
-  // (Object::TakeBack()).  Sets `is_ready` to whether the observer is ready for the subject now. In
-  // a free run does nothing and returns kNoSubject, because the master waits for no worker.  Throws
-  // ProcessLost.
+  // (Object::TakeBack()).  If the result is kPending, sets `is_ready` to whether the observer is
+  // ready for the subject now.  In a free run does nothing and returns kNoSubject, because the
+  // master waits for no worker.  Throws ProcessLost.
   TakenBack TakeBack(const RemoteObject* sender, const Message& message, bool* is_ready);
 
   // ---- Loss and restart of the worker

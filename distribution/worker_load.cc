@@ -2,6 +2,7 @@
 // of this process, find its Memory Stick, and count the heap that its objects use.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
@@ -122,7 +123,8 @@ void Worker::AddObject(const openr_wire_ObjectEntry& entry,
     Object* const object = LoadImage(system_.get(), entry.robot, StringOf(entry.path), "join");
     loading_ = kNoObject;
     if (object != nullptr) {
-      object->boxes().set_last(entry.last_box);
+      // Keeps the larger number, because a constructor may have opened boxes already.
+      object->boxes().set_last(std::max(object->boxes().last(), entry.last_box));
       own_object_names_.insert(object->name);
       loaded->push_back(Describe(*object));
       return;

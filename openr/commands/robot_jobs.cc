@@ -12,7 +12,6 @@
 #include <exception>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -23,13 +22,11 @@
 #include "cli/output_file.h"
 #include "cli/process_copy.h"
 #include "cli/progress_line.h"
-#include "openr/ending/crash_log.h"
-#include "openr/ending/ending.h"
-#include "openr/ending/watchdog.h"
 #include "openr/run/report.h"
 #include "openr/run/runner.h"
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
+#include "runtime/base/terminal_text.h"
 #include "runtime/base/wall_clock.h"
 #include "runtime/core/system.h"
 
@@ -122,7 +119,7 @@ void PrintFindings(const Json& findings) {
             ? ""
             : fmt::format(" and {}", Counted(finding.robots.size() - 1, "other robot"));
     fmt::print(stderr, "{}: robot {}{}: {}\n", finding.severity, finding.robots.front(), others,
-               finding.text);
+               TerminalText(finding.text));
   }
   if (shared.size() > kFindingsPrinted) {
     fmt::print(stderr, "and {}, which are in the report\n",
@@ -176,9 +173,15 @@ RobotJobs::RobotJobs(const RunFlags& flags)
       stick_(flags.simulation.stick, false),
       console_(flags.console_file),
       interrupts_(plan_.for_us || plan_.until_idle ? HangUp::kIgnored : HangUp::kCounts),
+      ending_answer_(std::in_place, flags.json ? StandardOutput() : -1, flags.report_file),
+      crash_log_(std::in_place, std::vector<std::string>{stick_.crash_log()}),
+      watchdog_(std::in_place, flags.handler_limit_us),
       simulation_(Options()),
       reports_(static_cast<size_t>(flags.simulation.robots)) {
   ASSERT(flags.jobs > 0);
+  watchdog_.reset();
+  crash_log_.reset();
+  ending_answer_.reset();
   CrashLog::RemoveOldRecords(stick_.crash_log());
 }
 

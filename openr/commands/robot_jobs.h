@@ -3,12 +3,16 @@
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "cli/console.h"
 #include "cli/process_copy.h"
 #include "openr/commands/run_flags.h"
+#include "openr/ending/crash_log.h"
+#include "openr/ending/ending.h"
+#include "openr/ending/watchdog.h"
 #include "openr/run/interrupt.h"
 #include "openr/simulation/run_stick.h"
 #include "openr/simulation/simulation.h"
@@ -53,6 +57,10 @@ class RobotJobs {
   // Beginning of a line that the objects of this robot have printed; its end has not been printed
   // yet.
   std::string line_;
+  // The next three members watch the loading of the images.
+  std::optional<EndingAnswer> ending_answer_;
+  std::optional<CrashLog> crash_log_;
+  std::optional<Watchdog> watchdog_;
   Simulation simulation_;
   // The report of each robot, by the number of the robot; null: the robot has not run.
   std::vector<nlohmann::ordered_json> reports_;

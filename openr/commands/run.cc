@@ -178,6 +178,7 @@ class CommandedRun {
   void BeginRecording();
   void BeginDataLog();
   bool RunToTheEnd();
+  void EndGuards();
   bool FinishFiles();
   bool Report();
 
@@ -199,10 +200,10 @@ class CommandedRun {
   Rewind rewind_;
   const SimulationOptions options_;
   // The next three members are made before the simulation, because code of images runs while the
-  // simulation loads them, and may crash.
-  const EndingAnswer ending_answer_;
-  const CrashLog crash_log_;
-  Watchdog watchdog_;
+  // simulation loads them, and may crash.  EndGuards() destroys them.
+  std::optional<EndingAnswer> ending_answer_;
+  std::optional<CrashLog> crash_log_;
+  std::optional<Watchdog> watchdog_;
   Simulation simulation_;
   RunClock clock_;
   Couplings couplings_{&clock_, &rewind_};
@@ -226,10 +227,11 @@ CommandedRun::CommandedRun(const RunFlags& flags)
       recorder_(flags.record_file, !flags.no_payloads),
       distribution_(flags.placement, flags.ros2, stick_, flags.handler_limit_us, &interrupts_),
       options_(Options()),
-      ending_answer_(flags.json ? StandardOutput() : -1, flags.report_file),
-      crash_log_(std::vector<std::string>(static_cast<size_t>(options_.robots), stick_.crash_log()),
+      ending_answer_(std::in_place, flags.json ? StandardOutput() : -1, flags.report_file),
+      crash_log_(std::in_place,
+                 std::vector<std::string>(static_cast<size_t>(options_.robots), stick_.crash_log()),
                  distribution_.has_processes(), PlaceOfCrashRecord()),
-      watchdog_(flags.handler_limit_us),
+      watchdog_(std::in_place, flags.handler_limit_us),
       simulation_(options_),
       clock_(plan_.rate, flags.placement.is_free),
       history_(&system()),
@@ -280,6 +282,7 @@ int CommandedRun::Run() {
   } else {
     facts_.standing.assign(simulation_.robots().size(), StandingMonitor(simulation_.model()));
   }
+  EndGuards();
   good = Report() && good;
   // Waits for the branch that goes on in place of this process, because the shell waits only for
   // this process.
@@ -336,7 +339,7 @@ void CommandedRun::BeginRewind(LiveServer* live, Runner* runner) {
   parts.before_input = [this](int robot, const std::string& line) { events_.Skip(robot, line); };
   parts.become_branch = [this, live](double rate) {
     live->OpenAgain();
-    watchdog_.StartAgain();
+    watchdog_->StartAgain();
     interrupts_.StartAgain();
     clock_.set_rate(rate);
     clock_.GoOn();
@@ -409,6 +412,14 @@ bool CommandedRun::RunToTheEnd() {
   good = FinishFiles() && good;
   boots_ = system().booted() || !system().powered_off() || interrupts_.count() >= 2;
   return good;
+}
+
+// Ends the watch for crashes and for handlers that do not return.  Called before the report is
+// written, because a crash after that would replace the report.
+void CommandedRun::EndGuards() {
+  watchdog_.reset();
+  crash_log_.reset();
+  ending_answer_.reset();
 }
 
 // Finishes the files of --record, --log-data and --timeline.  Returns false after printing an error

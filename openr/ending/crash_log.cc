@@ -11,6 +11,7 @@
 #include <charconv>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -53,6 +54,9 @@ bool g_adds = false;
 // Without a value, the finding does not name the file.  Null while no CrashLog exists.
 std::optional<std::string>* g_place = nullptr;
 char g_stack[kAlternateStackBytes];
+// The actions and the stack that the CrashLog has replaced; its destructor restores them.
+struct sigaction g_replaced_actions[std::size(kCrashSignals)];
+stack_t g_replaced_stack{};
 
 // Returns the kind of floating-point error (FpFlag) that caused the SIGFPE; 0 if a division of
 // integers caused it.
@@ -352,12 +356,11 @@ void OnCrashSignal(int signal, siginfo_t* info, void* context) {
   FinishEnding();
 }
 
-void UseAlternateStack(bool on) {
+void UseAlternateStack() {
   stack_t stack{};
   stack.ss_sp = g_stack;
   stack.ss_size = sizeof g_stack;
-  stack.ss_flags = on ? 0 : SS_DISABLE;
-  sigaltstack(&stack, nullptr);
+  sigaltstack(&stack, &g_replaced_stack);
 }
 
 // Ends the run after AddressSanitizer, which is in images of openr build --sanitize, has printed
@@ -399,12 +402,13 @@ CrashLog::CrashLog(std::vector<std::string> files, bool adds,
   g_place = new std::optional<std::string>(place);
   g_files = new std::vector<std::string>(std::move(files));
   if constexpr (OPENR_ASAN) return;
-  UseAlternateStack(true);
+  UseAlternateStack();
   struct sigaction action {};
   action.sa_sigaction = &OnCrashSignal;
   action.sa_flags = SA_SIGINFO | SA_ONSTACK;
   sigemptyset(&action.sa_mask);
-  for (const int signal : kCrashSignals) sigaction(signal, &action, nullptr);
+  for (size_t i = 0; i < std::size(kCrashSignals); ++i)
+    sigaction(kCrashSignals[i], &action, &g_replaced_actions[i]);
   ArithmeticWatch::SetCatches(true);
   if (IsAddressSanitized()) __asan_set_error_report_callback(&OnSanitizerReport);
   SetPlaceNamer(&LineOfAddress);
@@ -415,8 +419,9 @@ CrashLog::~CrashLog() {
     ArithmeticWatch::SetCatches(false);
     SetPlaceNamer(nullptr);
     if (IsAddressSanitized()) __asan_set_error_report_callback(nullptr);
-    for (const int signal : kCrashSignals) ::signal(signal, SIG_DFL);
-    UseAlternateStack(false);
+    for (size_t i = 0; i < std::size(kCrashSignals); ++i)
+      sigaction(kCrashSignals[i], &g_replaced_actions[i], nullptr);
+    sigaltstack(&g_replaced_stack, nullptr);
   }
   delete g_files;
   delete g_place;

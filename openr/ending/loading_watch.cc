@@ -7,6 +7,7 @@
 namespace openr_host {
 namespace {
 
+// The processor time after which the loading of an image is ended, if the command has no Watchdog.
 constexpr int64_t kLoadingUsMax = 10'000'000;
 
 }  // namespace
@@ -14,7 +15,7 @@ constexpr int64_t kLoadingUsMax = 10'000'000;
 LoadingWatch::LoadingWatch() {
   if (!EndingAnswer::exists()) ending_answer_.emplace(-1);
   if (!CrashLog::exists()) crash_log_.emplace(std::vector<std::string>());
-  if (!Watchdog::exists()) watchdog_.emplace(kLoadingUsMax);
+  if (!Watchdog::exists()) watchdog_.emplace(kLoadingUsMax, "");
 }
 
 }  // namespace openr_host

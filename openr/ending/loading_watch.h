@@ -10,9 +10,9 @@
 namespace openr_host {
 
 // While a LoadingWatch exists, a crash during the loading of an image, and constructors that do not
-// return, end the process with a message that names the object.  A LoadingWatch has the parts of
-// which the command that loads the images has none: an EndingAnswer, a CrashLog that writes no
-// file, and a Watchdog.
+// return, end the process with a message that names the object.  A LoadingWatch makes an
+// EndingAnswer, a CrashLog that writes no file, and a Watchdog, but only those that the command
+// that loads the images has not made itself.
 class LoadingWatch {
  public:
   LoadingWatch();

@@ -106,7 +106,7 @@ void AddCurrentEntry(SignalText* text) {
   const Object& object = *t_current.object;
   if (object.running() == nullptr) {
     text->Add(t_current.image_code ? "constructors of its globals"
-                                   : "loading of its image, which may be damaged");
+                                   : "loading or unloading of its image");
     return;
   }
   const char* const entry = EntryOf(object, object.running()->selector);

@@ -24,9 +24,10 @@ constexpr int kTicks = 8;
 
 timer_t g_timer;
 uint64_t g_limit_us = 0;
-int g_count = 0;      // number of Watchdogs: 0 or 1
-uint64_t g_work = 0;  // the work that was done at the last check (CurrentWork())
-int g_seen = 0;       // number of checks in a row at which g_work was still done
+const char* g_flag = "";  // the flag of the command that sets the limit; "": none
+int g_count = 0;          // number of Watchdogs: 0 or 1
+uint64_t g_work = 0;      // the work that was done at the last check (CurrentWork())
+int g_seen = 0;           // number of checks in a row at which g_work was still done
 
 // Adds `us` microseconds to `text` as seconds, with at least one digit after the point: "2.0",
 // "0.05".
@@ -46,11 +47,12 @@ void EndTheHandler() {
   const auto add_limit = [](SignalText* text) {
     text->Add(" has used more than ");
     AddSeconds(g_limit_us, text);
-    text->Add(" s of processor time (--handler-limit)");
+    text->Add(" s of processor time");
+    if (*g_flag != 0) text->Add(" (").Add(g_flag).Add(")");
   };
   const Object* const object = t_current.object;
   const char* const what = object != nullptr && object->running() == nullptr
-                               ? "the loading of an image does not end: "
+                               ? "the loading or unloading of an image does not end: "
                                : "a handler does not return: ";
   ending.record.Add("openr: ").Add(what);
   AddCurrentHandler(&ending.record);
@@ -89,8 +91,9 @@ void OnTickSignal(int) {
 
 }  // namespace
 
-Watchdog::Watchdog(int64_t limit_us) : limit_us_(limit_us) {
+Watchdog::Watchdog(int64_t limit_us, const char* flag) : limit_us_(limit_us) {
   ++g_count;
+  g_flag = flag;
   if (limit_us <= 0) return;
   g_limit_us = static_cast<uint64_t>(limit_us);
   g_work = 0;

@@ -12,7 +12,9 @@ namespace openr_host {
 // Watchdog with a limit of 0 does nothing.  Only one Watchdog may exist at a time.
 class Watchdog {
  public:
-  explicit Watchdog(int64_t limit_us);
+  // `flag` is the flag of the command that sets the limit, for the message; "": the command has
+  // none.
+  explicit Watchdog(int64_t limit_us, const char* flag = "--handler-limit");
   ~Watchdog();
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;

@@ -22,9 +22,8 @@ constexpr size_t kReceivePartMax = size_t{64} << 10;
 constexpr size_t kHeadersMax = size_t{8} << 10;
 constexpr unsigned kDescriptorsMax = 512;
 // The largest number of bytes of a request's path and headers that libwebsockets keeps.  It closes
-// the connection of a longer request without an answer.  The number is far above
-// the longest path that the panel looks up (panel.cc), so that most requests with a longer path are
-// answered.
+// the connection of a longer request without an answer.  The number is far above the longest path
+// that the panel looks up (panel.cc), so that most requests with a longer path are answered.
 constexpr unsigned short kRequestHeadersMax = 16 << 10;
 
 // Shortens `why`, a reason for closing a WebSocket, to 123 bytes, the most that RFC 6455, section

@@ -31,9 +31,14 @@ bool ReadRest(int descriptor, size_t bytes_max, std::string* bytes) {
   // longer than reading the file.  The size is only a hint: special files have none, and a file may
   // grow while it is read.
   struct stat status;
-  if (fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) &&
-      static_cast<size_t>(status.st_size) <= bytes_max)
-    bytes->reserve(static_cast<size_t>(status.st_size));
+  if (fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode)) {
+    const auto size = static_cast<size_t>(status.st_size);
+    if (size > bytes_max) {
+      errno = EFBIG;
+      return false;
+    }
+    bytes->reserve(size);
+  }
   char block[16384];
   for (;;) {
     const ssize_t count = ReadBlock(descriptor, block, sizeof block);

@@ -7,8 +7,8 @@
 
 namespace openr_host {
 
-// Whole files are read only up to this size.  A larger file is a mistake, or has no end, as
-// /dev/zero.
+// Whole files are read only up to this size.  A larger file is a mistake, or has no end,
+// such as /dev/zero.
 inline constexpr size_t kWholeFileMax = size_t{1} << 30;
 
 // Returns the bytes of the file `path`.  If the file cannot be read to its end, returns nullopt and

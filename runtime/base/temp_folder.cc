@@ -150,6 +150,10 @@ std::string TemporaryFiles() {
   for (const char* const variable : {"TMPDIR", "TMP", "TEMP", "TEMPDIR"}) {
     const char* const value = std::getenv(variable);
     if (value == nullptr) continue;
+    if (*value == 0) {
+      throw std::runtime_error(fmt::format(
+          "the environment variable {} is empty; set it to a folder, or unset it", variable));
+    }
     throw std::runtime_error(
         fmt::format("{}: is no folder for temporary files, but the environment variable {} names "
                     "it; set {} to a folder that exists, or unset it",

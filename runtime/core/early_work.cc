@@ -63,7 +63,15 @@ EarlyWork CollectEarlyWork(Object* fresh, Object* old, const std::function<void(
   fresh->boxes().set_last(old->boxes().last());
   // Keeps the messages of the constructors in the outbox.
   fresh->delivery().set_busy(true);
-  load();
+  try {
+    load();
+  } catch (...) {
+    // Gives the old object, which goes on, its names and services back.
+    TakeRegistered(&robot, id);
+    robot.names.merge(of_old.names);
+    robot.directory.merge(of_old.services);
+    throw;
+  }
   old->boxes().set_last(std::max(old->boxes().last(), fresh->boxes().last()));
   EarlyWork work;
   for (const uint32_t region : RegionsOf(*system, id)) {

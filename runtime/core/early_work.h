@@ -4,8 +4,8 @@
 // A reload loads the new image before the old object ends, so that nothing changes if the image
 // cannot be loaded.  Both objects have the same id.  Therefore the end of the old object would also
 // end what the constructors of the new image have made, and the old object would receive the
-// messages that they send to their own object.  So all this is kept apart until the new object is
-// in place.
+// messages that they send to their own object.  So all this, and all messages of the constructors,
+// are kept apart until the new object is in place.
 #pragma once
 
 #include <cstdint>

@@ -2,6 +2,7 @@
 
 #include <elf.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <optional>
@@ -15,6 +16,8 @@ constexpr uint32_t kRelativeRelocation = R_AARCH64_RELATIVE;
 #else
 constexpr uint32_t kRelativeRelocation = R_X86_64_RELATIVE;
 #endif
+
+constexpr uint32_t kNoRelocation = 0;  // R_X86_64_NONE, R_AARCH64_NONE
 
 constexpr uint64_t kAddressMax = uint64_t{1} << 47;
 
@@ -116,16 +119,17 @@ class ImageTables {
 };
 
 std::optional<uint64_t> ImageTables::Value(int64_t tag) const {
-  for (const Elf64_Dyn& entry : dynamic_) {
-    if (entry.d_tag == tag) return entry.d_un.d_val;
-  }
-  return std::nullopt;
+  // The dynamic linker uses the last of several entries with the same tag.
+  const auto found = std::find_if(dynamic_.rbegin(), dynamic_.rend(),
+                                  [tag](const Elf64_Dyn& entry) { return entry.d_tag == tag; });
+  if (found == dynamic_.rend()) return std::nullopt;
+  return found->d_un.d_val;
 }
 
 bool ImageTables::ReadDynamic() {
   for (const Elf64_Phdr& segment : memory_.segments()) {
     if (segment.p_type != PT_DYNAMIC) continue;
-    if (!memory_.Has(segment.p_vaddr, segment.p_memsz, PF_W)) return false;
+    if (!memory_.Has(segment.p_vaddr, segment.p_memsz)) return false;
     for (uint64_t at = 0; at + sizeof(Elf64_Dyn) <= segment.p_memsz; at += sizeof(Elf64_Dyn)) {
       const auto entry = memory_.Read<Elf64_Dyn>(segment.p_vaddr + at);
       if (!entry) return false;
@@ -234,11 +238,17 @@ bool ImageTables::IsRelocationTableSound(int64_t table, int64_t size) const {
   if (!Value(table)) return true;
   const uint64_t begin = *Value(table), bytes = ValueOr0(size);
   if (bytes % sizeof(Elf64_Rela) != 0 || !memory_.Has(begin, bytes)) return false;
+  // If the image has text relocations, the dynamic linker makes all memory writable before.
+  const bool may_be_text = Value(DT_TEXTREL) || (ValueOr0(DT_FLAGS) & DF_TEXTREL) != 0;
+  const uint32_t flags = may_be_text ? 0 : PF_W;
   // The number of relocations at the beginning that must be of the type kRelativeRelocation.
   const uint64_t relative_count = table == DT_RELA ? ValueOr0(DT_RELACOUNT) : 0;
   for (uint64_t at = 0; at < bytes; at += sizeof(Elf64_Rela)) {
     const auto relocation = memory_.Read<Elf64_Rela>(begin + at);
-    if (!relocation || !memory_.Has(relocation->r_offset, sizeof(uint64_t), PF_W) ||
+    if (!relocation) return false;
+    // Linkers write relocations of this type in place of those of code that was left out.
+    if (ELF64_R_TYPE(relocation->r_info) == kNoRelocation) continue;
+    if (!memory_.Has(relocation->r_offset, sizeof(uint64_t), flags) ||
         !IsSymbol(ELF64_R_SYM(relocation->r_info)))
       return false;
     if (at / sizeof(Elf64_Rela) < relative_count &&
@@ -254,8 +264,8 @@ bool ImageTables::AreRelocationsSound() const {
 }
 
 bool ImageTables::IsArraySound(int64_t array, int64_t size) const {
-  return !Value(array) || (ValueOr0(size) % sizeof(uint64_t) == 0 &&
-                           memory_.Has(*Value(array), ValueOr0(size), PF_W));
+  return !Value(array) ||
+         (ValueOr0(size) % sizeof(uint64_t) == 0 && memory_.Has(*Value(array), ValueOr0(size)));
 }
 
 // Checks the functions that the dynamic linker calls when the object is loaded and unloaded.

@@ -45,7 +45,7 @@ std::string UpperCase(std::string text) {
 
 // Returns whether `entry` of the host's folder `path` is no FIFO, socket or device, and no link to
 // such a file.  A link to nothing counts as a file.
-bool IsOnStick(const std::string& path, const struct dirent& entry) {
+bool IsFileOrFolder(const std::string& path, const struct dirent& entry) {
   if (entry.d_type == DT_REG || entry.d_type == DT_DIR) return true;
   std::error_code error;
   return !std::filesystem::is_other(std::filesystem::status(path + "/" + entry.d_name, error));
@@ -70,7 +70,7 @@ std::vector<Folder::Name> ReadFolder(const std::string& path, const char* name) 
       has_long_names = true;
       continue;
     }
-    if (!IsOnStick(path, *entry)) continue;
+    if (!IsFileOrFolder(path, *entry)) continue;
     Folder::Name result = {};
     UpperCase(text).copy(result.text, sizeof result.text - 1);
     result.type = entry->d_type == DT_DIR ? DT_DIR : DT_REG;

@@ -23,9 +23,9 @@ class MemoryStick {
   virtual ~MemoryStick() = default;
 
   // The place of a file or folder on the host.  `error` is 0 or an errno: ENOENT (also for names
-  // outside of /MS), EINVAL (a zero byte in the name), EACCES, EIO.  EACCES also for what is
-  // neither a file nor a folder, such as a FIFO or a device: the robot's file system has none, and
-  // opening or reading it could wait without end.  If a file does not exist but its folder does,
+  // outside of /MS), EINVAL (a zero byte in the name), EACCES, EIO.  A FIFO, a
+  // socket or a device gives EACCES, because the robot's file system has none, and opening or
+  // reading it could wait without end.  If a file does not exist but its folder does,
   // `path` is the place to create the file, `exists` is false and `error` is 0.
   struct Location {
     std::string path;
@@ -47,8 +47,8 @@ class MemoryStick {
   // from build to build, and the record of a crash in an earlier run.
   virtual uint64_t ContentHash() = 0;
 
-  // Returns the names below /MS, sorted, of what is neither a file nor a folder, as the last
-  // ContentHash() has found them.
+  // Returns the names below /MS, sorted, of the FIFOs, sockets and devices that the last
+  // ContentHash() has found.
   const std::vector<std::string>& special_files() const { return special_files_; }
 
   // Records that objects change the file `name`, so that HashState() adds its content to the state

@@ -259,7 +259,9 @@ TEST(RobotFaultsTest, AConstructorThatDoesNotReturnIsEnded) {
   const ProgramResult result = RunProgram(
       {"run", "--stick", stick.path(), "--rc-port", "0", "--no-panel", "--handler-limit", "200ms"});
   EXPECT_EQ(result.status, 1);
-  EXPECT_THAT(result.err, HasSubstr("the loading of an image does not end: Trouble, constructors"));
+  EXPECT_THAT(
+      result.err,
+      HasSubstr("the loading or unloading of an image does not end: Trouble, constructors"));
   EXPECT_THAT(result.err, HasSubstr("ended by handler-limit: Trouble: "));
 }
 

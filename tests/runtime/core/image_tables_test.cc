@@ -100,6 +100,26 @@ TEST(ImageTablesTest, ARelocationOfReadOnlyMemoryIsFound) {
   EXPECT_EQ(DamagedTableIn(image), "the table of relocations");
 }
 
+// Linkers leave such entries for code that was left out.
+TEST(ImageTablesTest, ARelocationThatDoesNothingMayNameAnyPlace) {
+  std::string image = ProbeImage();
+  const uint64_t relocation = ValueOf(image, DT_JMPREL);
+  std::memset(image.data() + relocation, 0, sizeof(Elf64_Rela));
+  EXPECT_EQ(DamagedTableIn(image), "");
+}
+
+TEST(ImageTablesTest, WithTextRelocationsReadOnlyMemoryMayBeRelocated) {
+  std::string image = ProbeImage();
+  const uint64_t beginning = 0;
+  std::memcpy(image.data() + ValueOf(image, DT_JMPREL), &beginning, sizeof beginning);
+  ASSERT_EQ(DamagedTableIn(image), "the table of relocations");
+  const int64_t text_relocations =
+      DT_TEXTREL;  // in place of the count, which images can do without
+  std::memcpy(image.data() + EntryOf(image, DT_RELACOUNT), &text_relocations,
+              sizeof text_relocations);
+  EXPECT_EQ(DamagedTableIn(image), "");
+}
+
 TEST(ImageTablesTest, AnImageWithADamagedTableIsRefusedWithTheReason) {
   std::string image = ProbeImage();
   image.insert(image.size() / 3, 1, '\n');
