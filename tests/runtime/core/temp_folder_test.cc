@@ -118,26 +118,33 @@ TEST(TempFolderTest, SmallFilesAreWhereTMPDIRSaysAndElseInMemoryOrAmongTheOthers
   if (before != nullptr) setenv("TMPDIR", kept.c_str(), 1);
 }
 
-TEST(TempFolderTest, AFolderThatDoesNotExistIsNamedWithItsVariable) {
+// Returns what TemporaryFiles() throws if TMPDIR has this value; "" if it throws nothing.
+std::string ProblemWith(const std::string& value) {
   const char* const before = std::getenv("TMPDIR");
   const std::string kept = before == nullptr ? "" : before;
-  setenv("TMPDIR", "/nonexistent", 1);
-  std::string problem, problem_of_folder;
+  setenv("TMPDIR", value.c_str(), 1);
+  std::string problem;
   try {
     TemporaryFiles();
   } catch (const std::runtime_error& error) {
     problem = error.what();
   }
-  try {
-    const TempFolder folder;
-  } catch (const std::runtime_error& error) {
-    problem_of_folder = error.what();
-  }
   before == nullptr ? unsetenv("TMPDIR") : setenv("TMPDIR", kept.c_str(), 1);
-  EXPECT_EQ(problem,
-            "/nonexistent: is no folder for temporary files, but the environment variable TMPDIR "
-            "names it; set TMPDIR to a folder that exists, or unset it");
-  EXPECT_EQ(problem_of_folder, problem);
+  return problem;
+}
+
+TEST(TempFolderTest, AFolderThatDoesNotExistIsNamedWithItsVariable) {
+  const TempFolder folder;
+  const std::string missing = folder.path() + "/missing";
+  EXPECT_EQ(ProblemWith(missing),
+            missing +
+                ": is no folder for temporary files, but the environment variable TMPDIR names it; "
+                "set TMPDIR to a folder that exists, or unset it");
+}
+
+TEST(TempFolderTest, AnEmptyVariableIsNamed) {
+  EXPECT_EQ(ProblemWith(""),
+            "the environment variable TMPDIR is empty; set it to a folder, or unset it");
 }
 
 TEST(TempFolderTest, AFolderThatCannotBeMadeIsNamedWithTheReasonAndTheRemedy) {
