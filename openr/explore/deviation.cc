@@ -16,7 +16,6 @@ namespace openr_host {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Kind = Deviation::Kind;
 
 constexpr const char* kKindNames[] = {"start", "tie", "delay", "cost", "frame", "fault"};
 
@@ -41,9 +40,9 @@ ObjectId ObjectOf(const Json& json, const char* field, const System& system) {
   return object->id;
 }
 
-Kind KindOf(const std::string& name) {
+Deviation::Kind KindOf(const std::string& name) {
   for (size_t i = 0; i < std::size(kKindNames); ++i) {
-    if (name == kKindNames[i]) return static_cast<Kind>(i);
+    if (name == kKindNames[i]) return static_cast<Deviation::Kind>(i);
   }
   throw std::runtime_error(fmt::format(
       "no kind of deviation '{}'; there are start, tie, delay, cost, frame, fault", name));
@@ -62,7 +61,7 @@ Json FaultToJson(const Deviation& fault, const System& system) {
 
 Deviation FaultFromJson(const Json& json, const System& system) {
   Deviation fault;
-  fault.kind = Kind::kFault;
+  fault.kind = Deviation::Kind::kFault;
   fault.time_us = json.at("time_us").get<int64_t>();
   fault.nth = json.at("nth").get<uint64_t>();
   fault.selector = json.at("robot").get<uint32_t>();
@@ -77,36 +76,38 @@ Deviation FaultFromJson(const Json& json, const System& system) {
 }  // namespace
 
 Json DeviationToJson(const Deviation& deviation, const System& system) {
-  const Kind kind = deviation.kind;
-  if (kind == Kind::kFault) return FaultToJson(deviation, system);
+  const Deviation::Kind kind = deviation.kind;
+  if (kind == Deviation::Kind::kFault) return FaultToJson(deviation, system);
   Json json = {{"kind", kKindNames[static_cast<size_t>(kind)]}};
-  if (kind != Kind::kStart && kind != Kind::kFrame) json["time_us"] = deviation.time_us;
+  if (kind != Deviation::Kind::kStart && kind != Deviation::Kind::kFrame)
+    json["time_us"] = deviation.time_us;
   json["nth"] = deviation.nth;
-  if (kind != Kind::kFrame) PutObject(system, deviation.object, "object", &json);
-  if (kind == Kind::kDelay) PutObject(system, deviation.sender, "sender", &json);
-  if (kind == Kind::kDelay || kind == Kind::kCost) {
+  if (kind != Deviation::Kind::kFrame) PutObject(system, deviation.object, "object", &json);
+  if (kind == Deviation::Kind::kDelay) PutObject(system, deviation.sender, "sender", &json);
+  if (kind == Deviation::Kind::kDelay || kind == Deviation::Kind::kCost) {
     json["selector"] = deviation.selector;
     json["entry"] = system.object(deviation.object)->EntryName(deviation.selector);
   }
-  if (kind != Kind::kStart && kind != Kind::kTie) json["us"] = deviation.us;
+  if (kind != Deviation::Kind::kStart && kind != Deviation::Kind::kTie) json["us"] = deviation.us;
   return json;
 }
 
 Deviation DeviationFromJson(const Json& json, const System& system) try {
   Deviation deviation;
-  const Kind kind = KindOf(json.at("kind").get<std::string>());
-  if (kind == Kind::kFault) return FaultFromJson(json, system);
+  const Deviation::Kind kind = KindOf(json.at("kind").get<std::string>());
+  if (kind == Deviation::Kind::kFault) return FaultFromJson(json, system);
   deviation.kind = kind;
   deviation.nth = json.at("nth").get<uint64_t>();
-  if (kind != Kind::kStart && kind != Kind::kFrame) {
+  if (kind != Deviation::Kind::kStart && kind != Deviation::Kind::kFrame) {
     deviation.time_us = json.at("time_us").get<int64_t>();
   }
-  if (kind != Kind::kFrame) deviation.object = ObjectOf(json, "object", system);
-  if (kind == Kind::kDelay) deviation.sender = ObjectOf(json, "sender", system);
-  if (kind == Kind::kDelay || kind == Kind::kCost) {
+  if (kind != Deviation::Kind::kFrame) deviation.object = ObjectOf(json, "object", system);
+  if (kind == Deviation::Kind::kDelay) deviation.sender = ObjectOf(json, "sender", system);
+  if (kind == Deviation::Kind::kDelay || kind == Deviation::Kind::kCost) {
     deviation.selector = json.at("selector").get<uint32_t>();
   }
-  if (kind != Kind::kStart && kind != Kind::kTie) deviation.us = json.at("us").get<int64_t>();
+  if (kind != Deviation::Kind::kStart && kind != Deviation::Kind::kTie)
+    deviation.us = json.at("us").get<int64_t>();
   return deviation;
 } catch (const Json::exception& error) {
   throw std::runtime_error(fmt::format("deviation {}: {}", JsonText(json), error.what()));
