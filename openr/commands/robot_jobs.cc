@@ -22,6 +22,7 @@
 #include "cli/output_file.h"
 #include "cli/process_copy.h"
 #include "cli/progress_line.h"
+#include "cli/standard_streams.h"
 #include "openr/run/report.h"
 #include "openr/run/runner.h"
 #include "runtime/base/assert.h"
