@@ -60,14 +60,14 @@ Row StartRow(const std::string& stick) {
   return row;
 }
 
-// Returns the words of `openr run` for `robots` robots with `body` for 20 s.
-std::vector<std::string> WordsFor(int robots, const std::string& body) {
-  return {"--robots",  std::to_string(robots),
-          "--for",     "20s",
-          "--rate",    "max",
-          "--body",    body,
-          "--rc-port", "0",
-          "--no-panel"};
+// Returns the words of `openr run` for `robots` robots with `body` for 20 s, followed by `more`.
+std::vector<std::string> WordsFor(int robots, const std::string& body,
+                                  const std::vector<std::string>& more) {
+  std::vector<std::string> words = {
+      "--robots",  std::to_string(robots), "--for", "20s", "--rate", "max", "--body", body,
+      "--no-panel"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
 }
 
 // Returns a row that compares one worker with two, which are processes.  Its last two variants are
@@ -82,11 +82,11 @@ Row WorkersRow(const std::string& stick, const std::string& body) {
     return row;
   }
   const auto run = [&](const std::string& jobs, std::vector<Limit> limits) {
-    std::vector<std::string> words = WordsFor(100, body);
-    words.insert(words.end(), {"--jobs", jobs});
-    return RunOf("--jobs " + jobs, stick, words, std::move(limits));
+    return RunOf("--jobs " + jobs, stick, WordsFor(100, body, {"--jobs", jobs}), std::move(limits));
   };
-  const auto half = [stick, words = WordsFor(50, body)] { return StartOpenr(stick, words); };
+  const auto half = [stick, words = WordsFor(50, body, {"--rc-port", "0"})] {
+    return StartOpenr(stick, words);
+  };
   row.variants = {run("2", {}),
                   run("1", {{Limit::Kind::kRatioAtLeast, 1.8}}),
                   {"two runs of 50, at once",
