@@ -225,9 +225,10 @@ OStatus VirtualRobot::GetBootCondition(OBootCondition* condition) {
 // because System::Shutdown() does not know these two reasons.
 OStatus VirtualRobot::Shutdown(const OBootCondition& condition) {
   parts_.power.next_boot = condition;
-  // In a timed restart, the boot timer starts the robot again some time after the shutdown.  Adds a
-  // note at the second timed restart of a run, because one developer's robot did only the first
-  // one.  On that robot, only restarts without a waiting time were reliable (field-notes.md 5.13).
+  // A timed restart is a shutdown after which the boot timer starts the robot again some time
+  // later. Adds a note at the second timed restart of a run, because one developer's robot did only
+  // the first.  On that robot, only restarts without a waiting time were reliable
+  // (field-notes.md 5.13).
   const bool is_timed = (condition.bitmap & obcbBOOT_TIMER) != 0 && condition.bootTime > 0;
   if (is_timed && ++timed_restarts_ == 2) {
     parts_.system.AddFinding(

@@ -1,10 +1,10 @@
 // An integer division at which the processor of the host has stopped (SIGFPE).
 //
-// There are two such divisions: by 0, and of the smallest integer by -1, whose quotient is too
-// large for its type.  The robot stops only at a division by 0, because the compiler for the robot
-// adds a check to it (field-notes.md, 4.3).  The division instruction of the robot's processor
-// itself never stops; the smallest integer divided by -1 gives the smallest integer again, and the
-// remainder 0.
+// The processor stops at two divisions: by 0, and of the smallest integer by -1, whose quotient is
+// too large for its type.  The robot stops at a division by 0, because the compiler for the robot
+// adds a check to it (field-notes.md, 4.3).  We infer that the robot goes on after the other
+// division, because no check for it is known, and the division instruction itself never stops: the
+// result is the smallest integer again, with the remainder 0.
 #pragma once
 
 #include <ucontext.h>

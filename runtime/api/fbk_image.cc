@@ -24,9 +24,9 @@ BandPlace PlaceOf(ODataType type, OFbkImageBand band) {
       return band <= ofbkimageBAND_Cb ? BandPlace{static_cast<int>(band), 3} : kNone;
     case odataFBK_YCrCb_HPF:
       if (band <= ofbkimageBAND_Cb) return {static_cast<int>(band), 6};
-      // In the image, the bands LH, HL and HH come directly after the band Cb.  In OFbkImageBand,
-      // the constant of CDT comes between them.  So the index of a band in the image is its
-      // constant minus 1.
+      // The bands LH, HL and HH come directly after the band Cb in the image.  Their constants in
+      // OFbkImageBand come after the constant of CDT, which comes after that of Cb.  So the index
+      // of one of these bands in the image is its constant minus 1.
       if (band >= ofbkimageBAND_Y_LH && band <= ofbkimageBAND_Y_HH) {
         return {static_cast<int>(band) - 1, 6};
       }

@@ -1,9 +1,9 @@
 // Messages between the system and an object.
 //
-// Of these messages, an application receives only OPowerStatusMessage, and its stub receives only
-// OReasonMessage and OConnectMessage.  The other messages are those that the OPENR:: functions send
-// on the robot.  On the host the OPENR:: functions send no messages; the structs are declared
-// because sources of old programs name them.  Sizes are those of a 32-bit target, as on the robot.
+// An application receives only OPowerStatusMessage, and its stub receives only OReasonMessage and
+// OConnectMessage.  On the robot the OPENR:: functions send the other messages.  On the host they
+// send no messages; the structs are declared because sources of old programs name them.  Sizes are
+// those of a 32-bit target, as on the robot.
 #ifndef OPENR_OPENRMESSAGES_H_INCLUDED
 #define OPENR_OPENRMESSAGES_H_INCLUDED
 
