@@ -41,7 +41,7 @@ int ClassOfSize(size_t size) {
 }  // namespace
 
 Arena::Arena(const ObjectAddresses& place, MemoryBudget* budget)
-    : base_(place.heap()), spans_(kSpans), budget_(budget == nullptr ? &own_budget_ : budget) {
+    : base_(place.heap()), budget_(budget == nullptr ? &own_budget_ : budget) {
   ASSERT(base_ != nullptr && OwnerOf(base_) == nullptr, "a place has one heap");
   g_arenas[ObjectAddresses::OfHeap(base_)] = this;
 }
@@ -61,10 +61,13 @@ bool Arena::MapUpTo(size_t span_end) {
   // is mapped in steps of 1 MiB.  The spans up to `end` still lie in the object's heap area,
   // because the size of that area is a multiple of 1 MiB.
   const size_t end = (span_end + kStep - 1) / kStep * kStep;
+  {
+    const ApiScope scope;  // makes the lists grow on the host's heap and not in this arena
+    spans_.resize(end);
+    begins_.resize(end * kSpanBytes / 16);
+  }
   if (!MapAt(base_ + mapped_spans_ * kSpanBytes, (end - mapped_spans_) * kSpanBytes)) return false;
   mapped_spans_ = end;
-  const ApiScope scope;  // makes begins_ grow on the host's heap and not in this arena
-  begins_.resize(end * kSpanBytes / 16);
   return true;
 }
 
@@ -75,7 +78,7 @@ bool Arena::MapUpTo(size_t span_end) {
 char* Arena::AllocateSpans(size_t count, int16_t use) {
   size_t run = 0;
   for (size_t i = first_free_; i < kSpans; ++i) {
-    run = spans_[i].use == kFree ? run + 1 : 0;
+    run = SpanAt(i).use == kFree ? run + 1 : 0;
     if (run < count) continue;
     const size_t first = i + 1 - count;
     if (!MapUpTo(i + 1)) return nullptr;
@@ -160,7 +163,7 @@ Arena* Arena::OwnerOf(const void* block) {
 }
 
 size_t Arena::SizeOf(const void* block) const {
-  const Span& span = spans_[IndexOf(block)];
+  const Span& span = SpanAt(IndexOf(block));
   return span.use >= 0 ? SizeOfClass(span.use) : span.span_count * kSpanBytes;
 }
 
@@ -183,7 +186,7 @@ bool Arena::IsBegin(const void* block) const {
 
 bool Arena::WasFreed(const void* block) {
   const Arena& arena = *OwnerOf(block);
-  const Span& span = arena.spans_[arena.IndexOf(block)];
+  const Span& span = arena.SpanAt(arena.IndexOf(block));
   const auto offset =
       static_cast<size_t>(static_cast<const char*>(block) - arena.base_) % kSpanBytes;
   if (span.use < 0) return span.use == kFree && offset == 0;

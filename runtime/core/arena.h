@@ -119,8 +119,14 @@ class Arena {
   bool MayTake(size_t size);
   void Account(size_t size);
 
+  // Returns span `index`, which is free if it is not mapped.
+  const Span& SpanAt(size_t index) const {
+    static constexpr Span kUnmapped;
+    return index < mapped_spans_ ? spans_[index] : kUnmapped;
+  }
+
   char* const base_;
-  std::vector<Span> spans_;
+  std::vector<Span> spans_;  // the mapped spans
   size_t first_free_ = 0;    // index of a span; all spans before this index are in use
   size_t mapped_spans_ = 0;  // number of mapped spans, counted from the first span
   FreeBlock* free_[kClasses] = {};

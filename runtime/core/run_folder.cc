@@ -1,12 +1,15 @@
 #include "runtime/core/run_folder.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+
+#include "runtime/base/hasher.h"
 
 namespace openr_host {
 
@@ -44,12 +47,23 @@ std::string RunFolder::AddCopy(const std::string& file, const std::string& bytes
   if (mkdtemp(folder_name.data()) == nullptr) return fail(folder_.path());
   const fs::path folder = folder_name;
   const fs::path copy = folder / source.filename();
-  if (!Write(OriginalOf(copy), bytes)) return fail(copy);
+  if (!AddOriginal(copy, bytes)) return fail(copy);
   const fs::path debug = fs::path(source).replace_extension(".DBG");
   std::error_code error;
   if (fs::exists(debug, error))
     fs::create_symlink(fs::absolute(debug), folder / debug.filename(), error);
   return copy;
+}
+
+bool RunFolder::AddOriginal(const std::string& copy, const std::string& bytes) {
+  const std::string original = OriginalOf(copy);
+  const std::string shared =
+      fmt::format("{}/{:016x}.original", folder_.path(), HashBytes(bytes.data(), bytes.size()));
+  if (link(shared.c_str(), original.c_str()) == 0) return true;
+  if (!Write(original, bytes)) return false;
+  // If this fails, as in a file system without hard links, each robot has a file of its own.
+  static_cast<void>(link(original.c_str(), shared.c_str()));
+  return true;
 }
 
 std::string RunFolder::WriteCopy(const std::string& copy, const std::string& bytes) {

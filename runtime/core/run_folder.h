@@ -30,6 +30,11 @@ class RunFolder {
   void RestoreOriginal(const std::string& copy);
 
  private:
+  // Keeps `bytes`, the original of the image `copy`, in a file.  The robots of a run mostly have
+  // the same images, so files with the same bytes are hard links: each original needs memory only
+  // once.  Returns whether the file was made.
+  bool AddOriginal(const std::string& copy, const std::string& bytes);
+
   const TempFolder folder_{TempUse::kSmallFiles};
 };
 

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <sys/mman.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -41,6 +44,33 @@ bool IsZero(const char* bytes) {
   even |= odd;
   return (even[0] | even[1]) == 0;
 }
+
+// The pages of a stack that have memory.  The kernel gives memory to a page when the page is used
+// for the first time; some kernels do so even if it is only read.  So reading all pages of a stack
+// would cost memory that no handler has asked for.  A page in swap space counts as one without
+// memory: a stack is searched right after it was used, when none of its new pages is there.
+class PagesWithMemory {
+ public:
+  // Asks the kernel about the stack that begins at `bottom`.  If the kernel does not answer, all
+  // pages count as pages with memory.
+  explicit PagesWithMemory(char* bottom) : bottom_(bottom) {
+    if (mincore(bottom, StackMemory::kBytes, has_memory_) != 0)
+      std::fill(std::begin(has_memory_), std::end(has_memory_), 1);
+  }
+
+  bool Contain(const char* address) const {
+    return (has_memory_[static_cast<size_t>(address - bottom_) / kPageBytes] & 1) != 0;
+  }
+  const char* BeginOfPage(const char* address) const {
+    return address - static_cast<size_t>(address - bottom_) % kPageBytes;
+  }
+
+ private:
+  static constexpr size_t kPageBytes = 4096;
+
+  const char* const bottom_;
+  unsigned char has_memory_[StackMemory::kBytes / kPageBytes];
+};
 
 [[noreturn]] void ReportNoMemory() {
   const std::string why =
@@ -92,10 +122,18 @@ void StackMemory::ForgetFrames() const {
 
 size_t StackMemory::UsedBytes(size_t gap_bytes) const {
   if (IsStackWatched()) return 0;
+  // If the gap is small, the search reads at most one page that was never used.  That costs less
+  // than a call of the kernel.
+  std::optional<PagesWithMemory> pages;
+  if (gap_bytes > kSmallGapBytes) pages.emplace(bottom());
   const char* lowest = top();
   for (const char* step = top(); step - bottom() >= static_cast<ptrdiff_t>(kStepBytes);) {
     step -= kStepBytes;
-    if (!IsZero(step)) lowest = step;
+    if (pages && !pages->Contain(step)) {
+      step = pages->BeginOfPage(step);
+    } else if (!IsZero(step)) {
+      lowest = step;
+    }
     if (static_cast<size_t>(lowest - step) >= gap_bytes) break;
   }
   // The loop above has set `lowest` to the beginning of the lowest piece of kStepBytes bytes that

@@ -58,8 +58,9 @@ class StackMemory {
   // Returns the distance in bytes from the top of this stack to the lowest byte that was written
   // to, that is, to the lowest byte that is not 0.  The search goes from the top down and stops
   // after `gap_bytes` of zeros.  So it does not find written bytes below an array of `gap_bytes`
-  // bytes that was not written.  Returns 0 with AddressSanitizer and under Valgrind, which do not
-  // allow these reads.  REQUIRES: the caller runs on another stack.
+  // bytes that was not written.  If `gap_bytes` is larger than kSmallGapBytes, the search does not
+  // read pages that were never used.  Returns 0 with AddressSanitizer and under Valgrind, which do
+  // not allow these reads.  REQUIRES: the caller runs on another stack.
   size_t UsedBytes(size_t gap_bytes) const;
 
   // Sets to zero the bytes of this stack that UsedBytes(gap_bytes) counts, and returns their

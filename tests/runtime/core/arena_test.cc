@@ -149,6 +149,17 @@ TEST_F(ArenaTest, AddressesOutsideBelongToNobody) {
   EXPECT_EQ(Arena::OwnerOf(nullptr), nullptr);
 }
 
+TEST_F(ArenaTest, AddressesThatWereNeverMappedBelongToNoBlock) {
+  Arena arena(place_);
+  void* const block = arena.Allocate(100);
+  char* const far = place_.heap() + ObjectAddresses::kHeapBytes - 16;
+  ASSERT_EQ(Arena::OwnerOf(far), &arena);
+  EXPECT_FALSE(Arena::Free(far));
+  EXPECT_FALSE(Arena::WasFreed(far));
+  EXPECT_EQ(Arena::UsableSize(far), 0u);
+  EXPECT_TRUE(Arena::Free(block));
+}
+
 TEST_F(ArenaTest, BlocksAreZeroAlsoWhenTheyAreUsedAgain) {
   Arena arena(place_);
   for (const size_t size : {24, 5000, 100'000}) {

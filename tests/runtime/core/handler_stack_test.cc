@@ -3,13 +3,16 @@
 
 #include <alloca.h>
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "runtime/core/address_plan.h"
 #include "runtime/core/memory_tools.h"
+#include "runtime/core/stack_memory.h"
 
 namespace openr_host {
 namespace {
@@ -30,6 +33,28 @@ __attribute__((noinline)) void CountLeftovers(void* result) {
       static_cast<size_t>(std::count_if(room, room + kRoomBytes, [](char c) { return c == 'x'; }));
 }
 
+// Writes to 8,000 bytes of stack that lie below 20,000 bytes which nobody has used.
+__attribute__((noinline)) void ScribbleBelowAGap(void*) {
+  char* const gap = static_cast<char*>(alloca(20000));
+  asm volatile("" : : "r"(gap) : "memory");  // the compiler keeps the gap
+  Scribble(nullptr);
+}
+
+// The same place as in ScribbleBelowAGap(): counts the bytes there that are not zero.
+__attribute__((noinline)) void CountLeftoversBelowAGap(void* result) {
+  char* const gap = static_cast<char*>(alloca(20000));
+  asm volatile("" : : "r"(gap) : "memory");
+  CountLeftovers(result);
+}
+
+// How many pages of the `bytes` at `begin` have memory.
+size_t PagesWithMemory(char* begin, size_t bytes) {
+  std::vector<unsigned char> has_memory(bytes / 4096);
+  if (mincore(begin, bytes, has_memory.data()) != 0) return 0;
+  return static_cast<size_t>(std::count_if(has_memory.begin(), has_memory.end(),
+                                           [](unsigned char page) { return (page & 1) != 0; }));
+}
+
 class HandlerStackTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -48,6 +73,24 @@ TEST_F(HandlerStackTest, WhatACallLeftIsGoneBeforeTheNextOne) {
     stack.Call(&CountLeftovers, &leftovers);
     EXPECT_EQ(leftovers, 0u) << i;
   }
+}
+
+TEST_F(HandlerStackTest, WhatLiesBelowUnusedPagesIsGoneAsWell) {
+  HandlerStack stack(place_.stack(0));
+  stack.Call(&ScribbleBelowAGap, nullptr);
+  EXPECT_GE(stack.UsedBytes(), 20000 + kRoomBytes);
+  size_t leftovers = kRoomBytes;
+  stack.Call(&CountLeftoversBelowAGap, &leftovers);
+  EXPECT_EQ(leftovers, 0u);
+}
+
+TEST_F(HandlerStackTest, TheSearchForWrittenBytesGivesNoMemoryToUnusedPages) {
+  HandlerStack stack(place_.stack(0));
+  char* const bottom = place_.stack(0) + StackMemory::kBottomOffset;
+  if (PagesWithMemory(bottom, StackMemory::kBytes) != 0)
+    GTEST_SKIP() << "this kernel says that unused pages have memory";
+  for (int i = 0; i < 100; ++i) stack.Call([](void*) {}, nullptr);
+  EXPECT_LE(PagesWithMemory(bottom, StackMemory::kBytes), 2u);
 }
 
 TEST_F(HandlerStackTest, TellsHowMuchTheLastCallUsed) {
