@@ -56,8 +56,8 @@ bool NamesRegister(const std::string& code, size_t previous, size_t next) {
   size_t begin = previous;
   while (begin > 0 && IsWordCharacter(code[begin - 1])) --begin;
   const std::string_view before = WordAt(code, begin);
-  // Accepts no "else" or "do" as the name of a variable, because an asm after these words is a
-  // statement.
+  // After "else" or "do", an asm is a statement and gives no variable a register.  So these two
+  // words are not taken for the name of a variable.
   return before != "else" && before != "do";
 }
 

@@ -14,7 +14,7 @@ namespace openr_host {
 struct BuildOutcome {
   bool is_made = false;    // true: all runs of make have succeeded
   std::string make_cause;  // the reason why make failed; "": unknown
-  bool wants_all = false;  // true: no stick has an OBJECT.CFG; all images are wanted
+  bool wants_all = false;  // true: no stick has an OBJECT.CFG, so all images must be made
   std::vector<std::string> start_problems;  // reasons why the build of some objects could not begin
   std::vector<std::string> missing;         // images that OBJECT.CFG names and that were not made
   std::vector<std::string> problems;        // errors

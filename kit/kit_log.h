@@ -73,7 +73,7 @@ class CompileCounter {
  private:
   struct Lines {
     uint64_t before = 0;  // compilations that the log had at the first reading
-    uint64_t now = 0;     // largest number of further compilations at any reading
+    uint64_t now = 0;     // largest number of compilations at a later reading, minus `before`
   };
   std::map<std::string, Lines> logs_;
 };

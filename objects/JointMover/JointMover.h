@@ -67,7 +67,7 @@ private:
     const RobotConstants* robot_;
     OPrimitiveID joint_[MAX_JOINTS];
     RCRegion* region_[NUM_REGIONS];
-    int numUnderWay_;  // number of sent vectors whose end was not reported to MoverCore yet
+    int numUnderWay_;  // number of sent vectors for which VectorEnded() was not called yet
     int numReports_;   // number of messages that were set on the subject SetValue and not sent yet
     bool isStopped_;  // true until DoInit has succeeded, and again from DoStop on
     bool isUp_;  // whether the robot has reached its initial posture

@@ -180,8 +180,8 @@ MoverCore::Play(const MoverCommand& command, const Uint8* bytes, size_t size, st
         joints_.SetGoal(motion_.RobotJoint(j), motion_.Angle(0, j));
     }
     Enter(moverPREPARE_MTN);
-    // Usually the end of a vector begins the motion.  But if no joint has to move, there may be no
-    // further vector, so the motion begins here.
+    // Usually VectorEnded() begins the motion, when the joints have reached key frame 0.  But if no
+    // joint has to move, perhaps no further vector is sent and ends, so the motion begins here.
     if (IsStateComplete()) BeginMotion();
     return true;
 }

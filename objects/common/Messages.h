@@ -76,8 +76,8 @@ struct SetValueMessage {
     Sint32 state;              // a value of MoverState
     Sint32 keyFrame;           // key frame that the motion has reached last; -1 if no motion plays
     Uint8 isOver;              // 1 if the motion of `file` has ended or was refused
-    Uint8 earMask;             // plungers (ears) that the motion moves: bit i stands for plunger i
-    Uint8 earOn;               // bits of earMask whose plungers are on in `keyFrame`
+    Uint8 earMask;             // ears (plungers) that the motion moves: bit i stands for ear i
+    Uint8 earOn;               // bits of earMask whose ears are on in key frame `keyFrame`
     Uint8 motorsOff;           // 1 if a command has switched motor power off
     char file[MTN_NAME_SIZE];  // file of the motion; "" if there is no motion
     Sint32 commanded[MAX_JOINTS];

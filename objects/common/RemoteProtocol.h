@@ -103,7 +103,7 @@ struct RcInfo {
     // The values `processor`, `largestMotion` and `largestImage` are sent in version 2 of the
     // protocol only.
     bool hasFiles;         // whether the packet has the three values below
-    Uint8 processor;       // ImageProcessor of the images that the robot runs
+    Uint8 processor;       // an ImageProcessor: the CPU for which the robot's images are built
     Uint32 largestMotion;  // size in bytes of the largest motion that can be uploaded
     Uint32 largestImage;   // size in bytes of the largest image that can be uploaded
 

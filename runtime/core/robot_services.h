@@ -28,7 +28,8 @@ class RobotServices {
  public:
   virtual ~RobotServices() = default;
 
-  // ---- The functions of the table in robot_calls.h, such as GetVolumeSwitch()
+  // ---- Functions that do the work of the OPENR:: functions in the table of robot_calls.h, such as
+  // GetVolumeSwitch()
 
 #define OPENR_DECLARE_CALL(name, parameters, arguments, without_devices) \
   virtual OStatus name parameters;
@@ -37,8 +38,8 @@ class RobotServices {
 
   // ---- Functions that the runtime calls, and that objects cannot call
 
-  // Returns the virtual time in us for which the robot stays off after the shutdown that Shutdown()
-  // has begun; nullopt if only a person can boot the robot again.
+  // Returns the virtual time in us for which the robot stays off after Shutdown(), until its boot
+  // timer boots it again; nullopt if only a person can boot the robot again.
   virtual std::optional<int64_t> TimeOffUs() const { return {}; }
   // Switches the devices off, and sets all their state and settings as at a boot.  Called after the
   // shutdown of a robot that will boot again.

@@ -27,7 +27,7 @@ int RobotTable::Add(const std::string& design, std::shared_ptr<MemoryStick> stic
 
 void RobotTable::BeginShutdown(int index, const RunEnd& why) {
   // If the robot is off already and waits for its boot timer, cancels this wait, so that the robot
-  // stays off.  Its objects need not be stopped, because none of them runs.
+  // stays off.  The objects of the robot need not be stopped, because none of them runs.
   if (off_robots_.Remove(index)) {
     Get(index).end = why;
     return NoteIfAllAreOff(why);
@@ -40,9 +40,9 @@ void RobotTable::CutPower(int index, const RunEnd& why) {
   // True at the end of a shutdown, which has set Robot::end already; false if the power is cut.
   const bool ends_shutdown = why.kind == EndKind::kPowerOff;
   const bool was_off = index < count() && Get(index).powered_off;
-  // Records the cut of the power as the reason (Robot::end) why the robot goes off, even if a
-  // shutdown has begun and has set another reason.  Keeps the reason of a robot that is off
-  // already.
+  // Records the power cut as the reason why the robot goes off (Robot::end).  The power cut
+  // replaces the reason of a shutdown that has begun.  If the robot is off already, keeps its old
+  // reason.
   if (index < count() && !ends_shutdown && !was_off) Get(index).end = why;
   NoteEnd(index, why);
   SwitchObjectsOff(index);
@@ -98,7 +98,8 @@ bool RobotTable::LoadAgain(int index) {
   if (boots) {
     dog.powered_off = false;
   } else {
-    // The objects that were loaded get no DoInit, so they must not get a DoStop either.
+    // Drops the messages to the objects that were loaded: they get no DoInit, so they must not get
+    // a DoStop either.
     SwitchObjectsOff(index);
     dog.end = {EndKind::kNoBoot, "the robot does not boot again; the findings say why"};
     NoteIfAllAreOff(*dog.end);

@@ -38,22 +38,23 @@ class RobotTable {
   void Connect(Connection connection) { connections_.push_back(std::move(connection)); }
   const std::vector<Connection>& connections() const { return connections_; }
 
-  // Begins the shutdown of robot number `index` with the reason `why`.  If the robot is off already
-  // and waits for its boot timer, it stays off.  System::Shutdown() only passes the request to
-  // System::calls().  In the master process, calls() is LocalCalls, which calls this function.  In
-  // a worker process, calls() sends the request to the master process.
+  // Begins the shutdown of robot number `index` with the reason `why`.  If the robot is off and
+  // waits for its boot timer, only cancels this wait, so that the robot stays off.
+  // System::Shutdown() passes the request to System::calls().  In the master process, calls() is
+  // LocalCalls, which calls this function.  In a worker process, calls() sends the request to the
+  // master process.
   void BeginShutdown(int index, const RunEnd& why);
-  // Switches the power of the robot off.  System::PowerOff() only passes the request to
-  // System::calls(), which calls this function.
+  // Switches the power of the robot off.  System::PowerOff() passes the request to System::calls(),
+  // which calls this function.
   void CutPower(int index, const RunEnd& why);
   // Removes the objects, services, connections and names of robot number `index`, which is off, and
   // loads them again.  If the robot does not boot, returns false and leaves the robot off for the
   // rest of the run.
   bool LoadAgain(int index);
 
-  // Records the reason why a robot goes off.  The first reason is kept; only a System::PowerOff()
-  // during a shutdown replaces the reason of the shutdown.  BeginShutdown() and CutPower() call
-  // this function themselves.
+  // Records `why` as the reason why robot number `index` goes off, unless a reason is recorded
+  // already.  Only a System::PowerOff() during a shutdown replaces the reason of the shutdown.
+  // BeginShutdown() and CutPower() call this function themselves.
   void NoteEnd(int index, const RunEnd& why);
   // Records `why` as the reason for the end of the run, unless a reason was recorded before.
   void NoteRunEnd(const RunEnd& why);

@@ -41,8 +41,8 @@ std::string RunFolder::AddCopy(const std::string& file, const std::string& bytes
     return "";
   };
   const fs::path source(file);
-  // Gives each copy of an image a folder of its own, because forks of this process use the same
-  // RunFolder and could overwrite each other's copies.
+  // Gives each copy of an image a folder of its own, because a fork of this process uses the same
+  // RunFolder, and could overwrite the copies of this process.
   std::string folder_name = folder_.path() + "/XXXXXX";
   if (mkdtemp(folder_name.data()) == nullptr) return fail(folder_.path());
   const fs::path folder = folder_name;

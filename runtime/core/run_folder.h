@@ -9,8 +9,8 @@ namespace openr_host {
 
 // The destructor removes the folder.
 //
-// A copy of an image is changed for its load address before the copy is loaded.  Debuggers would
-// compute wrong addresses of symbols from the changed file, so after loading the original takes the
+// A copy of an image is changed for its load address, and is then loaded.  From the changed file, a
+// debugger would compute wrong addresses of symbols, so after loading the original file takes the
 // place of the copy.
 class RunFolder {
  public:

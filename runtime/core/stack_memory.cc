@@ -75,8 +75,8 @@ class PagesWithMemory {
 [[noreturn]] void ReportNoMemory() {
   const std::string why =
       fmt::format("this computer has no memory for a stack of {} bytes", StackMemory::kBytes);
-  // While a handler runs, ends this handler as a crash of its object.  Does not throw an exception
-  // then, because the exception would have to pass through code of the object.
+  // While a handler runs, ends this handler as a crash of its object.  An exception would have to
+  // pass through code of the object, so none is thrown.
   if (t_current.object != nullptr) StopAsTheRobotDoes(why);
   throw std::runtime_error(why);
 }
@@ -105,8 +105,8 @@ StackMemory::StackMemory(char* address) : mapping_(address) {
 StackMemory::~StackMemory() {
   StackMemory** link = &t_newest;
   while (*link != nullptr && *link != this) link = &(*link)->older_;
-  // Removes this stack from the list of the stacks of this thread.  Removes nothing if another
-  // thread has made this stack, because the list does not contain the stack then.
+  // Removes this stack from the list of the stacks of this thread.  If another thread has made this
+  // stack, the list does not contain the stack, and nothing is removed.
   if (*link != nullptr) *link = older_;
 #ifdef VALGRIND_STACK_DEREGISTER
   VALGRIND_STACK_DEREGISTER(valgrind_id_);
@@ -136,8 +136,8 @@ size_t StackMemory::UsedBytes(size_t gap_bytes) const {
     }
     if (static_cast<size_t>(lowest - step) >= gap_bytes) break;
   }
-  // The loop above has set `lowest` to the beginning of the lowest piece of kStepBytes bytes that
-  // are not all zero.  Moves `lowest` up to the first byte in this piece that is not zero.
+  // `lowest` is now the beginning of the lowest piece of kStepBytes bytes that are not all zero.
+  // Moves `lowest` up to the first byte in this piece that is not zero.
   uint64_t word = 0;
   while (lowest < top() && (std::memcpy(&word, lowest, sizeof word), word == 0))
     lowest += sizeof word;
@@ -156,8 +156,8 @@ std::vector<std::pair<const char*, size_t>> StackMemory::All() {
   for (const StackMemory* each = t_newest; each != nullptr; each = each->older_) {
     all.emplace_back(each->bottom_, kBytes);
     const char* const imports = each->mapping_ + kGuardBytes;
-    // True if the stack is at a planned address.  Such a stack has a second stack below it, for the
-    // functions that an image imports.  Adds the second stack to the result (`all`), too.
+    // If this stack is at a planned address, a second stack lies below it, for the functions that
+    // the image imports.  Adds the second stack to the result (`all`) too.
     if (imports < each->bottom_)
       all.emplace_back(imports, static_cast<size_t>(each->bottom_ - kGuardBytes - imports));
   }

@@ -30,8 +30,8 @@ class StackMemory {
   static constexpr size_t kGuardBytes = 4096;
   // Offset of the top of the stack for the image's own code, from the first address of the memory
   // that the address plan gives to an image for its stacks.  The assembly code of imported_calls.cc
-  // contains kBottomOffset and kImportsTopOffset as numbers; static_asserts in that file compare
-  // them.
+  // contains kBottomOffset and kImportsTopOffset as numbers; static_asserts in that file check
+  // these numbers.
   static constexpr size_t kTopOffset = ObjectAddresses::kStackBytes - 4096;
   // Offset of the bottom of the stack for the image's own code, from the first address of the
   // memory for the stacks of the image.
@@ -57,15 +57,15 @@ class StackMemory {
 
   // Returns the distance in bytes from the top of this stack to the lowest byte that was written
   // to, that is, to the lowest byte that is not 0.  The search goes from the top down and stops
-  // after `gap_bytes` of zeros.  So it does not find written bytes below an array of `gap_bytes`
-  // bytes that was not written.  If `gap_bytes` is larger than kSmallGapBytes, the search does not
-  // read pages that were never used.  Returns 0 with AddressSanitizer and under Valgrind, which do
-  // not allow these reads.  REQUIRES: the caller runs on another stack.
+  // after `gap_bytes` of zeros.  So written bytes below an unwritten array of `gap_bytes` bytes are
+  // not found.  If `gap_bytes` is larger than kSmallGapBytes, the search does not read pages that
+  // were never used.  Returns 0 with AddressSanitizer and under Valgrind, which do not allow these
+  // reads.  REQUIRES: the caller runs on another stack.
   size_t UsedBytes(size_t gap_bytes) const;
 
   // Sets to zero the bytes of this stack that UsedBytes(gap_bytes) counts, and returns their
-  // number.  So the next handler finds a stack of zeros, and bytes that it sends without setting
-  // them are the same in every run.
+  // number.  So the next handler finds a stack of zeros, and if it sends bytes that it has not set,
+  // these bytes are the same in every run.
   size_t Clear(size_t gap_bytes);
 
   // Tells AddressSanitizer that this stack is empty.  Functions that never returned have left marks

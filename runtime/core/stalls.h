@@ -22,16 +22,16 @@ struct Stall {
   int64_t since_us = 0;     // virtual time when the wait began
   std::string text;         // "JointMover waits for ready of RCServer on ... since t=1.248 s"
   const char* advice = "";  // tells the author of the program how to end the wait
-  // True if no data wait for the observer.  The observer has not asserted ready after its last
-  // notification, or has never asserted ready if it has received no notification.  The observer may
-  // have forgotten to assert ready, or may want no more data.  So this stall is reported only if no
-  // object of the run sends messages any more.
+  // True if the observer may want no more data: no data wait for it, and it has not asserted ready
+  // since its last notification, or never if it has received none.  But the observer may also have
+  // forgotten to assert ready.  So this stall is reported only if no object of the run sends
+  // messages any more.
   bool may_be_done = false;
-  // True if the observer has probably stopped on purpose, so the report has a note and not a
-  // warning.  This is assumed if the observer has received two notifications or more, because it
-  // has asserted ready between them.  This is also assumed if the subject belongs to a system
-  // object (a part of the robot), which continues its work even if the observer never asserts
-  // ready.
+  // True if the observer has probably stopped asking for data on purpose, so the report has a note
+  // and not a warning.  This is assumed if the observer has received two notifications or more: it
+  // has asserted ready between them, so its program has not forgotten how.  This is also assumed if
+  // the subject belongs to a system object (a part of the robot), which continues its work even if
+  // the observer never asserts ready.
   bool is_chosen = false;
 };
 

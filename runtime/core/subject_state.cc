@@ -65,8 +65,8 @@ void ReportReplaced(const SubjectState& subject, const ObserverLink& link) {
 namespace {
 
 // Adds a finding when a subject notifies an observer that has deasserted ready, because this
-// observer gets no data.  Adds no finding if the process of the observer has ended, because that
-// end is already a finding.
+// observer gets no data.  Adds no finding if the process of the observer has ended, because another
+// finding reports this end.
 void ReportDeasserted(const SubjectState& subject, ObserverLink* link) {
   if (link->told_deasserted || link->is_lost || subject.object->is_system()) return;
   link->told_deasserted = true;
@@ -90,9 +90,9 @@ void ReportDeasserted(const SubjectState& subject, ObserverLink* link) {
   for (size_t i = 0; i < data_count; ++i) notify.data[i] = RegionAccess::Describe(data[i]);
   message->size = sizeof notify;
   message->kind = PayloadKind::kNotify;
-  // Stores the hash of the data in the notification.  OObserver::NotifyHandler() compares it with
-  // the hash of the data that the observer receives, to find a subject that changes data after it
-  // has sent them.
+  // Stores the hash of the data in the notification.  When the observer receives the data,
+  // OObserver::NotifyHandler() computes the hash again, and so finds a subject that has changed
+  // data after sending them.
   if (system->options().guard_regions) {
     uint32_t bytes = 0;
     message->payload_hash = PayloadHash(*message, &bytes);
@@ -122,9 +122,9 @@ OStatus SubjectState::Notify(ObserverLink* link) {
   }
   link->skipped = 0;
   if (link->ready < 0) ReportDeasserted(*this, link);
-  // True if these data can be sent at once and need not become pending: the observer is ready, no
-  // older notification is pending, and the observer does not wait for several notifications in one
-  // message (`min` is at most 1).
+  // True if these data can be sent at once: the observer is ready, no older notification is
+  // pending, and the observer does not wait for several notifications in one message (`min` is at
+  // most 1).  Otherwise the data become pending.
   const bool is_awaited = link->ready > 0 && link->units.empty() && link->min <= 1;
   if (is_awaited && Send(link, link->fresh.begin(), link->fresh.size(), 1)) [[likely]] {
     link->fresh.Clear();
@@ -161,28 +161,28 @@ void SubjectState::SendPending(ObserverLink* link) {
   if (!Send(link, link->pending.data(), sent_count, unit_count)) return;
   link->pending.erase(link->pending.begin(), link->pending.begin() + data_count);
   link->units.erase(link->units.begin(), link->units.begin() + static_cast<long>(unit_count));
-  // If notifications stay pending after the message was sent, their wait for the observer's next
-  // ready begins now.
+  // If some notifications are still pending after this call of Send(), their wait for the
+  // observer's next ready begins now.
   if (!link->units.empty()) link->waiting_since_us = system->now_us();
 }
 
 void SubjectState::TakeBack(ObserverLink* link, const ONotifyMessage& notify) {
   for (int i = 0; i < notify.numOfData; ++i)
     link->pending.insert(link->pending.begin() + i, notify.data[i].srcRCR);
-  // The message does not say how many data each of its notifications has.  So gives each
-  // notification the same number of data, and gives the first notification also the remainder.
+  // The refused message does not say how many regions belong to each of its notifications.  So
+  // gives each notification the same number of regions, and the first notification also the
+  // remainder.
   const int count = notify.numOfNotify;
   link->units.insert(link->units.begin(), static_cast<size_t>(count),
                      ObserverLink::Unit{notify.numOfData / count});
   link->units.front().data += notify.numOfData % count;
   --link->sent;
   if (link->waiting_since_us < 0) link->waiting_since_us = system->now_us();
-  // Makes the observer ready again, because Send() has cleared the ready flag for this message, and
-  // the message was refused after that.  If the observer has asserted or deasserted ready since
-  // then, `ready` is not 0 and stays as it is.
+  // Send() has cleared the ready flag for a message that was refused later.  So makes the observer
+  // ready again, unless it has asserted or deasserted ready since then (`ready` is not 0).
   if (link->ready == 0) link->ready = 1;
-  // Drops the oldest notifications if more than `max` are pending.  This can happen because the
-  // handler that has sent the refused message may have sent more notifications after it.
+  // Drops the oldest notifications if more than `max` are pending.  The handler of the subject may
+  // have sent more notifications after the message that was refused.
   while (link->units.size() > link->max) {
     DropOldestUnit(link);
     object->statistics().NoteDropped();

@@ -1,7 +1,7 @@
 // SubjectState: the runtime's record of a subject (OSubject, the sending end of connections).
 //
-// The record lies on the host's heap and not on the object's heap, so it does not count as memory
-// of the robot.  Only handlers of the object change it.
+// The record lies on the host's heap, so it takes no memory of the object's heap.  Only handlers of
+// the object change the record.
 #pragma once
 
 #include <OPENR/OSubject.h>
@@ -23,8 +23,8 @@ namespace openr_host {
 class Hasher;
 class System;
 
-// The regions of one notification, at most MAX_NUM_DATA, oldest first.  Unlike a std::vector the
-// list needs no memory of its own, which would be one more cache line to read for each
+// The regions of one notification, at most MAX_NUM_DATA, oldest first.  The list holds its elements
+// itself; a std::vector would allocate memory for them, one more cache line to read for each
 // notification.
 class RegionList {
  public:
@@ -62,14 +62,14 @@ struct ObserverLink {
   int64_t waiting_since_us = -1;
   uint64_t sent = 0;             // number of messages that were sent to the observer
   int64_t sent_us = 0;           // virtual time of the newest message to the observer
-  bool is_lost = false;          // whether the runtime sent the last deassert (kDeassertOfLost)
+  bool is_lost = false;          // true: the observer is lost, so the runtime has deasserted ready
   bool told_deasserted = false;  // whether ReportDeasserted() has added its finding
 
   ObserverID observer;
-  ObjectId target = kNoObject;  // the object of `observer`
-  // Whether the observer is ready for the next notification: 1 if the observer has asserted ready;
-  // -1 if it has deasserted ready; 0 if it has done neither since the last data were sent to it.
-  // Two asserts in a row count as one, as on the robot.
+  ObjectId target = kNoObject;  // the object that has the observer
+  // Whether the observer is ready for the next notification.  1: it has asserted ready, once or
+  // several times; -1: it has deasserted ready; 0: it has done neither since the last data were
+  // sent to it.
   int ready = 0;
   struct Unit {
     int data;  // number of regions in `pending` that belong to this notification
@@ -142,7 +142,8 @@ struct SubjectState {
   std::string service;  // full name of the subject's service, for messages to the user
   size_t buffer_size = MAX_NUM_DATA + 1;
   size_t unit_size = 1;
-  std::list<OObserverInfo> infos;  // the observers of `links`, as OSubject::begin() shows them
+  // The same observers as in `links`, in the form that OSubject::begin() returns.
+  std::list<OObserverInfo> infos;
 };
 
 }  // namespace openr_host

@@ -131,8 +131,8 @@ void System::Reseed(uint64_t seed) {
 }
 
 void System::Shutdown(const RunEnd& why) {
-  // Shuts down at least robot 0, because a System without robots, as in some tests, counts its
-  // objects as objects of robot 0.
+  // Shuts down at least robot 0, because in a System without robots, as in some tests, all objects
+  // belong to robot 0.
   for (int i = 0; i < std::max(1, robot_count()); ++i) Shutdown(i, why);
 }
 
@@ -239,8 +239,9 @@ uint64_t System::state_hash() {
     object->HashState(&hasher);
     for (const OwnedMessage& message : object->delivery().held()) hasher.Add(message->number);
     for (const ProcessorState::Outgoing& outgoing : object->processor().outbox())
-      // Hashes the number of the message that caused this message, because a message in an outbox
-      // (posted by a handler whose processor time is not over) has no number of its own yet.
+      // Hashes the number of the message whose handler has posted this message.  This message has
+      // no number of its own yet, because it is in an outbox (the processor time of that handler is
+      // not over).
       hasher.Add(outgoing.message->cause);
   }
   for (const auto& cpu : dispatcher_->cpus()) cpu->HashState(&hasher);

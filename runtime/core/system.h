@@ -152,10 +152,10 @@ class System {
     host_addresses_.Check(*message);
     return calls_->Post(std::move(message), delay_us);
   }
-  // Posts a notification or a ready as Post() does, but does not search the message for addresses
-  // of the host (HostAddresses::Check()): SubjectState::Send() has already searched a notification,
-  // and a program cannot put bytes into a ready.  This function is inline, because most messages of
-  // a run are of these two kinds.
+  // Posts a notification or a ready as Post() does, but without the search for addresses of the
+  // host in the message (HostAddresses::Check()).  SubjectState::Send() has already searched a
+  // notification, and a program cannot put bytes into a ready.  This function is inline, because
+  // most messages of a run are of these two kinds.
   [[gnu::always_inline]] int32_t PostAtOnce(OwnedMessage message) {
     Message* const posted = message.release();
     Object* const target = object(posted->target);
@@ -166,9 +166,9 @@ class System {
   // a handler.
   [[noreturn]] void AbandonHandler();
 
-  // Replaces the schedule that the seed has chosen.  The schedule decides the order of messages; it
-  // is for tests and tools that explore orders.  The System does not own it, so it must exist as
-  // long as the System delivers messages.  If it is null, there is no schedule.  REQUIRES: before
+  // Replaces the schedule that the seed has chosen.  The schedule decides the order of messages;
+  // tests and tools use schedules to try other orders.  The System does not own the schedule, so it
+  // must exist as long as the System delivers messages.  Null means no schedule.  REQUIRES: before
   // Boot().
   void set_schedule(Schedule* schedule);
   // Puts into the queue again a message that a gate or the processor (cpu.h) has held.  The message
@@ -241,13 +241,13 @@ class System {
   int32_t PostByCalls(Message* message);
 
   SystemOptions options_;
-  // True if `calls_` is LocalCalls.  Then the calls of handlers work on the tables of this System,
-  // and not on the tables of another process.  Functions that run for every notification, such as
-  // PinRegion(), then use these tables directly, which saves a virtual call.
+  // True if `calls_` is LocalCalls, which works on the tables of this System and not on those of
+  // another process.  Functions that run for every notification, such as PinRegion(), then use
+  // these tables directly, which saves a virtual call.
   const bool calls_are_local_;
   const std::unique_ptr<SystemCalls> calls_;
 
-  MessagePoster poster_;  // destroyed after the members below, which may own messages of its pool
+  MessagePoster poster_;  // has the pool of messages, so it is destroyed after the members below
   RegionTable regions_;
   RegionShares region_shares_{&regions_};
   std::unique_ptr<GuardPages> guard_pages_;

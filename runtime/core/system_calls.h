@@ -37,10 +37,10 @@ class SystemCalls {
   virtual int32_t Post(OwnedMessage&& message, int64_t delay_us) = 0;
 
   // Opens `box`, a reply box of the caller, so that the caller can receive a reply.  A box is a
-  // number: a request carries it, and the reply arrives under this number.
+  // number that a request carries; the reply to the request carries the same number.
   virtual void OpenBox(uint64_t box) = 0;
-  // Closes `box`, a reply box of the caller: from now on the caller receives no reply in it, and a
-  // reply that has already arrived is released.
+  // Closes `box`, a reply box of the caller.  From now on the caller receives no reply in this box;
+  // a reply that has already arrived is released.
   virtual void CloseBox(uint64_t box) = 0;
 
   // Returns whether object `asker` accepts a reply in its reply box `box`.  In a worker process
@@ -61,8 +61,8 @@ class SystemCalls {
   // Sets the number of messages that may wait for the caller (Object::queue_max).
   virtual void SetQueueMax(int32_t messages) = 0;
 
-  // ---- Time events and reply events; see TimeEvents.  `message` is what such an event posts.
-  // REQUIRES: the caller is message.owner, the object that may cancel the event.
+  // ---- Time events and reply events (see TimeEvents).  `message` is the message that the event
+  // posts.  REQUIRES: the caller is message.owner, the object that may cancel the event.
 
   virtual uint32_t AddTimedEvent(const TimeEvents::EventMessage& message, int64_t first_us,
                                  int64_t period_us) = 0;

@@ -74,7 +74,7 @@ std::string AppendHex(std::string_view text, std::string* bytes) {
 struct SentDatum {
   int robot = 0;
   std::string observer;
-  std::string subject;  // "" for the only subject that is connected with the observer
+  std::string subject;  // may be "" if the observer is connected with one subject only
   std::string bytes;
 };
 
@@ -134,15 +134,16 @@ std::string ReadSend(System* system, int robot, std::string_view rest, Inputs::A
   SentDatum datum;
   datum.robot = robot;
   std::string problem = ReadSentDatum(rest, &datum);
-  // Checks the names of subject and observer only after the boot, because objects register their
-  // services during the boot.
+  // Checks the names of subject and observer only if the boot is over, because objects register
+  // their services during the boot.
   ServiceEnd subject, observer;
   if (problem.empty() && system->booted()) problem = FindEnds(*system, datum, &subject, &observer);
   *action = [system, datum] { Send(system, datum); };
   return problem;
 }
 
-// Returns "" if `text` can be typed on the terminal of `robot` now, or the reason why not.
+// Returns "" if the terminal of `robot` has room for `text` now.  Otherwise returns the reason why
+// not: programs have not read enough of the text that was typed before.
 std::string CheckRoom(const ConsoleInput& console, int robot, std::string_view text) {
   const size_t room = console.RoomOf(robot);
   if (ConsoleInput::EnteredSize(text) <= room) return "";
@@ -158,8 +159,8 @@ std::string CheckRoom(const ConsoleInput& console, int robot, std::string_view t
 std::string ReadType(System* system, int robot, std::string_view text, Inputs::Action* action) {
   ConsoleInput& console = system->console_input();
   if (std::string problem = CheckRoom(console, robot, text); !problem.empty()) return problem;
-  // The action owns the room for its text, because many inputs can wait for the same frame
-  // boundary, and without an end while the run is paused.
+  // Reserves room on the terminal until the action has typed the text.  Otherwise several inputs
+  // that wait for the same frame boundary could have more text than the terminal can hold.
   std::shared_ptr<const void> room = console.Reserve(robot, ConsoleInput::EnteredSize(text));
   *action = [&console, robot, text = std::string(text), room = std::move(room)] {
     console.Enter(robot, text);

@@ -15,9 +15,9 @@ class SystemCalls;
 struct Message;
 
 struct SystemOptions {
-  // The seed of everything that is random.  With 1, messages have the order of a run without a
-  // schedule (schedule.h); with any other seed, the order is drawn from the orders that the robot
-  // allows.
+  // The seed of everything that is random.  With seed 1, messages have the same order as without a
+  // schedule (schedule.h).  With any other seed, the order is drawn at random from the orders that
+  // the robot allows.
   uint64_t seed = 1;
   // If true, a mistake of a program that would stop a real robot also stops the robot of this run.
   // If false, such a mistake only becomes a finding, a line in the report of the run.  If true,
@@ -30,19 +30,19 @@ struct SystemOptions {
   // Debug lines are always printed.
   uint32_t log_level = 3;
   // The number of messages, at least 1, that may be delivered at one instant of virtual time.
-  // Messages that are posted after these are due 1 us later, because otherwise objects that answer
-  // each other without waiting would stop the clock.
+  // Messages posted after them are due 1 us later.  Otherwise objects that answer each other
+  // without waiting would stop the clock.
   int64_t free_deliveries = 10'000;
   // Wall clock in nanoseconds, which measures Object::handler_ns_max.  If it is null, nothing is
-  // measured.  Nothing else may depend on this clock, because it differs from run to run.
+  // measured.  No other part of a run may depend on this clock, because it differs from run to run.
   int64_t (*wall_clock_ns)() = nullptr;
   // The model of how much processor time handlers take (cpu.h).  If it is null, they take no time.
   std::shared_ptr<CostModel> cost = {};
   // If true, Object::stack_max is measured for images (objects that were loaded from files).
   bool measure_stacks = false;
-  // If true, objects receive read-only copies of data, which are unmapped when the object asserts
-  // ready (guard_pages.h).  So every later access is a fault.  If a subject changes data before
-  // they are received, an error finding is added.  The copies cost some microseconds per
+  // If true, objects receive read-only copies of data (guard_pages.h).  When an object asserts
+  // ready, its copies are unmapped, so every later access is a fault.  If a subject changes data
+  // before they are received, an error finding is added.  The copies cost some microseconds per
   // notification.
   bool guard_regions = false;
   // If true, the heaps of images record where each block was allocated, for ReportLeaks()

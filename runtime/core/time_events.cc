@@ -76,9 +76,9 @@ int64_t TimeEvents::NextUs() const {
   return next_us;
 }
 
-// Returns whether `event` (a time event or reply event) has to be removed without posting its
-// message.  This is so if the owner of the event, or the receiver of the message, no longer exists
-// or is on a robot that is off.
+// Returns whether `event` (a time event or reply event) must be removed without posting its
+// message, because the owner of the event or the receiver of the message no longer exists or is on
+// a robot that is off.
 bool TimeEvents::IsOff(const Event& event) const {
   for (const ObjectId id : {event.message.owner, event.message.target}) {
     const Object* const object = system_->object(id);
@@ -92,9 +92,8 @@ void TimeEvents::Post(const Event& event) {
   ASSERT(ordered.bytes.size() <= Message::kPayloadMax, "an event of {} bytes",
          ordered.bytes.size());
   OwnedMessage message = system_->NewMessage(ordered.target, ordered.selector);
-  // Posts the message in the name of the object that owns the event.  NewMessage() has set the
-  // sender to the current object.  When the event is due, the current object may be another object
-  // than the owner, or there may be no current object.
+  // Makes the owner of the event the sender of the message.  NewMessage() has set the sender to the
+  // current object, but when the event is due, another object may be current, or none.
   message->sender = ordered.owner;
   message->cause = event.cause;
   if (!ordered.bytes.empty())

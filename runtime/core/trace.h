@@ -15,16 +15,16 @@
 namespace openr_host {
 
 // The record of a delivered message.  The trace hash is made of these records.  A record holds a
-// hash of the message's content and not its bytes, because memory addresses and padding in the
-// bytes differ from run to run.
+// hash of the message's content and not its bytes, because the bytes contain memory addresses and
+// padding, which differ from run to run.
 struct TraceRecord {
   uint64_t number;
   uint64_t cause;
   int64_t time_us;
   int32_t sender;
   int32_t target;
-  uint32_t selector;  // the entry of the receiver; UNDEF for the reply to a request
-  uint32_t size;      // number of bytes that PayloadHash() hashes
+  uint32_t selector;  // number of the receiver's entry; UNDEF if the message is a reply
+  uint32_t size;      // number of bytes that `payload_hash` covers
   uint64_t payload_hash;
 };
 static_assert(sizeof(TraceRecord) == 48);
@@ -72,7 +72,7 @@ class Trace {
 
 // Returns the hash of the content of `message` without memory addresses, and sets `*size` to the
 // number of hashed bytes.  Which bytes are hashed depends on the message:
-//   notification: its counts and the bytes of its regions
+//   notification: the number of notifications and of regions in it, and the bytes of its regions
 //   ready: its command and the number of regions that it gives back
 //   any other message: its bytes
 // The hash of a message of the kind kHashed is Message::payload_hash, which its sender has set.
@@ -85,8 +85,8 @@ uint64_t PayloadHash(const Message& message, uint32_t* size);
 // would be useless.
 std::string PayloadBytes(const Message& message);
 
-// Returns the content of `message`, the same bytes as PayloadBytes().  If they are in one piece in
-// memory, the result points to them.  Otherwise they are copied to `*copy`, and the result points
+// Returns the same bytes as PayloadBytes(), but without a copy if these bytes are in one piece in
+// memory: then the result points to them.  Otherwise copies them to `*copy`, and the result points
 // to the copy.  The result is valid until the message is released or `*copy` changes.
 std::string_view PayloadView(const Message& message, std::string* copy);
 

@@ -14,7 +14,8 @@ class WaitState {
     box_ = box;
     since_us_ = now_us;
   }
-  // The results of these two functions are valid only while DeliveryState::blocked() is not null.
+  // The results of the next two functions are valid only while a handler waits
+  // (DeliveryState::blocked() is not null).
   uint64_t box() const { return box_; }
   int64_t since_us() const { return since_us_; }
 
@@ -23,9 +24,8 @@ class WaitState {
   const std::string& why() const { return why_; }
   void set_why(std::string_view why) { why_ = why; }
 
-  // Returns whether the handler waits for something that takes wall time, so that virtual time does
-  // not tell how long the wait is.  Requests::Call() to this object then ignores time-outs, which
-  // are in virtual time.
+  // Returns whether the end of the wait depends on wall time and not on virtual time.
+  // Requests::Call() to this object then ignores time-outs, which are in virtual time.
   bool is_untimed() const { return is_untimed_; }
   void set_untimed(bool is_untimed) { is_untimed_ = is_untimed; }
 

@@ -11,8 +11,8 @@
 
 extern "C" {
 // Functions of ThreadSanitizer that its header does not declare.  After a call of the first
-// function, ThreadSanitizer ignores memory accesses of the running fiber; after a call of the
-// second function, it ignores locks.
+// function, ThreadSanitizer ignores the memory accesses of the running fiber.  After a call of the
+// second function, it ignores the locks of the running fiber.
 void AnnotateIgnoreReadsBegin(const char* file, int line);
 void AnnotateIgnoreSyncBegin(const char* file, int line);
 }
@@ -20,14 +20,13 @@ void AnnotateIgnoreSyncBegin(const char* file, int line);
 namespace openr_host {
 namespace {
 
-int g_fibers = 0;  // number of WatchedFibers that have a fiber of their own
-// True if this process is a copy, made by fork(), of a process that had fibers.  ThreadSanitizer
-// takes the fibers for threads, which fork() does not copy.  So in the copy ThreadSanitizer ignores
-// the fiber that has called fork(), and also ignores the switches from this fiber to the other
-// fibers.  These switches put the memory accesses of the other fibers in order.  Without them,
+int g_fibers = 0;  // number of ThreadSanitizer's fibers that WatchedFibers own
+// True if this process was forked from a process that had fibers.  ThreadSanitizer takes fibers for
+// threads, which fork() does not copy.  So in the new process ThreadSanitizer ignores the fiber
+// that has called fork(), and the switches from it to other fibers.  Without these switches
 // ThreadSanitizer would report races between the other fibers that do not exist.  Therefore Enter()
-// makes ThreadSanitizer ignore all other fibers too.  No race is missed, because such a copy has
-// only one thread.
+// makes ThreadSanitizer ignore all other fibers too.  No race is missed, because the new process
+// has only one thread.
 bool g_is_copy = false;
 
 void NoteCopy() { g_is_copy = g_is_copy || g_fibers > 0; }

@@ -2,8 +2,8 @@
 //
 // ThreadSanitizer keeps a list of the calls that have not returned yet.  Each stack needs a list of
 // its own, because in a common list a return on one stack would end a call on another stack.
-// ThreadSanitizer has an object for each stack, with this list and with what it knows of the memory
-// accesses.  ThreadSanitizer calls this object a fiber, too.
+// ThreadSanitizer keeps this list, and what it knows of the memory accesses, in an object that it
+// also calls a fiber.
 //
 // In a build without ThreadSanitizer the class has no members, and its functions do nothing.
 #pragma once
@@ -23,8 +23,8 @@ class WatchedFiber {
   // with the calls on this stack that never returned.  REQUIRES: the stack is not running.
   void Begin();
 
-  // Called before the running stack is left.  Stores in fiber_ the object of ThreadSanitizer that
-  // has the list of calls of this stack (ThreadSanitizer calls the object a fiber).
+  // Called before the running stack is left.  Stores in fiber_ ThreadSanitizer's object for this
+  // stack, which ThreadSanitizer calls a fiber.
   void Leave();
 
   // Tells ThreadSanitizer that this stack runs from now on.  The caller must change the stack
@@ -35,8 +35,8 @@ class WatchedFiber {
   void Destroy();
 
   void* fiber_ = nullptr;
-  bool is_ours_ = false;  // false: the fiber is that of the thread itself, which is not destroyed
-  bool is_ignored_ = false;  // true: ThreadSanitizer does not watch the code of this fiber any more
+  bool is_ours_ = false;     // false: fiber_ belongs to the thread itself and must not be destroyed
+  bool is_ignored_ = false;  // true: ThreadSanitizer ignores the code that runs on this fiber
 };
 
 #else

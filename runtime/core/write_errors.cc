@@ -19,8 +19,8 @@ void ReportWriteError(OpenFiles::File* file, int error) {
   const ApiScope scope;
   const int kept = errno;
   if (error == 0) {
-    // ferror() returns true after a failed write, but also after a failed read, which loses no
-    // bytes.  So this function assumes lost bytes only if the disk is full now.
+    // ferror() is true after a failed write, but also after a failed read, which loses no bytes.
+    // So this function reports lost bytes only if the disk is full now.
     struct statvfs disk {};
     const bool is_full = statvfs(file->path.c_str(), &disk) == 0 && disk.f_bavail == 0;
     errno = kept;

@@ -9,8 +9,8 @@
 namespace openr_host {
 
 // Adds a warning that `file` does not contain all bytes which the current object has written to it.
-// Adds only one warning for each file.  `error` is the errno of the write that failed, or 0 if the
-// errno is not known; then the warning is added only if the disk is full.  Keeps errno, because the
+// Adds only one warning for each file.  `error` is the errno of the write that failed, or 0 if it
+// is not known.  With 0, adds the warning only if the disk is full.  Keeps errno, because the
 // object reads it.
 void ReportWriteError(OpenFiles::File* file, int error);
 
@@ -19,7 +19,7 @@ void ReportWriteError(OpenFiles::File* file, int error);
 void FlushStream(std::FILE* stream, OpenFiles::File* file);
 
 // Reports, as ReportWriteError() does, if an earlier write to the stream `file` of the current
-// object has failed.  Called before the stream's mark of an error is cleared.  Does nothing for a
+// object has failed.  Called before the error mark of the stream is cleared.  Does nothing for a
 // stream that is not a file of the object.
 void ReportErrorMark(std::FILE* file);
 

@@ -33,8 +33,8 @@ class GatewayChannel : public GatewayConnection::Owner {
   GatewayStream stream_;  // received bytes that are not decoded yet
 };
 
-// A service of the gateway that observes a subject of this computer and sends the subject's data to
-// the peer, the gateway of another computer.
+// A service of the gateway that observes a subject of this computer, and sends the subject's data
+// to the gateway of another computer (the peer).
 class OutgoingChannel : public GatewayChannel {
  public:
   OutgoingChannel(TcpGateway* gateway, int index, const GatewayRecord& record)
@@ -82,8 +82,8 @@ class IncomingChannel : public GatewayChannel {
   TcpGateway* const gateway_;
   OSubject* subject_ = nullptr;
   // The word (ready or not ready) to send to the peer, the gateway of the other computer, when the
-  // earlier word has been sent; 0 if no word waits.  There is no queue, because a newer word
-  // replaces an older one: only the observer's last state counts.
+  // earlier word has been sent; 0 if no word waits.  There is no queue, because only the newest
+  // state of the observer matters.
   uint32_t waiting_word_ = 0;
   // True if "ready" was sent to the peer (the gateway of the other computer), and the peer has not
   // sent data since then.  If false, the peer must not send data, so data from the peer cause a

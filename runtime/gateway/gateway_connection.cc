@@ -20,10 +20,9 @@ namespace {
 constexpr int kReceiveBytes = 8192;
 constexpr int kSendBytes = 32768;
 
-// Returns text that advises the user to write 127.0.0.1 in HOSTGW.CFG, the address of a robot that
-// is a run on this computer.  An old HOSTGW.CFG still has the address of a real robot.  Returns ""
-// if `address` is already an address of this computer (127.x.x.x), or if --ip replaces `address` by
-// another address.
+// Returns advice for the user: a robot that is a run on this computer has the address 127.0.0.1,
+// but an old HOSTGW.CFG still has the address of a real robot.  Returns "" if `address` is already
+// an address of this computer (127.x.x.x), or if --ip replaces `address` by another address.
 std::string HintFor(const IPAddress& address) {
   const IpStack* const stack = IpStack::OfCurrent();
   if (address.InLoop() || stack == nullptr) return "";
@@ -83,8 +82,8 @@ void GatewayConnection::Open() {
   }
 }
 
-// Warns that the peer does not answer.  Does so before the connect itself fails, because a connect
-// to an address that drops packets fails only after minutes.
+// Warns that the peer does not answer.  The warning comes before the connect itself fails, because
+// a connect to an address that drops packets fails only after minutes.
 void GatewayConnection::WarnIfNoAnswer() {
   const std::string hint = HintFor(IPAddress(record_.host.c_str()));
   if (had_answer_ || hint.empty()) return;

@@ -33,8 +33,8 @@ class GatewayConnection {
 
   static constexpr int64_t kRetryUs = 1'000'000;
   // The time after which a connect without an answer causes a warning.  The warning advises the
-  // user to write 127.0.0.1 if the robot is a run on this computer, because an old HOSTGW.CFG often
-  // has the address of a real robot.
+  // user to write 127.0.0.1 into HOSTGW.CFG if the robot is a run on this computer, because an old
+  // HOSTGW.CFG often has the address of a real robot.
   static constexpr int64_t kHintUs = 5'000'000;
 
   // `index` is the number of the service within the gateway, `record` its line of ROBOTGW.CFG or
@@ -84,7 +84,7 @@ class GatewayConnection {
   // to send follow.
   byte* shared_buffer_ = nullptr;
   antModuleRef listener_;  // the endpoint that waits for the next client
-  antModuleRef endpoint_;  // the endpoint of the connection, also while it is being made
+  antModuleRef endpoint_;  // the endpoint of the connection, also while a connect has no answer yet
   bool is_up_ = false;
   bool had_answer_ = false;  // true after a connect has succeeded or failed
   bool is_sending_ = false;

@@ -20,7 +20,7 @@ namespace openr_host {
 using GatewaySet = std::vector<std::string>;
 
 inline constexpr uint32_t kGatewayAssert = 3;
-inline constexpr uint32_t kGatewayDeassert = 4;  // the SDK's value; not measured
+inline constexpr uint32_t kGatewayDeassert = 4;  // value of the SDK; not measured on a robot
 
 // Our own limit for the size of a set (the data of one notification), which bounds the memory that
 // a peer can make us use.  Two of the largest camera images of a robot fit into a set.

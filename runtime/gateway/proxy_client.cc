@@ -53,7 +53,7 @@ void ProxyClient::Expire() {
                   kPatienceUs / 1'000'000));
   // Closes an open connection to the robot if the robot has not answered an OPEN-R call in time,
   // because a late answer would be taken for the answer to the next call.  Refuse() closes the
-  // connection and calls Down(), which fails all requests (the calls that wait for an answer).
+  // connection and also makes all waiting calls fail.
   if (connection_.is_up()) return connection_.Refuse("has no answer to a call");
   AnswerAll(sTIMEOUT);
 }

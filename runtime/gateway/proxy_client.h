@@ -72,8 +72,8 @@ class ProxyClient : public GatewayChannel {
 
   TcpGateway* const gateway_;
   std::deque<Request> requests_;
-  std::map<std::string, uint32_t> oids_;  // OIDs on the robot, by name; valid for one connection
-  bool is_request_sent_ = false;          // whether the first request was sent but not answered yet
+  std::map<std::string, uint32_t> oids_;  // OIDs of robot objects by name; valid for one connection
+  bool is_request_sent_ = false;          // the oldest request was sent and is not answered yet
   // True after the robot has not answered a call in time.  Then a new call fails at once if there
   // is no connection, and does not wait for another kPatienceUs.
   bool has_timed_out_ = false;

@@ -1,9 +1,9 @@
 // Answers OPEN-R calls: calls of OPENR:: functions that a program on a PC sends to this robot.
 // ROBOTGW.CFG names the service for such calls: TCPGateway.Proxy.AperiosMessage.P.
 //
-// The program asks for a system object by name and then calls this object; the answers come from
-// system_messages.h.  Objects of the stick cannot be called, because their messages contain
-// addresses of memory, which mean nothing on another computer.
+// The program asks for a system object by name and then calls this object; system_messages.h makes
+// the answers.  Objects of the stick cannot be called, because their messages contain addresses of
+// memory, which mean nothing on another computer.
 #pragma once
 
 #include "runtime/gateway/gateway_channel.h"

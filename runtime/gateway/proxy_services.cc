@@ -41,7 +41,8 @@ ProxyServices::ProxyServices(System* system, ObjectId gateway, uint32_t selector
 void ProxyServices::Remove(std::unique_ptr<RobotServices>* services) {
   auto* const proxy = dynamic_cast<ProxyServices*>(services->get());
   if (proxy == nullptr) return;
-  // Moves `local_` out of `proxy` first, because the assignment to `*services` destroys `proxy`.
+  // Moves `local_` out of `proxy` first, because the assignment to `*services` below destroys
+  // `proxy`.
   std::unique_ptr<RobotServices> local = std::move(proxy->local_);
   *services = std::move(local);
 }

@@ -21,8 +21,8 @@ class System;
 class ProxyServices : public ForwardingServices {
  public:
   // Sends OPEN-R calls as messages to entry `selector` of the object `gateway`, which passes them
-  // to the robot (proxy_client.h).  `local`, the services of this run's own robot, executes the
-  // functions that are not sent to the robot.
+  // to the robot (proxy_client.h).  The functions that are not sent to the robot are executed by
+  // `local`, the services of this run's own robot.
   ProxyServices(System* system, ObjectId gateway, uint32_t selector,
                 std::unique_ptr<RobotServices> local);
 

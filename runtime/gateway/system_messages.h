@@ -46,13 +46,14 @@ enum class ControlRequest : uint32_t {
 };
 
 inline constexpr size_t kLocatorBytes = 128;
-inline constexpr size_t kOpenReplyBytes = 12;    // size of a reply with type, status, primitive ID
-inline constexpr size_t kStatusReplyBytes = 8;   // size of a reply with type and status
-inline constexpr size_t kControlBytes = 224;     // size of a control request and of its reply
-inline constexpr size_t kControlParamAt = 32;    // offset of the parameter, or of the result
+inline constexpr size_t kOpenReplyBytes = 12;   // size of a reply with type, status, primitive ID
+inline constexpr size_t kStatusReplyBytes = 8;  // size of a reply with type and status
+inline constexpr size_t kControlBytes = 224;    // size of a control request and of its reply
+// Offset of the parameter in a control request, and of the result in its reply.
+inline constexpr size_t kControlParamAt = 32;
 inline constexpr size_t kPowerStatusBytes = 24;  // size of a message with type and OPowerStatus
 inline constexpr size_t kRobotDesignBytes = 40;  // size of a message with type, name[32] and status
-inline constexpr uint32_t kStatusType = 2;       // type of a reply that is only a status
+inline constexpr uint32_t kStatusType = 2;       // first word of a reply that has only a status
 inline constexpr uint32_t kOpenType = 1024;
 // The type (first word) of the reply to a request to open a primitive.  A request to close a
 // primitive has the same type.
@@ -69,9 +70,9 @@ uint32_t WordIn(const std::string& bytes, size_t offset);
 // the parameter `param`.  REQUIRES: `param` fits into kControlBytes - kControlParamAt bytes.
 std::string ControlMessage(ControlRequest request, const std::string& param);
 
-// Lets `services` execute `message`, which was sent to entry `selector` of the system object
-// `name`, and returns the answer.  If the object or entry is not supported, or the message is too
-// short, returns "" and sets `*why` to the reason.
+// Lets `services` execute a message to an entry of one of the robot's system objects, and returns
+// the answer.  If the object or entry is not supported, or the message is too short, returns "" and
+// sets `*why` to the reason.
 std::string AnswerSystemMessage(RobotServices* services, const std::string& design,
                                 const std::string& name, uint32_t selector,
                                 const std::string& message, std::string* why);

@@ -53,15 +53,15 @@ class TcpGateway : public CodeObject {
   // a channel (service of the gateway) in the field `continuation`.  IPStack copies this field into
   // its answer, so the answer goes to that channel.
   void PostToStack(antEnvMsg* message, int size);
-  // Posts a message that calls GatewayConnection::Open() of the service `channel` after `delay_us`,
-  // so that the host's side of the connection tries again to connect.
+  // Posts a message that is due after `delay_us` and calls GatewayConnection::Open() of the service
+  // `channel`, so that the host's side tries again to connect.
   void OpenLater(int channel, int64_t delay_us);
-  // Posts a message that comes after `delay_us` and then calls GatewayConnection::WarnIfNoAnswer()
-  // for the connection of service number `channel`, so that the user is warned if the peer does not
-  // answer.
+  // Posts a message that is due after `delay_us`.  It then calls
+  // GatewayConnection::WarnIfNoAnswer() for the connection of service number `channel`, which warns
+  // the user if the peer does not answer.
   void CheckForAnswerLater(int channel, int64_t delay_us);
-  // Posts a message that calls ProxyClient::Expire() after `delay_us`, so that a call to which the
-  // robot gives no answer fails.
+  // Posts a message that is due after `delay_us` and calls ProxyClient::Expire(), which makes a
+  // call fail to which the robot gives no answer.
   void ExpireLater(int64_t delay_us);
   void Warn(const std::string& text);
 

@@ -2,8 +2,8 @@
 // read(0).
 //
 // Each object that calls one of these functions gets a standard input of its own.  A read waits for
-// a line and stops only the object that reads; all other objects continue.  Nothing is defined for
-// std::cin, because it calls getc(), ungetc() and fread(), of which this process has its own
+// a line and stops only the object that reads; all other objects continue.  std::cin needs no
+// function here, because it calls getc(), ungetc() and fread(), of which this process has its own
 // versions.
 #include <stdarg.h>
 #include <stdio.h>
@@ -69,8 +69,8 @@ int fgetc(FILE* file) {
 }
 
 // <stdio.h> defines getchar() and getline() inline, and clang accepts no second definition of these
-// functions.  So they are defined under other names in C++, which become getchar and getline in the
-// object file.
+// functions.  So here they have other names in C++; __asm__ gives them the names getchar and
+// getline in the object file.
 int OpenrGetchar() __asm__("getchar");
 ssize_t OpenrGetline(char** line, size_t* size, FILE* file) __asm__("getline");
 
@@ -106,8 +106,8 @@ size_t fread(void* data, size_t size, size_t count, FILE* file) {
 }
 
 // Defines the scanf() functions whose names begin with `prefix`.  The C library has two versions of
-// each function: one follows C99, the other an older standard.  The header <stdio.h> chooses one
-// version by the language level of the caller, so both are defined here.
+// each function, one for C99 and one for an older standard.  <stdio.h> makes a program call one or
+// the other, depending on the language level of the program, so both versions are defined here.
 #define OPENR_SCANF_FAMILY(tag, prefix)                                                          \
   int tag##vfscanf(FILE* file, const char* format, va_list arguments) __asm__(prefix "vfscanf"); \
   int tag##vscanf(const char* format, va_list arguments) __asm__(prefix "vscanf");               \

@@ -36,18 +36,17 @@ using openr_host::t_current;
 namespace {
 
 // Makes the host write a file or folder to the disk now, so that a power cut does not lose it.
-// Used by rename(), unlink(), rmdir() and remove().  A program may call one of these functions to
-// replace or remove a file, and then report success.  So a power cut must not lose the new file or
-// bring back the removed file.  Returns EIO or ENOSPC if the disk could not store the bytes,
-// otherwise 0.  Ignores other errors, because some file systems cannot write a single file to the
-// disk.  Keeps errno.
+// Used by rename(), unlink(), rmdir() and remove(): a program may call one of them to replace or
+// remove a file, and then report success.  A later power cut must not lose the new file or bring
+// back the removed file.  Returns EIO or ENOSPC if the disk could not store the bytes, otherwise 0.
+// Ignores other errors, because some file systems cannot write a single file to the disk.  Keeps
+// errno.
 //
-// The files of a copy of the default stick are written to the disk too.  The copy is removed at the
-// end of its run, but without this write a full disk would not be noticed.  This costs little: a
-// program that searches for a good walk, and uploads two motions for each try, spends 4 % of its
-// time here.
+// Does this also for the copy of the default stick, which is removed at the end of its run, because
+// otherwise a full disk would not be noticed.  The cost is small: a program that searches for a
+// good walk, and uploads two motions for each try, spends 4 % of its time here.
 int WriteThrough(const std::string& host_path) {
-  const ApiScope scope;  // so that open() uses `host_path` as a path of the host
+  const ApiScope scope;  // makes open() take `host_path` as a path of the host
   const int error = errno;
   int lost = 0;
   if (const int descriptor = open(host_path.c_str(), O_RDONLY | O_CLOEXEC); descriptor >= 0) {
@@ -63,7 +62,7 @@ int WriteThrough(const std::string& host_path) {
 // entry of the folder has changed.  Ignores errors of the disk, because the change cannot be taken
 // back.
 void WriteFolderThrough(const std::string& host_path) {
-  const ApiScope scope;  // keeps the text of the folder's path out of the object's heap
+  const ApiScope scope;  // keeps the path of the folder out of the object's heap
   WriteThrough(host_path.substr(0, host_path.rfind('/')));
 }
 
@@ -113,10 +112,10 @@ StickUse UseOf(const char* mode) {
                                              : StickUse::kRead;
 }
 
-// Returns whether the current object may open the file `path` of the stick.  `host` is the path of
-// this file on the host.  `writes` is true if the file is opened for writing.  If the object may
-// not open the file, sets errno.  A file that is already open can be opened again only if all its
-// users only read it (Programmer's Guide, appendix A).
+// Returns whether the current object may open the file `path` of the stick, whose path on the host
+// is `host`.  `writes` is true if the file is opened for writing.  If the object may not open the
+// file, sets errno.  A file that is already open can be opened again only if all its users only
+// read it (Programmer's Guide, appendix A).
 bool MayOpen(const std::string& host, bool writes, const char* path) {
   const ApiScope scope;
   const openr_host::Object* holder = nullptr;
@@ -186,9 +185,9 @@ mode_t ModeOf(int flags, va_list arguments) {
   return (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(arguments, mode_t) : 0;
 }
 
-// Removes `descriptor` from the open files of the object that has opened it.  Returns false if no
-// object has opened the descriptor.  All objects are searched, because any object may close a
-// descriptor of another object.
+// Removes `descriptor` from the open files of the object that has opened it.  Searches all objects,
+// because an object may close a descriptor of another object.  Returns false if no object has
+// opened the descriptor.
 bool ForgetDescriptor(int descriptor) {
   for (const auto& object : t_current.system->objects()) {
     if (object != nullptr && object->files().descriptors.erase(descriptor) == 1) return true;
@@ -218,8 +217,8 @@ int RemoveThrough(int (*next)(const char*), const char* path) {
   return result;
 }
 
-// Removes everything except kind and size from `status`, because the robot's file system reports
-// only kind and size (Programmer's Guide, appendix A).
+// Clears all fields of `status`, the result of stat() for a file or folder, except its kind and
+// size, because the robot's file system reports only these two (Programmer's Guide, appendix A).
 template <typename Status>
 void AsOnRobot(Status* status) {
   const mode_t kind = S_ISDIR(status->st_mode) ? S_IFDIR : S_IFREG;
@@ -327,13 +326,12 @@ FILE* freopen(const char* path, const char* mode, FILE* file) {
 int fclose(FILE* file) {
   static const auto next = OPENR_NEXT(fclose);
   if (!InObject()) return next(file);
-  // fclose() of a stream of the console reports success but leaves the console open, as close()
-  // does.
+  // Leaves a stream of the console open and reports success, as close() does, because the console
+  // belongs to the whole run.
   if (file == stdin || file == stdout || file == stderr) return 0;
   OpenFiles::File written = ForgetStream(file);
   const int result = next(file);
-  // fclose() has written the last bytes of the file, so an error may mean that these bytes are
-  // lost.
+  // fclose() has written the last bytes of the file, so an error may mean that some bytes are lost.
   if (result != 0 && written.writes) openr_host::ReportWriteError(&written, errno);
   return result;
 }
@@ -342,8 +340,8 @@ int close(int descriptor) {
   static const auto next = OPENR_NEXT(close);
   if (!InObject()) return next(descriptor);
   const ApiScope scope;
-  // close() of the console reports success but leaves the console open, because the console belongs
-  // to the whole run.
+  // Leaves a descriptor of the console open and reports success, because the console belongs to the
+  // whole run.
   if (descriptor >= STDIN_FILENO && descriptor <= STDERR_FILENO) return 0;
   if (ForgetDescriptor(descriptor)) return next(descriptor);
   errno = EBADF;  // refuses, because an object must not close descriptors of the host

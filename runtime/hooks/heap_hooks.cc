@@ -143,9 +143,9 @@ void* realloc(void* block, size_t size) {
     free(block);
     return nullptr;
   }
-  // Takes the new block from the heap of the code that calls realloc(), so a block may move from an
-  // object's heap to the host's heap, or back.  But a block of an object stays in place if it does
-  // not grow and if its new size is more than half of its old size.
+  // Takes the new block from the heap of the code that calls realloc().  So a block may move from
+  // an object's heap to the host's heap, or back.  But a block of an object stays in place if it
+  // does not grow and if its new size is more than half of its old size.
   const size_t old_size = from_arena ? Arena::UsableSize(block) : malloc_usable_size(block);
   if (from_arena && size <= old_size && size > old_size / 2) return block;
   void* const moved = malloc(size);

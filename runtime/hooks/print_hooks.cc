@@ -19,8 +19,8 @@ using openr_host::LibraryScope;
 using openr_host::NextSymbol;
 
 // Declares our version of the C library's function `plain`.  In C++ its name is OpenrV`name`,
-// because <stdio.h> defines some of these functions inline, and clang accepts no second definition
-// of these functions.  In the object file its name is `plain`.
+// because <stdio.h> defines some of these functions inline, and clang accepts no second definition.
+// In the object file its name is `plain`.
 #define OPENR_LIBRARY_FUNCTION(name, plain, ...) \
   extern "C" int OpenrV##name(__VA_ARGS__, va_list arguments) __asm__(#plain)
 

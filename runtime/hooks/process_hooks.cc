@@ -27,11 +27,12 @@ namespace {
 
 bool InHandler() { return InObject() && t_current.object->running() != nullptr; }
 
-// Returns whether a constructor of an object's globals runs.
+// Returns whether a constructor of an object's global variables runs.
 bool InConstructors() { return InObject() && t_current.object->running() == nullptr; }
 
-// Ends the run because a constructor of an object's globals has called `function`.  The constructor
-// belongs to no handler that could end instead, and the object cannot run without its globals.
+// Ends the run because a constructor of an object's global variables has called `function`.  Such a
+// call normally ends the running handler, but here no handler runs, and the object cannot run
+// without its global variables.
 [[noreturn]] void RefuseInConstructors(const char* function) {
   std::string why;
   {
@@ -90,7 +91,8 @@ void abort() noexcept {
   __builtin_unreachable();
 }
 
-// Ends the handler of an object.  assert() calls this function when its condition does not hold.
+// Ends the running handler of an object.  assert() calls this function when its condition does not
+// hold.
 void __assert_fail(const char* condition, const char* file, unsigned line,
                    const char* function) noexcept {
   static const auto next =
@@ -107,9 +109,9 @@ void __assert_fail(const char* condition, const char* file, unsigned line,
   __builtin_unreachable();
 }
 
-// Registers the destructor of a static object.  The C library's list of destructors exists longer
-// than any object of the robot, so its memory must come from the host's heap, which ApiScope
-// selects.  If `argument` is null, the caller is atexit().  Then registers nothing, because
+// Registers the destructor of a static C++ variable.  The C library's list of destructors exists
+// longer than any object of the robot, so the memory of the list must come from the host's heap,
+// which ApiScope selects.  Registers nothing for atexit(), which passes null as `argument`, because
 // atexit() does nothing on the robot.
 int __cxa_atexit(void (*function)(void*), void* argument, void* module) noexcept {
   static const auto next = NextSymbol<int(void (*)(void*), void*, void*)>("__cxa_atexit");

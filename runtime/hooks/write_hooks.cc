@@ -1,11 +1,11 @@
-// Functions that write to an open file: write(), writev(), which std::ofstream calls, fwrite(),
+// Functions that write to an open file: write(), writev() (which std::ofstream calls), fwrite(),
 // fflush() and rewind().
 //
-// These functions return to an object what the functions of the C library return.  If not all bytes
-// could be written to the host's disk, for instance because the disk is full, the run has a
-// finding, because programs often ignore such an error.  An error of fprintf(), fputs() and the
-// like is found later: by the next fwrite(), fflush() or rewind(), by fclose() (file_hooks.cc), or
-// by FlushStreams() if the object does not close the stream.
+// These functions return to an object what the functions of the C library return.  If the host's
+// disk cannot store all bytes, for instance because it is full, the run also has a finding, because
+// programs often ignore such an error.  An error of fprintf(), fputs() and the like is found later:
+// by the next fwrite(), fflush() or rewind(), by fclose() (file_hooks.cc), or by FlushStreams() if
+// the object does not close the stream.
 #include <stdio.h>
 #include <sys/uio.h>
 #include <unistd.h>
@@ -38,8 +38,8 @@ OpenFiles::File* FindFile(int descriptor) {
   return nullptr;
 }
 
-// Reports a write of `size` bytes by the current object if not all of them were written.  `result`
-// is the number of bytes that were written, or -1 if the write failed; errno then has the reason.
+// Reports a write by the current object if it has written fewer than `size` bytes.  `result` is the
+// number of bytes that were written, or -1 if the write failed; errno then has the reason.
 void CheckWritten(int descriptor, ssize_t result, size_t size) {
   if (result >= 0 && static_cast<size_t>(result) == size) return;
   const int error = result < 0 ? errno : 0;

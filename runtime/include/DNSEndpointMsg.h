@@ -44,8 +44,8 @@ struct DNSEndpointSetServerAddressesMsg : public DNSEndpointBaseMsg {
 };
 
 struct DNSEndpointGetServerAddressesMsg : public DNSEndpointBaseMsg {
-  int32 nscount;              // set in the answer
-  IPAddress addrList[MAXNS];  // set in the answer
+  int32 nscount;              // set by the network stack in its answer
+  IPAddress addrList[MAXNS];  // set by the network stack in its answer
 
   DNSEndpointGetServerAddressesMsg();
   explicit DNSEndpointGetServerAddressesMsg(antModuleRef& module);
@@ -59,7 +59,7 @@ struct DNSEndpointSetDefaultDomainNameMsg : public DNSEndpointBaseMsg {
 };
 
 struct DNSEndpointGetDefaultDomainNameMsg : public DNSEndpointBaseMsg {
-  char name[MAXDNAME];  // set in the answer
+  char name[MAXDNAME];  // set by the network stack in its answer
 
   DNSEndpointGetDefaultDomainNameMsg();
   explicit DNSEndpointGetDefaultDomainNameMsg(antModuleRef& module);
@@ -79,11 +79,11 @@ struct DNSEndpointGetHostByNameMsg : public DNSEndpointBaseMsg {
 };
 
 struct DNSEndpointGetHostByAddrMsg : public DNSEndpointBaseMsg {
-  char name[MAXDNAME];       // set in the answer
-  IPAddress server_address;  // set in the answer
+  char name[MAXDNAME];       // set by the network stack in its answer
+  IPAddress server_address;  // set by the network stack in its answer
   IPAddress host_address;
-  int32 n_address;  // set in the answer
-  int32 n_alias;    // set in the answer
+  int32 n_address;  // set by the network stack in its answer
+  int32 n_alias;    // set by the network stack in its answer
 
   DNSEndpointGetHostByAddrMsg();
   DNSEndpointGetHostByAddrMsg(antModuleRef& module, IPAddress address);
@@ -93,7 +93,7 @@ struct DNSEndpointGetHostByAddrMsg : public DNSEndpointBaseMsg {
 // error is DNS_INDEX_INVALID if no address has this index.
 struct DNSEndpointGetAddressMsg : public DNSEndpointBaseMsg {
   int32 index;
-  IPAddress address;  // set in the answer
+  IPAddress address;  // set by the network stack in its answer
 
   DNSEndpointGetAddressMsg();
   DNSEndpointGetAddressMsg(antModuleRef& module, int number);
@@ -103,7 +103,7 @@ struct DNSEndpointGetAddressMsg : public DNSEndpointBaseMsg {
 // is the official name.
 struct DNSEndpointGetAliasMsg : public DNSEndpointBaseMsg {
   int32 index;
-  char name[MAXDNAME];  // set in the answer
+  char name[MAXDNAME];  // set by the network stack in its answer
 
   DNSEndpointGetAliasMsg();
   DNSEndpointGetAliasMsg(antModuleRef& module, int number);

@@ -71,7 +71,7 @@ struct IPEndpointSendMsg : public IPEndpointBaseMsg {
 };
 
 struct IPEndpointReceiveMsg : public IPEndpointBaseMsg {
-  IPPacketType type;  // set in the answer
+  IPPacketType type;  // set by the network stack in its answer
   byte* buffer;       // must point into a shared buffer
   int size;           // in bytes
 

@@ -20,7 +20,7 @@
 #define IPPROTO_RAW 255
 #define IPPROTO_MAX 256
 
-#define IPPORT_RESERVED 1024      // ports below this number are for the system
-#define IPPORT_USERRESERVED 5000  // the ports that the stack chooses are below this number
+#define IPPORT_RESERVED 1024      // ports below this number are for system services
+#define IPPORT_USERRESERVED 5000  // ports that the network stack chooses are below this number
 
 #endif  // OPENR_INTERNET_H_INCLUDED

@@ -24,15 +24,17 @@ extern "C" {
 // call, so that a loop that waits for a certain time comes to an end.
 sError GetSystemTime(SystemTime* time);
 
-// Find an object or an entry, register or remove the name of an object; WhoAmI() returns the OID of
-// the calling object.  At first the name of an object is the OBJECT_NAME of its .ocf file.
+// Functions that find objects and entries, and that register and remove names of objects.  WhoAmI()
+// returns the OID of the calling object.  Before a Register(), the name of an object is the
+// OBJECT_NAME of its .ocf file.
 sError WhoAmI(OID* oid);
 sError Find(const char* name, OID* oid);
 sError Register(OID oid, const char* name);
 sError Unregister(const char* name);
 sError FindSelector(const char* name, Selector* selector);
 
-// Send a message without waiting.  `size` bytes are copied; at most 256.
+// Send a copy of the message, `size` bytes at `msg`, and return without waiting.  `size` is at most
+// 256.
 sError Send(OID oid, Selector selector, void* msg, size_t size);
 sError SendWithRBox(OID oid, Selector selector, void* msg, size_t size, RID* rbox);
 // Waits for the answer to a SendWithRBox().  Only the calling object waits; all other objects run
@@ -89,8 +91,8 @@ sError SetResourceValue(sResource resource, slongword value);
 sError GetResourceValue(sResource resource, slongword* current, slongword* most = 0,
                         slongword* least = 0);
 
-// Lets `nanosec` nanoseconds pass for this handler: GetSystemTime() returns times that are later by
-// this amount.
+// Lets `nanosec` nanoseconds pass for this handler: from now on GetSystemTime() returns times that
+// are later by this amount.
 sError Wait(longword nanosec);
 
 }  // extern "C"

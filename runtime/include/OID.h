@@ -7,7 +7,8 @@
 
 #include <Types.h>
 
-// The value of a default constructed OID, and the OID that means every object.
+// OID_UNDEF is the value of a default constructed OID; the other constant is the OID that means
+// every object.
 void* const OID_UNDEF = reinterpret_cast<void*>(0xffffffffUL);
 void* const OID_ALL = 0;
 

@@ -1,8 +1,8 @@
 // Messages to a TCP endpoint.
 //
-// An endpoint serves one connection: listen or connect, send and receive, close.  After that it
-// cannot be used again.  One send and one receive may wait for their answers at a time.  Where
-// pointers have 32 bits, sizes and offsets are those of the robot.
+// An endpoint serves one connection: listen or connect, send and receive, close.  After that the
+// endpoint cannot be used again.  One send and one receive may wait for their answers at a time.
+// Where pointers have 32 bits, sizes and offsets are those of the robot.
 #ifndef OPENR_TCPENDPOINTMSG_H_INCLUDED
 #define OPENR_TCPENDPOINTMSG_H_INCLUDED
 
@@ -109,7 +109,7 @@ struct TCPEndpointConnectMsg : public TCPEndpointBaseMsg {
 // Sends data.  The answer comes when the network stack has accepted all data, which may be before
 // the peer has received them.
 struct TCPEndpointSendMsg : public TCPEndpointBaseMsg {
-  byte* buffer;  // must point into a shared buffer and must not be changed before the answer
+  byte* buffer;  // data in a shared buffer; must not be changed before the answer
   int size;      // in bytes
   int16 queueNr;
 
@@ -194,7 +194,7 @@ struct TCPEndpointSetBlockingModeMsg : public TCPEndpointBaseMsg {
 };
 
 struct TCPEndpointReadyForReadMsg : public TCPEndpointBaseMsg {
-  boolean ready;  // set in the answer
+  boolean ready;  // set by the network stack in its answer
   int16 queueNr;
 
   TCPEndpointReadyForReadMsg()
@@ -206,7 +206,7 @@ struct TCPEndpointReadyForReadMsg : public TCPEndpointBaseMsg {
 };
 
 struct TCPEndpointReadyForWriteMsg : public TCPEndpointBaseMsg {
-  boolean ready;  // set in the answer
+  boolean ready;  // set by the network stack in its answer
   int16 queueNr;
 
   TCPEndpointReadyForWriteMsg()

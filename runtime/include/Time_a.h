@@ -1,7 +1,7 @@
 // Spans of time in milliseconds, for timeouts and timed messages.
 //
-// The SDK also declares two conversions to and from SystemTime.  They are left out, because none of
-// its libraries defines them, so no program can use them.
+// The SDK also declares two conversions to and from SystemTime.  They are left out, because no
+// library of the SDK defines them, so no program can use them.
 #ifndef OPENR_TIME_A_H_INCLUDED
 #define OPENR_TIME_A_H_INCLUDED
 

@@ -11,7 +11,7 @@
 #define OPENR_TYPES_H_INCLUDED
 
 #include <stddef.h>
-#include <sys/types.h>  // u_char, u_short, u_int, u_long
+#include <sys/types.h>  // for u_char, u_short, u_int, u_long
 
 typedef unsigned char byte;
 typedef unsigned short word;

@@ -36,13 +36,13 @@ struct antEnvMsgContInfo {
 class antEnvMsg {
  public:
   Selector dstSelector;    // a constant Entry_antEnv_...
-  antModuleRef dstModule;  // the endpoint; a null reference means the stack itself
+  antModuleRef dstModule;  // the endpoint to which the message goes; null: the stack itself
   int32 dstOperation;
   OID sender;
   int32 msgSize;  // the size that the sender gave to Send() or Call(), which may be wrong
   antEnvInvocationType invocationType;
   antEnvMsgContInfo contInfo;
-  void* continuation;  // a value of the sender, unchanged in the answer
+  void* continuation;  // any value of the sender; the answer has the same value
 
   antEnvMsg()
       : dstSelector(Entry_antEnv_External),
@@ -65,9 +65,9 @@ class antEnvMsg {
   // Only the calling object waits.
   antError Call(antStackRef target, int size);
 
-  // Returns the answer of the network stack that the running entry of the program has received;
-  // called as the first statement of this entry.  The answer is valid until the entry returns; the
-  // program casts it to its real type.
+  // Returns the answer of the network stack that the running entry of the program has received.
+  // The program calls this as the first statement of the entry, and casts the answer to its real
+  // type.  The answer is valid until the entry returns.
   static antEnvMsg* Receive(ANTENVMSG msg);
 
   int32 GetOperation() const { return dstOperation; }
@@ -83,7 +83,7 @@ class antEnvMsg {
 template <class Error>
 class antOperationMsg : public antEnvMsg {
  public:
-  Error error;  // set in the answer
+  Error error;  // set by the network stack in its answer
 
   explicit antOperationMsg(int32 operation) : antEnvMsg(operation), error(static_cast<Error>(1)) {}
   antOperationMsg(const antModuleRef& module, int32 operation)

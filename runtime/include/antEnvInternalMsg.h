@@ -39,7 +39,7 @@ struct antEnvCreateEndpointMsg : public antOperationMsg<antError> {
 
 struct antEnvCreateSharedBufferMsg : public antOperationMsg<antError> {
   uint32 size;             // in bytes
-  antSharedBuffer buffer;  // set in the answer
+  antSharedBuffer buffer;  // set by the network stack in its answer
 
   antEnvCreateSharedBufferMsg(uint32 bytes = 0)
       : antOperationMsg<antError>(antEnv_Operation_CreateSharedBuffer), size(bytes) {}
@@ -64,8 +64,8 @@ union antEnvParamValue {
 struct antEnvInitGetParamMsg : public antEnvMsg {
   int32 paramType;  // in the answer: a constant antEnv_InitParam_...
   char key[ANTENV_KEY_LENGTH_MAX];
-  antEnvParamValue value;  // set in the answer
-  antError error;          // set in the answer
+  antEnvParamValue value;  // set by the network stack in its answer
+  antError error;          // set by the network stack in its answer
 
   antEnvInitGetParamMsg();
   antEnvInitGetParamMsg(const char* name);
@@ -80,7 +80,7 @@ struct antEnvInitSetParamMsg : public antEnvMsg {
   int32 paramType;  // a constant antEnv_InitParam_...
   char key[ANTENV_KEY_LENGTH_MAX];
   antEnvParamValue value;
-  antError error;  // set in the answer
+  antError error;  // set by the network stack in its answer
 
   antEnvInitSetParamMsg();
   antEnvInitSetParamMsg(const char* name, int32 number);
@@ -93,7 +93,7 @@ struct antEnvInitSetParamMsg : public antEnvMsg {
 
 // Starts the network stack; allowed to system objects only.
 struct antEnvInitStartMsg : public antEnvMsg {
-  antError error;  // set in the answer
+  antError error;  // set by the network stack in its answer
 
   antEnvInitStartMsg();
   antError Reply(antError e) {

@@ -22,11 +22,11 @@
 
 const sError SystemErrorBase = 10;
 const sError sOBJNOTFOUND = 12;
-const sError sFULLMSGQENTRY = 13;  // the receiver already has 32 messages waiting
+const sError sFULLMSGQENTRY = 13;  // the receiver's queue already has 32 messages
 const sError sFULLMSGQENT = sFULLMSGQENTRY;
 const sError sFULLMSGPOOL = 14;
 const sError sEXCEEDEDSIZEOFMSG = 15;
-const sError sEXCEEDEDSIZEOFENTRYTABLE = 16;  // the receiver has no entry for the selector
+const sError sEXCEEDEDSIZEOFENTRYTABLE = 16;  // the receiver has no entry with this selector
 const sError sTIDCANNOTBECREATED = 17;
 const sError sRBOXCANNOTBECREATED = sTIDCANNOTBECREATED;
 const sError sINVALIDRID = 18;

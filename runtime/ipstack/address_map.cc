@@ -18,8 +18,8 @@ uint32_t AddressMap::ToHost(uint32_t address) const {
 NetAddress AddressMap::ToHost(NetAddress peer) {
   const NetAddress host{ToHost(peer.ip), peer.port};
   if (!Has(peer.ip)) return host;
-  // Clears peers_, the addresses that programs have used for peers, when it is full, because a
-  // program that scans ports would let it grow without limit.
+  // When peers_ (the addresses that programs have used for peers) is full, clears it, because a
+  // program that scans ports would let peers_ grow without limit.
   if (peers_.size() >= kPeersMax) peers_.clear();
   peers_[{host.ip, host.port}] = peer.ip;
   return host;

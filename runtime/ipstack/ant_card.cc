@@ -1,5 +1,5 @@
 // Functions that read the state of the wireless card (ERA201D1.h).  Because the host has no such
-// card, they return the settings of WLANCONF.TXT and constants for an undisturbed connection.
+// card, they return the settings in WLANCONF.TXT, and constants that mean a perfect connection.
 #include <ERA201D1.h>
 
 #include <algorithm>
@@ -16,15 +16,15 @@ using openr_host::WlanConfig;
 
 namespace {
 
-// The lengths of a radio frame above which the card first asks the other stations for permission to
-// send it (RTS), and above which it splits the frame.  These are the default values of 802.11b.  No
-// frame is so long, so a card with these values never asks and never splits.
+// The length of a radio frame above which the card first asks the other stations for permission to
+// send it (RTS), and the length above which the card splits a frame.  These are the default values
+// of 802.11b.  No frame is so long, so a card with these values never asks and never splits.
 constexpr int32 kRtsThreshold = 2347;
 constexpr int32 kFragmentationThreshold = 2346;
 
-// Clears `msg`.  If the robot has a wireless card and the driver of the card, calls `fill`, which
-// stores the state of the card in `msg`.  Sets msg->status to ETHER_OK, or to an error if the card
-// or the driver is missing, and returns this status.
+// Clears `msg`.  If the robot has a wireless card and its driver, calls `fill`, which stores the
+// state of the card in `msg`.  Sets msg->status to ETHER_OK, or to an error if the card or the
+// driver is missing, and returns this status.
 template <typename Msg, typename Fill>
 EtherStatus Ask(Msg* msg, Fill fill) {
   const ApiScope scope;

@@ -16,8 +16,8 @@ using namespace openr_host;
 namespace {
 
 // Returns the network stack that `target` names.  Returns null if the robot has no such stack, or
-// if no handler of an object runs.  Sets the error field of `message` to "failed" first, because a
-// program may read this field even after Send() or Call() has failed.
+// if no handler of an object runs.  First sets the error field of `message` to "failed", because a
+// program may read this field even if Send() or Call() fails.
 IpStack* StackFor(const antStackRef& target, antEnvMsg* message) {
   SetAntError(message, ANT_FAIL);  // ANT_FAIL fits every message: 1 means "failed" in all protocols
   IpStack* const stack = IpStack::OfCurrent();
@@ -34,8 +34,8 @@ OwnedMessage NewRequest(IpStack* stack, const antEnvMsg& message) {
   request->size = static_cast<uint32_t>(size);
   request->kind = PayloadKind::kHashed;
   // The trace gets a hash of this message and not its bytes, because the bytes contain memory
-  // addresses, which differ from run to run.  The hash also covers the data that the message sends,
-  // if these data lie in a mapped shared buffer.  Other data are not read, because their address
+  // addresses, which differ from run to run.  If the data to send lie in a mapped shared buffer,
+  // the hash covers them too.  Data outside of such a buffer are not read, because their address
   // may be invalid.
   const AntData data = DataToSend(message);
   const bool known = stack->buffers().Contains(data.begin, data.size);

@@ -162,7 +162,7 @@ void Visit(M& m, V&& visit) {
   }
 }
 
-// ---- Clear() sets the counts of received data in an answer to 0
+// ---- Clear() sets the numbers of received bytes and of found addresses in an answer to 0
 
 void Clear(antEnvMsg*) {}
 void Clear(TCPEndpointReceiveMsg* m) { m->sizeMin = m->sizeMax = 0; }
@@ -201,8 +201,8 @@ void AddParameter(Hasher* h, const T& m) {
   if (m.paramType == antEnv_InitParam_String) Add(h, m.value.str);
 }
 
-// Adds nothing for a type of messages without an AddFields() of its own: such messages have no
-// fields besides operation and error, or fields without a known meaning.
+// Adds nothing for a type of messages without an AddFields() of its own: besides operation and
+// error, such messages have no fields, or fields whose meaning is not known.
 void AddFields(Hasher*, const antEnvMsg&) {}
 
 void AddFields(Hasher* h, const TCPEndpointListenMsg& m) { AddFourAddresses(h, m); }
@@ -471,7 +471,7 @@ uint64_t AntMessageHash(const antEnvMsg& message, const void* data, size_t size)
   });
   hasher.AddText({static_cast<const char*>(data), size});
   const uint64_t digest = hasher.Digest();
-  return digest == 0 ? 1 : digest;  // never 0, which means "no hash" in a Message
+  return digest == 0 ? 1 : digest;  // not 0, because 0 means "no hash" in a Message
 }
 
 }  // namespace openr_host

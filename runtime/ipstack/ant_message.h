@@ -39,8 +39,8 @@ std::string AntMessageText(const antEnvMsg& message, bool is_answer);
 // Sets the error field of `message`; its position depends on the type of `message`.
 void SetAntError(antEnvMsg* message, int32_t error);
 
-// Sets the counts of received bytes or found addresses in an error answer to 0, because programs
-// look at counts without checking the error.
+// Sets the numbers of received bytes or found addresses in an answer with an error to 0, because
+// programs use these numbers without checking the error.
 void ClearCounts(antEnvMsg* message);
 
 // Returns the XXH3 hash of `message` for the trace of a run: the hash of the transferred bytes at
@@ -49,9 +49,9 @@ void ClearCounts(antEnvMsg* message);
 // returns 0, which means "no hash" in a Message.
 uint64_t AntMessageHash(const antEnvMsg& message, const void* data = nullptr, size_t size = 0);
 
-// Returns whether the field `abort` of `message` is not 0.  The field is read as a byte: if a
-// program has written another message into the same memory, the byte may be neither 0 nor 1, and
-// C++ gives no meaning to such a bool.
+// Returns whether the field `abort` of `message` is not 0.  Reads the field as a byte, not as a
+// bool: if a program has written another message into the same memory, the byte may be neither 0
+// nor 1, which C++ does not allow for a bool.
 bool IsAbort(const TCPEndpointCloseMsg& message);
 
 // The bytes that a Send message of TCP or UDP sends; the size is 0 for other messages.
@@ -61,9 +61,9 @@ struct AntData {
 };
 AntData DataToSend(const antEnvMsg& message);
 
-// Describes the field of `message` that points into a shared buffer; `pointer` is null if `message`
-// has no such field.  A request sends `sent` bytes from `*pointer` on; its answer may write up to
-// `received` bytes from `*pointer` on.
+// Describes the field of a message that points into a shared buffer.  `pointer` is the address of
+// this field, or null if the message has no such field.  A request sends the `sent` bytes to which
+// the field points; its answer may write up to `received` bytes there.
 struct AntBuffer {
   byte** pointer = nullptr;
   int sent = 0;

@@ -141,8 +141,8 @@ void DnsEndpoint::AnswerReady() {
   }
 }
 
-// Answers the pending query for a host.  After a failure the message keeps the name that the
-// program asked for.  Sony's sample NTP reads this name and uses it as an address if it is a dotted
+// Answers the pending query for a host.  After a failure, the answer has the name that the program
+// asked for, because Sony's sample NTP reads this name and uses it as an address if it is a dotted
 // address.
 void DnsEndpoint::FinishQuery(DNSEndpointError error) {
   ASSERT(query_.has_value());

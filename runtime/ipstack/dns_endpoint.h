@@ -1,8 +1,8 @@
 // DnsEndpoint: answers a program's queries for names and addresses of hosts.
 //
 // The answers come from the Network, which asks the host's resolver or looks into a table.  The
-// list of DNS servers is kept only because programs set and read this list.  Every answer says that
-// the first server of the list has answered.
+// endpoint has a list of DNS servers only because programs set and read this list.  Every answer
+// says that the first server of the list has answered.
 #pragma once
 
 #include <DNSEndpointMsg.h>

@@ -11,8 +11,8 @@ namespace openr_host {
 class Hasher;
 class IpStack;
 
-// The owner of sockets of the Network: an endpoint, or a port on which endpoints listen.  The owner
-// receives the events of its sockets.
+// The owner of one or more sockets of the Network: an endpoint, or a port on which endpoints
+// listen.  The owner receives the events of its sockets.
 class EventSink {
  public:
   virtual ~EventSink() = default;
@@ -41,8 +41,8 @@ class Endpoint : public EventSink {
   // network stack polls the network every frame.
   virtual bool WaitsForNetwork() const = 0;
 
-  // Resets what the endpoint counts within one frame, such as the bytes that it has sent.  Called
-  // at the beginning of each poll of the network, before StoreEvent().
+  // Resets the numbers that hold for one frame, such as the number of bytes that the endpoint has
+  // sent in this frame.  Called at the beginning of each poll of the network, before StoreEvent().
   virtual void BeginFrame() {}
 
   // Releases all sockets without answering the pending operations (messages of the program).
@@ -60,9 +60,9 @@ class Endpoint : public EventSink {
   IpStack* const stack_;
   const int32_t protocol_;  // protocol of the endpoint, a constant EndpointType_...
   const ObjectId owner_;    // the object that created the endpoint
-  // The size of the pool in bytes, > 0.  The pool limits the bytes that the network has not
-  // accepted yet (TCP), or that were sent in this frame (UDP).  A Send that does not fit into the
-  // pool waits.
+  // The size of the pool in bytes, > 0.  For TCP, the pool limits the bytes that the network has
+  // not accepted yet; for UDP, the bytes that were sent in this frame.  A Send that does not fit
+  // into the pool waits.
   const int32_t pool_bytes_;
   bool dead_ = false;
 };

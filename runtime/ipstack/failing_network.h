@@ -9,10 +9,10 @@
 
 namespace openr_host {
 
-// Passes all commands to `inner`, but makes command number `nth` fail.  The commands Listen,
-// Accept, Connect, Send, Receive, Bind, SendTo, ReceiveFrom, Resolve and ResolveAddress are counted
-// from 1.  The failing command is not passed to `inner`; the next Poll() reports the failure with
-// `error`.
+// Passes all commands to `inner`, but makes command number `nth` fail, counted from 1.  Only the
+// commands Listen, Accept, Connect, Send, Receive, Bind, SendTo, ReceiveFrom, Resolve and
+// ResolveAddress are counted.  The failing command is not passed to `inner`; the next Poll()
+// reports the failure with `error`.
 class FailingNetwork : public Network {
  public:
   FailingNetwork(std::unique_ptr<Network> inner, int nth, NetError error)
@@ -39,7 +39,7 @@ class FailingNetwork : public Network {
 
  private:
   // Counts a command for the socket `handle`.  Returns true if this is command number `nth`, which
-  // the test wants to fail; the caller then does not pass the command on.
+  // must fail; the caller then does not pass this command to the other Network.
   bool Fails(NetHandle handle);
 
   const std::unique_ptr<Network> inner_;

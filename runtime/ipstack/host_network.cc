@@ -48,8 +48,8 @@ HostNetwork::HostNetwork(HostNetworkOptions options)
 
 void HostNetwork::Attach(uint32_t ip) {
   ip_ = ip;
-  // Sets the host's address for server ports anew, and forgets the robot's addresses at which
-  // sockets were bound, because the robot may have another address than at an earlier boot.
+  // At each boot, chooses anew the host's address for server ports, and forgets the robot's
+  // addresses at which sockets were bound, because the robot's address may have changed.
   bind_ip_ = addresses_.Has(ip) ? addresses_.ToHost(ip) : options_.bind_ip;
   bound_.clear();
 }
@@ -82,9 +82,9 @@ NetAddress HostNetwork::ToHost(NetAddress remote, const HostPorts& ports) {
     return {ip == 0 ? 0x7f000001 : ip, own};
   }
   // If `remote` has the robot's own address, the robot does not listen on remote.port, as checked
-  // above.  Then returns port 0, so that the attempt to connect fails and does not reach a program
-  // of the host.  But if a pair of the options translates the robot's own address, uses this pair,
-  // as the user has asked.
+  // above.  Returns port 0, so that the connect fails and does not reach a program of the host.
+  // But if a pair of the options translates the robot's own address, uses this pair, as the user
+  // has asked.
   if (remote.ip == ip_ && !addresses_.Has(ip_)) return {remote.ip, 0};
   return addresses_.ToHost(remote);
 }
@@ -180,8 +180,8 @@ void HostNetwork::Close(NetHandle handle) {
 
 void HostNetwork::Bind(NetHandle handle, uint16_t port, bool any_port) {
   const uint32_t ip = BindIp(handle);
-  // Binds the socket to 0.0.0.0, which means all addresses of the host, if the stack has chosen the
-  // port.  In this case the program is a client, which must reach other hosts; a socket bound to
+  // If the stack has chosen the port, binds the socket to 0.0.0.0, which means all addresses of the
+  // host.  In this case the program is a client, which must reach other hosts; a socket bound to
   // 127.0.0.1 cannot reach them.
   NoteBindError(ip, udp_.Bind(handle, {any_port ? 0 : ip, port}, any_port, &events_));
 }
@@ -303,8 +303,8 @@ void HostNetwork::Read(NetHandle handle, Connection* connection) {
 }
 
 // Reads and drops data that still arrive on a connection that the program has closed.  One call
-// reads a bounded amount, so that a peer that never stops cannot hold up the run; later polls
-// continue.
+// reads a limited number of bytes, so that a peer that never stops sending cannot hold up the run;
+// the next polls read more.
 void HostNetwork::Discard(NetHandle handle, Connection* connection) {
   std::string bytes;
   for (size_t total = 0; total < kReadBytesMax * 4; total += bytes.size()) {

@@ -111,9 +111,8 @@ class HostNetwork : public Network {
   bool IsRobot(uint32_t ip) const;
   // Returns the address of the host at which the server socket `handle` must be bound.  This is
   // normally bind_ip_, the address for server ports.  But if SelectAddress() has selected an
-  // address of the robot for this socket, returns the host's address that replaces the selected
-  // address.  Then also removes the socket from selected_ips_, because SelectAddress() is for one
-  // Listen() or Bind() only.
+  // address of the robot for this socket, returns the host's address that replaces it, and removes
+  // the socket from selected_ips_, because SelectAddress() is for one Listen() or Bind() only.
   uint32_t BindIp(NetHandle handle);
   // Adds a note for the user if binding a socket to the address `ip` failed with `error` because
   // the host has no such address.

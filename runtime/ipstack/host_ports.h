@@ -34,8 +34,8 @@ class HostPorts {
   //   2. if that port is in use, the kNextPorts numbers above `port`;
   //   3. 0, for any free port.
   // If the user asked for a certain port, only step 1 is done.  bound() returns the port of the
-  // socket that try_bind() has bound.  If step 1 fails, sets `note` to a text for the user; sets no
-  // text if steps 2 and 3 were tried and have failed, too.
+  // socket that try_bind() has bound.  If step 1 fails, sets `note` to a text for the user, unless
+  // steps 2 and 3 have failed too.
   int Bind(uint16_t port, const std::function<int(uint16_t)>& try_bind,
            const std::function<uint16_t()>& bound, std::string* note);
 

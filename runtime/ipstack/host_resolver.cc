@@ -28,7 +28,7 @@ NetError ErrorOf(int status) {
 NetError ResolveOnHost(const std::string& name, HostInfo* host) {
   addrinfo hints{};
   hints.ai_family = AF_INET;
-  // Asks the resolver for addresses of one socket type only, because otherwise its list contains
+  // Asks the resolver for addresses of one socket type only.  Otherwise the resolver would return
   // each address once for each type.
   hints.ai_socktype = SOCK_STREAM;
   hints.ai_flags = AI_CANONNAME;

@@ -61,7 +61,7 @@ int64_t SendDatagram(const Fd& fd, NetAddress remote, const void* data, size_t s
 int64_t ReceiveBytes(const Fd& fd, size_t size_max, std::string* bytes,
                      NetAddress* remote = nullptr);
 
-void EndStream(const Fd& fd);     // lets the peer read an end of the stream
+void EndStream(const Fd& fd);     // tells the peer that no more bytes follow
 void ResetOnClose(const Fd& fd);  // lets the peer see a broken connection when the socket is closed
 uint16_t PortOf(const Fd& fd);    // returns the local port; 0 if the socket is not bound
 

@@ -54,15 +54,15 @@ void HostUdp::Poll(std::vector<NetworkEvent>* events) {
       NetworkEvent event;
       event.kind = NetworkEvent::Kind::kDatagram;
       event.handle = handle;
-      // Stops at an error, which usually means that no datagram waits.  Any other error is not
-      // reported, because it concerns an earlier send (port unreachable), and UDP may lose a
-      // datagram without an error.
+      // Stops at an error, which usually means that no datagram waits.  No error is reported: any
+      // other error belongs to an earlier send (port unreachable), and UDP may lose a datagram
+      // without an error.
       if (ReceiveBytes(socket.fd, kDatagramMax, &event.bytes, &event.remote) < 0) break;
       any = true;
       events->push_back(std::move(event));
     }
-    // Ends the request that ReceiveFrom() has made for this UDP socket as soon as datagrams have
-    // arrived, even if they are fewer than the request allows.
+    // Ends the request that ReceiveFrom() has made for this UDP socket as soon as any datagrams
+    // have arrived, even if the request allows more.
     if (any) socket.want = 0;
   }
 }

@@ -73,7 +73,7 @@ IpStack::IpStack(std::shared_ptr<Network> network, IpStackOptions options)
   poll_entry_ = AddExtra("Poll", [this](void*) { PollNetwork(); });
 }
 
-IpStack::~IpStack() = default;  // closes no sockets: the network closes them when it is deleted
+IpStack::~IpStack() = default;  // closes no sockets; the destructor of the network closes them
 
 IpStack* IpStack::OfCurrent() {
   return t_current.object == nullptr ? nullptr : Of(t_current.system, t_current.object->robot);
@@ -237,9 +237,9 @@ void IpStack::HandleEndpointMessage(Operation* operation) {
   const int32_t protocol = ProtocolOf(ref);
   const auto found = endpoints_.find(ref.index);
   if (found == endpoints_.end() || found->second->protocol() != protocol) {
-    // Recognises the reference to a closed endpoint by its index: endpoints get their indexes in
-    // order, so an unknown index that is not larger than the last index belonged to a closed
-    // endpoint.
+    // Recognises the reference to a closed endpoint by its index.  Endpoints get their indexes in
+    // ascending order, so an unknown index that is not larger than the last index belonged to a
+    // closed endpoint.
     const bool was_closed = found == endpoints_.end() && ref.index != 0 && ref.index <= last_index_;
     return Answer(operation,
                   was_closed && protocol != 0 ? ClosedError(protocol) : InvalidError(protocol));
@@ -252,8 +252,8 @@ void IpStack::HandleEndpointMessage(Operation* operation) {
 void IpStack::Answer(Operation* operation, int32_t error, const void* data, size_t size) {
   antEnvMsg& message = operation->message();
   SetAntError(&message, error);
-  // Sets the counts of received data in an answer with an error to 0, because such an answer has no
-  // data.  The error 0 means success in every protocol.
+  // Sets the numbers of received bytes and found addresses in an answer with an error to 0, because
+  // such an answer has no data.  The error 0 means success in every protocol.
   if (error != 0) ClearCounts(&message);
   const uint64_t hash = AntMessageHash(message, data, size);
   if (operation->ticket.box != 0) {
@@ -266,7 +266,7 @@ void IpStack::Answer(Operation* operation, int32_t error, const void* data, size
   answer->size = operation->size;
   answer->kind = PayloadKind::kHashed;
   answer->payload_hash = hash;
-  system().Post(std::move(answer));  // if the asking object has ended, the answer is dropped
+  system().Post(std::move(answer));  // drops the answer if the object that has asked has ended
 }
 
 void IpStack::PollNetwork() {
@@ -296,9 +296,9 @@ void IpStack::KeepPolling() {
   bool needed = false;
   for (const auto& [index, endpoint] : endpoints_) needed = needed || endpoint->WaitsForNetwork();
   if (!needed) return;
-  // Post() adds crowding_delay_us() to the delay: 1 us while very many messages are delivered at
-  // one instant, so that time goes on, otherwise 0.  This function subtracts the same time, because
-  // the Poll message must be due exactly at the beginning of the frame.
+  // Post() adds crowding_delay_us() to the delay of a message: 1 us while very many messages are
+  // delivered at one instant, so that time goes on, otherwise 0.  The Poll message must be due
+  // exactly at the beginning of the frame, so this function subtracts crowding_delay_us() first.
   const int64_t now_us = system().now_us();
   const int64_t delay_us = kFrameUs - now_us % kFrameUs - system().poster().crowding_delay_us();
   system().Post(system().NewMessage(host().id, poll_entry_), delay_us);

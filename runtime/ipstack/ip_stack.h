@@ -54,9 +54,9 @@ class IpStack : public CodeObject {
   // because the robot's limits are not known.
   static constexpr size_t kEndpointsMax = 256;  // largest number of endpoints at a time
   static constexpr int32_t kPoolBytesMax = 4 << 20;
-  // The pool of an endpoint that was created with poolSize 0.  A pool limits the bytes that an
-  // endpoint has sent and the network has not accepted yet.  The size is our choice, because the
-  // meaning of 0 is not documented.
+  // The size of the pool of an endpoint that was created with poolSize 0.  A pool limits the bytes
+  // that an endpoint has sent and the network has not accepted yet.  The size is our choice,
+  // because no document says what 0 means.
   static constexpr int32_t kPoolBytesDefault = 1 << 20;
 
   IpStack(std::shared_ptr<Network> network, IpStackOptions options);
@@ -78,7 +78,7 @@ class IpStack : public CodeObject {
     return network_->HostPort(protocol, port);
   }
 
-  // Closes, without answers, the endpoints of an object that has ended.
+  // Closes the endpoints of an object that has ended.  Their pending operations get no answers.
   void ForgetObject(ObjectId owner);
 
   OStatus DoDestroy(const OSystemEvent& event) override;
@@ -99,8 +99,8 @@ class IpStack : public CodeObject {
   // address, or one of the other addresses that the options give (IpStackOptions::addresses).
   bool IsOwnAddress(uint32_t ip) const;
 
-  // Returns `ip` if it is AddressPair::robot of a pair in IpStackOptions::addresses and is not the
-  // robot's own address.  Otherwise returns 0, which stands for the robot's own address.
+  // If `ip` is AddressPair::robot of a pair in IpStackOptions::addresses, and not the robot's own
+  // address, returns `ip`.  Otherwise returns 0, which stands for the robot's own address.
   uint32_t FurtherAddress(uint32_t ip) const;
 
   // Returns the local address that the stack puts into its answers to a program that has bound to
@@ -112,14 +112,14 @@ class IpStack : public CodeObject {
   NetHandle Open(EventSink* sink);
   void Drop(NetHandle handle, bool reset);
 
-  // Returns a port of 1024 to 4999 (IPPORT_RESERVED, IPPORT_USERRESERVED) that no UDP endpoint has
-  // bound and that is not open for TCP, or 0 if there is no such port.
+  // Returns a free port of 1024 to 4999 (IPPORT_RESERVED, IPPORT_USERRESERVED), or 0 if there is
+  // none.  A port is free if no UDP endpoint has bound it and it is not open for TCP.
   uint16_t ChoosePort();
   bool ReserveUdpPort(uint16_t port) { return udp_ports_.insert(port).second; }
   void ReturnUdpPort(uint16_t port) { udp_ports_.erase(port); }
 
   // Sends the message of `operation` back to the object that has sent it, with `error` in its error
-  // field.  `data` are the transferred bytes, which the hash of the answer includes.
+  // field.  `data` are the transferred bytes; the trace's hash of the answer includes them.
   void Answer(Operation* operation, int32_t error, const void* data = nullptr, size_t size = 0);
 
   // Adds a finding about the object that has sent `operation`.
@@ -127,8 +127,8 @@ class IpStack : public CodeObject {
   // Adds a note about `operation` to the findings of its sender.
   void Note(const Operation& operation, const std::string& text);
 
-  // Adds a finding if the program has changed the buffer of a Send after its request.  Compares the
-  // bytes at `data`, which are sent now, with the hash of the bytes at the time of the request.
+  // Adds a finding if the program has changed the bytes of a Send after its request.  Compares the
+  // hash of the bytes at `data`, which are sent now, with the hash at the time of the request.
   void WarnIfChanged(const Operation& operation, const void* data, size_t size);
 
   // The addresses of the DNS servers, which programs can set; common to all objects of the robot.

@@ -56,7 +56,8 @@ void LoopbackNetwork::Listen(NetHandle handle, uint16_t port) {
 
 void LoopbackNetwork::Accept(NetHandle listener, NetHandle handle) {
   const auto found = listeners_.find(listener);
-  if (found == listeners_.end()) return;  // Listen() has failed and has added an event kFailed
+  // No listener, because Listen() has failed and added an event kFailed.
+  if (found == listeners_.end()) return;
   found->second.accepts.push_back(handle);
 }
 
@@ -98,8 +99,8 @@ void LoopbackNetwork::Send(NetHandle handle, const void* data, size_t size) {
   Push(handle, &found->second);
 }
 
-// Moves the bytes that wait on `connection` into the pipe to the peer, as many as fit, and adds an
-// event that tells the sender their number.
+// Moves the bytes that wait on `connection` into the pipe to the peer, as many as fit.  Adds an
+// event that tells the sender how many bytes were moved.
 void LoopbackNetwork::Push(NetHandle handle, Connection* connection) {
   Pipe& pipe = connection->peer();
   if (pipe.gone && !connection->out.empty()) connection->link->reset = true;
@@ -125,9 +126,8 @@ void LoopbackNetwork::Close(NetHandle handle) {
   const auto found = connections_.find(handle);
   if (found == connections_.end()) return;
   found->second.closing = true;
-  // Discards the peer's bytes from now on.  The next Poll() would be too late, because a client of
-  // a test may never call Poll() again; the bytes of the robot would then fill the window, and the
-  // robot would wait for ever.
+  // Discards the peer's bytes from now on.  Otherwise the robot could wait for ever: a client of a
+  // test may never call Poll() again, and then the bytes of the robot would fill the window.
   found->second.in().discards = true;
   found->second.in().bytes.clear();
   Push(handle, &found->second);

@@ -70,13 +70,13 @@ class LoopbackNetwork : public Network {
   uint16_t HostPort(NetProtocol, uint16_t port) const override { return port; }
 
  private:
-  // Direction of a connection between two LoopbackNetworks, with the bytes that the writer has
-  // sent and the reader has not read yet.
+  // Direction of a connection between two LoopbackNetworks, with the bytes that were sent in this
+  // direction and not read yet.
   struct Pipe {
     std::string bytes;
     bool ended = false;  // whether the writer has ended the stream
     bool gone = false;   // whether the reader has dropped the connection
-    // Whether the reader has closed its side, so that the bytes that come are not kept.
+    // Whether the reader has closed its side, so that bytes that still come are dropped.
     bool discards = false;
   };
   struct Link {
@@ -85,7 +85,7 @@ class LoopbackNetwork : public Network {
   };
   struct Connection {
     std::shared_ptr<Link> link;
-    int side = 0;     // index in link->to of the pipe that this end reads
+    int side = 0;     // this side of the connection reads the pipe link->to[side]
     std::string out;  // bytes to send that are not in the pipe yet
     size_t want = 0;  // largest number of bytes that the pending Receive() takes
     bool closing = false;
@@ -107,7 +107,7 @@ class LoopbackNetwork : public Network {
   };
   struct Udp {
     uint16_t port = 0;
-    size_t want = 0;  // limit of the pending ReceiveFrom(); 0 if none is pending
+    size_t want = 0;  // largest number of datagrams for the pending ReceiveFrom(); 0: none pending
     std::deque<Datagram> waiting;
   };
 

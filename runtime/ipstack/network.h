@@ -29,7 +29,7 @@ enum class NetProtocol : uint8_t { kTcp, kUdp };
 
 enum class NetError : uint8_t {
   kNone,
-  kFailed,  // an error that has no value of its own
+  kFailed,  // any error that has no other value in this enum
   kClosed,  // a write failed because the peer had closed the connection
   kReset,
   kTimeout,
@@ -52,15 +52,15 @@ struct NetworkEvent {
   enum class Kind : uint8_t {
     kAccepted,   // an Accept() has a connection from `remote`
     kConnected,  // a Connect() has succeeded
-    kSent,       // `count` more bytes of Send() have been accepted
+    kSent,       // the network has accepted `count` more bytes of Send()
     kReceived,   // answer to Receive(): at least one byte, at most as many as requested
     kEnd,        // answer to Receive(): the peer has ended the stream
-    kClosed,     // answer to Close(): both sides have ended
+    kClosed,     // answer to Close(): both sides have ended the stream
     kDatagram,   // answer to ReceiveFrom(): `bytes` came from `remote`
     // The event that answers Resolve() or ResolveAddress().  If there is no such host, `host` has
     // no addresses.
     kResolved,
-    kFailed,  // the socket failed and can only be dropped; `error` tells why
+    kFailed,  // the socket failed and must be dropped; `error` tells why
     kNote,    // `bytes` is a text for the user
   };
   Kind kind = Kind::kNote;
@@ -116,8 +116,8 @@ class Network {
   // lost, as in any UDP network; an event kNote may inform the user.
   virtual void SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size) = 0;
   // Requests at most `count_max` datagrams.  The next Poll() that finds a datagram answers the
-  // request: it returns all datagrams that have arrived, up to this number.  A new request replaces
-  // a request that has no answer yet.
+  // request with all datagrams that have arrived, but not more than `count_max`.  A new request
+  // replaces a request that has no answer yet.
   virtual void ReceiveFrom(NetHandle handle, size_t count_max) = 0;
 
   // ---- Commands that look up names and addresses of hosts

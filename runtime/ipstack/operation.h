@@ -16,7 +16,7 @@ struct Operation {
   ObjectId sender = kNoObject;
   uint64_t request_hash = 0;  // AntMessageHash() of the request, including its data
   uint64_t cause = 0;         // number of the message whose handler sent the request; 0 at boot
-  ReplyTicket ticket;         // the ticket of a Call(); empty for a Send()
+  ReplyTicket ticket;         // needed to answer a Call(); empty for a Send()
 
   antEnvMsg& message() { return *reinterpret_cast<antEnvMsg*>(bytes); }
   const antEnvMsg& message() const { return *reinterpret_cast<const antEnvMsg*>(bytes); }

@@ -20,7 +20,8 @@ class SharedBuffers {
  public:
   explicit SharedBuffers(RegionTable* regions) : regions_(regions) {}
 
-  static constexpr uint32_t kPageBytes = 4096;  // sizes are rounded up to pages
+  // Size of a page; the sizes of buffers are rounded up to pages.
+  static constexpr uint32_t kPageBytes = 4096;
   // The largest size of all shared buffers together.  The robot's limit is not known.  We allow
   // more than all memory of the robot, so that only a faulty program reaches the limit.
   static constexpr uint64_t kBytesMax = uint64_t{64} << 20;

@@ -297,8 +297,8 @@ void TcpEndpoint::Accepted(const NetworkEvent& event) {
   const bool welcome = (wanted_.ip == 0 || wanted_.ip == event.remote.ip) &&
                        (wanted_.port == 0 || wanted_.port == event.remote.port);
   stack_->tcp_ports().Forget(local_port_, this);
-  // Resets the connection, because its peer is not the peer for which the program's Listen waits
-  // (wanted_).  Then the endpoint waits for the next connection.
+  // Resets the connection if it comes from another peer than the one for which the program's Listen
+  // waits (wanted_).  Then the endpoint waits for the next connection.
   if (!welcome) {
     stack_->Drop(socket_, true);
     socket_ = stack_->Open(this);

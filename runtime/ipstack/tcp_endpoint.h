@@ -15,11 +15,11 @@ class TcpEndpoint : public Endpoint {
  public:
   TcpEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
 
-  // The largest virtual time for which Close waits for the peer to end its side, after all bytes
-  // were sent.  Our choice: a peer that keeps its side open holds the program up for 1 s only.
+  // The largest virtual time that Close waits for the peer to end its side, after all bytes were
+  // sent.  Our choice: a peer that keeps its side open delays the program by 1 s only.
   static constexpr int64_t kPeerEndUs = 1'000'000;
-  // The largest virtual time for which Close waits for a peer that does not read the bytes that are
-  // still to be sent.  The time starts again with each byte that the peer accepts.  Our choice.
+  // The largest virtual time that Close waits, while bytes are still to be sent, for a peer that
+  // does not read them.  The time starts again with each byte that the peer accepts.  Our choice.
   static constexpr int64_t kUnsentUs = 60'000'000;
 
   // The number of bytes that the endpoint reads from the network at a time, even if a Receive asks
@@ -39,8 +39,8 @@ class TcpEndpoint : public Endpoint {
   // still fit into the kRobotFastBytes that the robot sends at once.  On the robot Nagle's
   // algorithm holds a small send back until the peer has acknowledged the previous send, and the
   // peer may delay its acknowledgement by kRobotAcknowledgeUs.  So kRobotRow small sends in a row
-  // cause a warning.  Sends are in a row if each comes within kRobotAcknowledgeUs after the
-  // previous send and the program receives nothing in between.
+  // cause a warning.  A send continues the row if it comes within kRobotAcknowledgeUs after the
+  // previous send and the program has received nothing in between.
   static constexpr int kRobotSmallBytes = kRobotFastBytes / 2;
   static constexpr int kRobotRow = 3;
   static constexpr int64_t kRobotAcknowledgeUs = 200'000;
@@ -82,7 +82,7 @@ class TcpEndpoint : public Endpoint {
 
   State state_ = State::kNew;
   NetHandle socket_ = 0;
-  uint32_t local_ip_ = 0;  // the address that the program gave; 0 if it gave no address
+  uint32_t local_ip_ = 0;  // the local address that the program gave; 0 if it gave none
   uint16_t local_port_ = 0;
   bool stack_chose_port_ = false;  // true if the stack has chosen local_port_ for a Listen
   NetAddress remote_;

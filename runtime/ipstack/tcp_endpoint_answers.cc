@@ -60,8 +60,8 @@ void TcpEndpoint::FinishReceive() {
   auto& message = receive_->As<TCPEndpointReceiveMsg>();
   const auto min = static_cast<size_t>(message.sizeMin);
   const auto max = static_cast<size_t>(message.sizeMax);
-  // A Receive gets fewer bytes than its sizeMin after the peer has ended the stream, because no
-  // more bytes come.
+  // If the peer has ended the stream, a Receive gets fewer bytes than its sizeMin, because no more
+  // bytes come.
   const bool enough = in_.size() >= min || (ended_ && !in_.empty());
   if (!enough && state_ != State::kFailed && !ended_) {
     if (!asked_) {

@@ -14,12 +14,12 @@ void TcpPorts::Port::StoreEvent(const NetworkEvent& event) {
 
 bool TcpPorts::Accept(uint16_t number, uint32_t ip, NetHandle socket, EventSink* endpoint) {
   const auto known = ports_.find(number);
-  // Closes the port `number`, on which endpoints listen, if its socket has failed, so that this
-  // function opens the port again with a new socket.
+  // If the socket of the port `number` has failed, closes the port, so that the code below opens it
+  // again with a new socket.
   if (known != ports_.end() && known->second->failed) Close(number);
   std::unique_ptr<Port>& port = ports_[number];
   if (port == nullptr) {
-    if (ports_.size() > kPortsMax) {  // size() includes the new port, added above
+    if (ports_.size() > kPortsMax) {  // ports_ already includes the new port, added above
       ports_.erase(number);
       return false;
     }

@@ -41,7 +41,8 @@ class TcpPorts {
 
  private:
   struct Port : EventSink {
-    void StoreEvent(const NetworkEvent& event) override;  // passes kFailed to all waiting endpoints
+    // Passes kFailed to all endpoints that wait for a connection.
+    void StoreEvent(const NetworkEvent& event) override;
 
     NetHandle listener = 0;
     bool failed = false;

@@ -107,8 +107,8 @@ void UdpEndpoint::ResetConnect(Operation operation) {
 NetAddress UdpEndpoint::DestinationOf(const UDPEndpointSendMsg& message) const {
   if (peer_.ip != 0) return peer_;
   const uint32_t ip = message.address.Address();
-  // Returns no destination for a broadcast.  So Send refuses the broadcast, as broadcasts also
-  // failed on the robot (BBS 402, a message of Sony's developer board).
+  // Returns no destination for a broadcast, so that Send refuses it.  Broadcasts also failed on the
+  // robot (BBS 402, a message of Sony's developer board).
   return ip == 0xffffffffu || message.port == 0 ? NetAddress{} : NetAddress{ip, message.port};
 }
 
@@ -153,9 +153,9 @@ void UdpEndpoint::Send(const Operation& operation) {
   send_ = accepted;
 }
 
-// Adds a note if the program has sent this Send in the same handler as the last Send, and so before
-// the answer to the last Send.  This stack executes both, but the robot's stack executes only one
-// Send at a time, so this Send may fail on the robot (network.md, 5).
+// Adds a note if the program has sent this Send and the Send before it in the same handler, without
+// waiting for an answer.  This stack executes both, but the robot's stack executes only one Send at
+// a time, so this Send may fail on the robot (network.md, 5).
 void UdpEndpoint::NoteSecondSend(const Operation& operation) {
   const uint64_t cause = operation.ticket.box == 0 ? operation.cause : 0;
   if (cause != 0 && cause == last_send_cause_) {
@@ -225,9 +225,9 @@ void UdpEndpoint::FinishSend() {
   Finish(&send_, UDP_SUCCESS, data, size);
 }
 
-// Returns whether a datagram from `sender` comes from the connected peer.  If the program has named
-// its own robot 127.0.0.1 in Connect, also accepts the robot's own address, because the network
-// gives this address for a datagram that the robot has sent to itself.
+// Returns whether a datagram from `sender` comes from the connected peer.  The network gives the
+// robot's own address for a datagram that the robot has sent to itself.  So if the program has
+// connected to 127.0.0.1, its own robot, also accepts the robot's own address.
 bool UdpEndpoint::IsFromPeer(const NetAddress& sender) const {
   return sender == peer_ ||
          (IPAddress(peer_.ip).InLoop() && sender == NetAddress{stack_->address(), peer_.port});

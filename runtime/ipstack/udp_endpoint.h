@@ -55,8 +55,8 @@ class UdpEndpoint : public Endpoint {
   uint32_t local_ip_ = 0;  // the address that the program gave; 0 for any address
   uint16_t port_ = 0;
   NetAddress peer_;  // the peer that Connect has set; its ip is 0 if there is no peer
-  // The error after which this endpoint cannot use its socket any more; UDP_SUCCESS while the
-  // socket works.
+  // The error that broke the socket, so that this endpoint cannot use it any more; UDP_SUCCESS
+  // while the socket works.
   UDPEndpointError error_ = UDP_SUCCESS;
   // True while the endpoint waits for the answer to Network::ReceiveFrom(), its request for
   // datagrams.
@@ -66,9 +66,8 @@ class UdpEndpoint : public Endpoint {
 
   std::optional<Operation> send_;
   // The number of the message in whose handler the program has last sent a datagram through this
-  // endpoint with antEnvMsg::Send().  0 if the last datagram was sent with antEnvMsg::Call(), which
-  // waits for the answer.  The next datagram then cannot come too early, so NoteSecondSend() adds
-  // no note.
+  // endpoint with antEnvMsg::Send().  0 if the program used antEnvMsg::Call(), which waits for the
+  // answer: then the next datagram cannot come too early, and NoteSecondSend() adds no note.
   uint64_t last_send_cause_ = 0;
   std::optional<Operation> receive_;
 };

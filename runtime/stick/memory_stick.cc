@@ -140,7 +140,7 @@ void MemoryStick::HashFile(std::string_view name, std::string_view otherwise, Ha
     if (!file->Read(wanted, &piece)) ThrowUnreadable(location.path, std::strerror(errno));
     if (piece.empty()) ThrowUnreadable(location.path, std::strerror(EIO));
     hasher->AddBytes(piece.data(), piece.size());
-    if (piece.size() < wanted) return;  // the file has become shorter meanwhile
+    if (piece.size() < wanted) return;  // the file has become shorter since its size was read
   }
 }
 
@@ -173,7 +173,7 @@ MemoryStick::Location FolderStick::Locate(std::string_view name) {
   }
   if (!IsBelow(path, root_)) return {"", false, EACCES};
   std::error_code no_status;
-  // Refuses a FIFO, a socket or a device.
+  // Refuses a FIFO, a socket or a device, because opening or reading it could wait without end.
   if (std::filesystem::is_other(std::filesystem::status(path, no_status)))
     return {"", false, EACCES};
   return {path, true, 0};
@@ -196,10 +196,10 @@ uint64_t FolderStick::ContentHash() {
   for (fs::recursive_directory_iterator it(root_, kOptions, error), end; !error && it != end;
        it.increment(error)) {
     const std::string extension = UpperCase(it->path().extension().string());
-    // Leaves the crash record of an earlier run out of the hash of the stick, because this run does
-    // not read that file.
+    // Leaves the crash record out of the hash of the stick: an earlier run has written it, and this
+    // run does not read it.
     const bool is_crash_record = UpperCase(it->path().filename().string()) == kCrashRecord;
-    std::error_code no_file;  // not read: a dangling link gives an error and counts as no file
+    std::error_code no_file;  // not used: a link to a missing file gives an error and is no file
     if (it->is_other(no_file) && !is_crash_record)
       special_files_.push_back(it->path().lexically_relative(root_).string());
     if (it->is_regular_file(no_file) && extension != ".BIN" && extension != ".DBG" &&

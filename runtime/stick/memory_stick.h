@@ -55,9 +55,9 @@ class MemoryStick {
   // hash.  Called before an object makes, writes, renames or removes the file.
   void NoteWritten(std::string_view name);
 
-  // A function that is called before an object changes a file or folder for the first time, so that
-  // the function can save the file or folder in the state that it had at the start of the run.
-  // OnFirstChange() adds such a function.
+  // A function that is called before an object changes a file or folder for the first time in the
+  // run.  So the function can save the file or folder in its first state.  OnFirstChange() adds
+  // such a function.
   using ChangeListener = std::function<void(const Location&)>;
   void OnFirstChange(ChangeListener listener) { listeners_.push_back(std::move(listener)); }
 

@@ -38,8 +38,9 @@ OStatus OVirtualRobotComm::DoStart(const OSystemEvent&) {
 
 OStatus OVirtualRobotComm::DoDestroy(const OSystemEvent&) {
   running_ = false;
-  // Gives back the regions of command vectors and of the image, because no object reads them after
-  // this object is destroyed, and only this object can give them back.
+  // Gives back the regions of command vectors (queues_) and of the camera's image (exposed_),
+  // because no object reads them after this object is destroyed, and only this object can give them
+  // back.
   queues_.clear();
   exposed_.Release();
   return oSUCCESS;

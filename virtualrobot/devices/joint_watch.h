@@ -97,7 +97,7 @@ class JointWatch {
   const RobotModel& model_;
   const Devices& devices_;
   std::vector<Joint> joints_;
-  bool has_reported_shifts_ = false;  // whether CheckShifts() has reported the mistake
+  bool has_reported_shifts_ = false;  // whether CheckShifts() has reported shifts that differ
   int limp_frames_ = 0;               // number of frames since NoteLimpJoints() began Joint::now
 };
 

@@ -30,11 +30,11 @@ struct Friction {
 };
 
 // Returns the next impulse of a contact along the ground, after the impulse `now`.  `missing` is
-// the change of velocity that is still needed to stop the sliding.  The matrix (a, b; b, c) is a
-// part of the matrix K: multiplied by an impulse of this contact along the ground, it gives the
-// change of velocity.  If the impulse that stops the sliding is not longer than `max`, returns this
-// impulse.  Otherwise the contact slides.  Then makes one step of the search for the impulse of a
-// sliding contact, and shortens the result to `max` if it is longer.
+// the change of velocity that is still needed to stop the sliding.  The matrix (a, b; b, c) is the
+// part of the matrix K for this contact: it gives the change of velocity that an impulse causes.
+// If an impulse not longer than `max` stops the sliding, returns this impulse.  Otherwise the
+// contact slides; makes one step of the search for its impulse, and shortens the result to `max` if
+// it is longer.
 Friction NextFriction(const Friction& now, double a, double b, double c, const Friction& missing,
                       double max) {
   const double det = a * c - b * b;

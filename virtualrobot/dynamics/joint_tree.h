@@ -92,12 +92,12 @@ class JointTree {
   void AddRow(int part, const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W);
   int rows() const { return static_cast<int>(row_speed_.size()); }
 
-  // Returns the velocity along row `row` (the point and direction of a call of AddRow()) that the
+  // Returns the velocity along row `row` (a point and a direction that AddRow() has added) that the
   // step would end with if no contact acted, in m/s.
   double FreeSpeed(int row) const { return row_speed_[row]; }
 
-  // Returns by how much an impulse of 1 N s along row `b` changes the velocity along row `a`, in
-  // m/s.  A row is the point and direction of a call of AddRow().
+  // Returns by how much an impulse of 1 N s changes a velocity, in m/s.  The impulse acts along row
+  // `b` (a point and a direction that AddRow() has added); the velocity is that along row `a`.
   double Mobility(int a, int b) const;
 
   // Ends the step: applies an impulse along each row that AddRow() has added, in N s, and moves all

@@ -44,8 +44,8 @@ struct Header {
 struct Entry {
   char type[4];     // "OMTN", "WAVE", "MIDI", "OSND", "LED", "SYN"; padded with zeros
   char name[128];   // padded with zeros
-  longword offset;  // start of the member, in bytes from the start of the file
-  longword size;    // size of the member in bytes
+  longword offset;  // place of this archive member, in bytes from the start of the file
+  longword size;    // size of this archive member in bytes
   longword padding;
 };
 

@@ -38,8 +38,8 @@ class ODeque {
     return otlSUCCESS;
   }
 
-  // Return the first and the last element; if the queue is empty, a default T that is not part of
-  // the queue.
+  // Return the first or the last element.  If the queue is empty, return a default T, which is not
+  // part of the queue.
   T& Front() { return size_ == 0 ? None() : element_[start_]; }
   T& Back() { return size_ == 0 ? None() : element_[Place(size_ - 1)]; }
 

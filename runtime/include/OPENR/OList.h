@@ -63,8 +63,8 @@ class OList {
   OTLStatus PopFront() { return size_ == 0 ? otlUNDERFLOW : Remove(node_[END].next); }
   OTLStatus PopBack() { return size_ == 0 ? otlUNDERFLOW : Remove(node_[END].prev); }
 
-  // Return the first and the last element; if the list is empty, a default T that is not part of
-  // the list.
+  // Return the first or the last element.  If the list is empty, return a default T, which is not
+  // part of the list.
   T& Front() { return At(node_[END].next); }
   T& Back() { return At(node_[END].prev); }
 

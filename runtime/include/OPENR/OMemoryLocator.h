@@ -8,7 +8,7 @@
 #include <Types.h>
 
 struct OMemoryLocator {
-  MemoryRegionID mid;  // 0xffffffff: invalid (our choice, no source gives the value)
+  MemoryRegionID mid;  // 0xffffffff: an invalid place (our choice, no source gives the value)
   u_int offset;        // in bytes
 
   OMemoryLocator() : mid(0xffffffff), offset(0) {}

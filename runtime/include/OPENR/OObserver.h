@@ -26,9 +26,9 @@ class OObserver {
   const ObserverID& GetObserverID() const { return GetID(); }
 
   // Set how each connected subject buffers notifications for this observer; called in DoInit.  The
-  // subject keeps one of every skip + 1 notifications and drops the others.  It sends nothing
-  // before it has kept `least` notifications.  If more than `most` kept notifications wait for a
-  // ready, the oldest is dropped.  The defaults are skip 0, least 1 and most 1.
+  // subject keeps one of every skip + 1 notifications and drops the others.  The subject sends
+  // nothing before it has kept `least` notifications.  If more than `most` kept notifications wait
+  // for a ready, the oldest is dropped.  The defaults are skip 0, least 1 and most 1.
   void SetSkip(size_t skip);
   void SetBufCtrlParam(size_t skip, size_t least, size_t most);
 

@@ -112,7 +112,7 @@ const size_t odesignkeywordNAME_MAX = 127;  // keyword in DESIGNDB.CFG
 
 // ---- frame numbers: one counter of frames of 8 ms for commands, sensors, images and sound
 
-const longword oframeMAX_NUMBER = 0x0ffffff0;  // the largest number; on the host 0 follows
+const longword oframeMAX_NUMBER = 0x0ffffff0;  // largest frame number; on the host, 0 comes next
 const longword oframeINVALID_NUMBER = 0xffffffff;
 
 // ---- devices
@@ -140,7 +140,7 @@ typedef longword OVRSyncKey;
 const OVRSyncKey ovrsynckeyUNDEF = 0xffffffff;
 const size_t ovrsynckeyMAX_NUM_KEY = 8;  // largest number of keys that exist at one time
 const size_t ovrsynckeyMAX_SIZE = 8;
-const size_t ovrsynckeyMAX_NUM_DIVISION = 16;  // largest number of parts of one key
+const size_t ovrsynckeyMAX_NUM_DIVISION = 16;  // largest number of parts of a divided key
 
 typedef longword OVRRequest;
 const OVRRequest ovrreqUNDEF = 0xffffffff;

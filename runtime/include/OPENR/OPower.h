@@ -18,7 +18,7 @@ const OPower opowerON = true;
 class OPowerStatus {
  public:
   longword robotStatus;       // bits orsb... (power_constants.h)
-  word batteryStatus;         // bits obsb...; the low four bits are an error code obsec...
+  word batteryStatus;         // bits obsb...; the low four bits hold an error code obsec...
   word remainingCapacity;     // in %, 0..100
   word temperature;           // temperature of the battery in 0.1 K
   word fullyChargedCapacity;  // in mAh
@@ -49,7 +49,7 @@ class OPowerStatus {
 class OBootCondition {
  public:
   word bitmap;            // bits obcb... (power_constants.h)
-  time_t bootTime;        // in s, used with obcbBOOT_TIMER
+  time_t bootTime;        // in s; used only with the bit obcbBOOT_TIMER
   longword bootTimeType;  // obcbttRELATIVE or obcbttABSOLUTE
   byte vibrationLevel;    // used with obcbVIBRATION_DETECTED
 

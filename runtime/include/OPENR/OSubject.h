@@ -32,9 +32,9 @@ class OSubject {
   const SubjectID& GetID() const;
 
   // Set the buffer size for each observer (by default 14), and the number of SetData() calls in one
-  // unit (by default 1).  The buffer size changes only the results of RemainBuffer(); the number of
-  // calls in a unit changes nothing.  Called in DoInit; SetNotifyUnitSize() fails once a connection
-  // exists.
+  // unit (by default 1).  On the host, the buffer size changes only the results of RemainBuffer(),
+  // and the number of calls in a unit changes nothing.  Called in DoInit; SetNotifyUnitSize() fails
+  // once a connection exists.
   OStatus SetBufferSize(size_t size);
   size_t GetBufferSize() const;
   OStatus SetNotifyUnitSize(size_t size);
@@ -90,9 +90,9 @@ class OSubject {
   // Finds an observer of this subject by its id; returns end() if the id is unknown.
   ObserverConstIterator FindObserver(const ObserverID& id) const;
 
-  // IsAnyReady(), and IsReady() without an argument, return the number of observers that are ready.
-  // IsAllReady() returns the same number, but 0 while ReadyStatus() of any observer is 0.
-  // IsReady() of one observer returns 1 if this observer is ready, else 0.
+  // IsReady() of one observer returns 1 if this observer is ready, else 0.  IsReady() without an
+  // argument and IsAnyReady() return the number of observers that are ready.  IsAllReady() returns
+  // the same number, but 0 while ReadyStatus() of any observer is 0.
   int IsAllReady() const;
   int IsAnyReady() const;
   int IsReady() const { return IsAnyReady(); }

@@ -23,7 +23,7 @@ class OTime {
   // by which local time is ahead of UTC) and otimeTIME_DIF_UNDEF.
   OStatus Set(time_t clock, sbyte timeDif);
   OStatus SetClock(time_t clock);
-  OStatus SetLocalTime(time_t localTime);  // keeps the time difference
+  OStatus SetLocalTime(time_t localTime);  // sets the clock; keeps the time difference
   OStatus SetTimeDif(sbyte timeDif);       // keeps the clock
 
   time_t GetClock() const { return clock_; }

@@ -22,8 +22,8 @@ const OMessageType omsgNOTIFY_L10 = 260;
 const OMessageType omsgREADY_V22 = 261;
 const OMessageType omsgNOTIFY_V22 = 262;
 
-// The message by which an observer asks a subject to connect or to disconnect; d_skip, d_min and
-// d_max describe the buffer that the subject keeps for the observer.
+// The message by which an observer asks a subject to connect or to disconnect.  d_skip, d_min and
+// d_max say how the subject buffers notifications for the observer (OObserver::SetSkip()).
 struct OControlMessage {
   OMessageType msgType;
   ObjcommCommand command;
@@ -106,8 +106,8 @@ struct ONotifyMessage {
     return sizeof *this - (MAX_NUM_DATA - numOfData) * sizeof(TransferedData);
   }
 
-  // Removes the data from this notification.  Releases no references to the regions of the data:
-  // the caller must do that.
+  // Removes the data from this notification.  Does not release the references to the regions of the
+  // data; the caller must do that.
   void Clear() {
     numOfData = 0;
     numOfNotify = 0;

@@ -14,9 +14,8 @@
 // form of the ready, which the host does not send.
 const int objcommMAX_NUM_UNLOCK = 29;
 
-// The id of a subject consists of its object and the selector of its Ready entry; the id of an
-// observer consists of its object and the selector of its Notify entry.  The two kinds of ids have
-// the same C++ type.
+// An id: the object, and the selector of the Ready entry for a subject, or of the Notify entry for
+// an observer.  The two kinds of ids have the same C++ type.
 typedef OServiceEntry SubjectID;
 typedef OServiceEntry ObserverID;
 

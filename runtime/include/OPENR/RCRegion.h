@@ -25,7 +25,7 @@ struct RegionAccess;
 class RCRegion {
  public:
   enum RegionType {
-    SELF_ALLOCATED,  // made by RCRegion(size), which owns the memory
+    SELF_ALLOCATED,  // made by RCRegion(size); owns its memory
     REFERENCE_V20,   // refers to memory that another RCRegion or the program has made
     REFERENCE_V10,
     UNDEF
@@ -69,7 +69,7 @@ class RCRegion {
   MemoryRegionID id_;
   offset_t offset_;
   RegionType type_;
-  RCRegion* source_;  // for a received region, the subject's RCRegion; else 0
+  RCRegion* source_;  // in an observer's RCRegion: the subject's RCRegion; else 0
 };
 
 typedef RCRegion RCRegionBase;

@@ -14,7 +14,7 @@
 
 namespace openr_host {
 
-// Has the member Type, which is Result, only if Number is unsigned int.  A function template that
+// Has a member Type only if Number is unsigned int; Type is then Result.  A function template that
 // returns this Type therefore accepts only an unsigned int* for its result.
 template <class Number, class Result>
 struct IfUnsigned {};

@@ -1,7 +1,7 @@
 // A variant of core_macro.h for a program that is started under another name, which the program
 // stores in its variable `myname`.  The full name of a service begins with the name of the object,
-// up to the first '.'.  When this variant registers a service, it puts `myname` in place of that
-// part.
+// up to the first '.'.  The macros of this variant put `myname` in place of this name when they
+// register a service.
 #ifndef OPENR_CORE_MACRO2_H_INCLUDED
 #define OPENR_CORE_MACRO2_H_INCLUDED
 

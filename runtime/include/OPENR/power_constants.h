@@ -28,7 +28,7 @@ const longword orsbREGISTER_UPDATED_BY_STATION = 0x00040000;
 const longword orsbRTC_ERROR = 0x00080000;
 const longword orsbRTC_OVERFLOW = 0x00100000;
 const longword orsbRTC_RESET = 0x00200000;
-const longword orsbRTC_SET = 0x00400000;  // the robot clears this bit after one report
+const longword orsbRTC_SET = 0x00400000;  // the robot reports this bit once and then clears it
 const longword orsbSPECIAL_MODE = 0x00800000;
 const longword orsbBMN_DEBUG_MODE = 0x01000000;
 const longword orsbCHARGER_STATUS = 0x02000000;
@@ -39,7 +39,7 @@ const longword orsbALL = 0x1fffffff;
 
 // ---- bits and error codes of OPowerStatus::batteryStatus
 
-const word obsbERROR_CODE_MASK = 0x000f;  // the bits of an error code obsec...
+const word obsbERROR_CODE_MASK = 0x000f;  // mask of the bits with the error code obsec...
 const word obsbFULLY_DISCHARGED = 0x0010;
 const word obsbFULLY_CHARGED = 0x0020;
 const word obsbDISCHARGING = 0x0040;

@@ -11,7 +11,7 @@ const size_t ocommandMAX_FRAMES = 16;
 
 // Describes the commands for one primitive; 32 bytes.
 struct OCommandInfo {
-  ODataType type;            // selects the ...CommandValue struct of the frames
+  ODataType type;            // selects the struct of the commands, such as OJointCommandValue2
   OPrimitiveID primitiveID;  // from OPENR::OpenPrimitive()
   longword frameNumber;      // the frame in which output began; set by the system
   longword numFrames;        // number of frames in use, at most ocommandMAX_FRAMES
@@ -40,7 +40,7 @@ struct OCommandData {
 
 struct OCommandVectorData {
   ODataVectorInfo vectorInfo;
-  OCommandInfo info[1];  // really has vectorInfo.maxNumData elements
+  OCommandInfo info[1];  // in memory the array has vectorInfo.maxNumData elements
 
   void SetNumData(size_t n) { vectorInfo.numData = static_cast<longword>(n); }
   OCommandInfo* GetInfo(int index) { return info + index; }

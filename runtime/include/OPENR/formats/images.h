@@ -29,7 +29,7 @@ struct OFbkImageInfo {
 
 struct OFbkImageVectorData {
   ODataVectorInfo vectorInfo;
-  OFbkImageInfo info[1];  // really has vectorInfo.maxNumData elements, one for each layer
+  OFbkImageInfo info[1];  // in memory the array has vectorInfo.maxNumData elements, one per layer
 
   void SetPrimitiveID(OPrimitiveID id) {
     for (size_t i = 0; i < ofbkimageNUM_LAYERS; i++) GetInfo(static_cast<int>(i))->primitiveID = id;
@@ -55,7 +55,7 @@ const OCdtChannel ocdtCHANNEL7 = 0x80;
 const size_t ocdtNUM_CHANNELS = 8;
 
 const size_t ocdtMAX_Y_SEGMENT = 32;   // the luminance range has 32 segments
-const longword ocdtINIT = 0x80808080;  // a segment in which nothing is detected
+const longword ocdtINIT = 0x80808080;  // value of a segment in which no colour is detected
 const longword ocdtCb_MAX_MASK = 0xff000000;
 const longword ocdtCb_MIN_MASK = 0x00ff0000;
 const longword ocdtCr_MAX_MASK = 0x0000ff00;

@@ -18,7 +18,7 @@ struct OPrimitiveInfo {
 
 struct OPrimitiveMapData {
   ODataVectorInfo vectorInfo;
-  OPrimitiveInfo info[1];  // really has vectorInfo.maxNumData elements
+  OPrimitiveInfo info[1];  // in memory the array has vectorInfo.maxNumData elements
 
   void SetNumData(size_t n) { vectorInfo.numData = static_cast<longword>(n); }
   OPrimitiveInfo* GetInfo(int index) { return info + index; }
@@ -35,7 +35,7 @@ struct OCPCInfo {
 
 struct OCPCTreeData {
   ODataVectorInfo vectorInfo;
-  OCPCInfo info[1];  // really has vectorInfo.maxNumData elements
+  OCPCInfo info[1];  // in memory the array has vectorInfo.maxNumData elements
 
   void SetNumData(size_t n) { vectorInfo.numData = static_cast<longword>(n); }
   OCPCInfo* GetInfo(int index) { return info + index; }

@@ -15,10 +15,10 @@ const slongword opsdINVALID_VALUE = 0;
 
 // Describes the sensor values of one primitive; 32 bytes.
 struct OSensorFrameInfo {
-  ODataType type;            // selects the struct of the samples
+  ODataType type;            // selects the struct of the frames, such as OJointValue
   OPrimitiveID primitiveID;  // set even if the primitive was not opened
   longword frameNumber;      // number of the first frame
-  longword numFrames;        // number of frames in use, 4 on the robot
+  longword numFrames;        // number of frames in use; 4 on the robot
   longword frameSize;        // size of a frame in bytes, 16
   longword dataOffset;       // offset in bytes from the start of the vector to the OSensorFrameData
   longword dataSize;         // size in bytes, 256
@@ -46,7 +46,7 @@ struct OSensorFrameData {
 
 struct OSensorFrameVectorData {
   ODataVectorInfo vectorInfo;
-  OSensorFrameInfo info[1];  // really has vectorInfo.maxNumData elements
+  OSensorFrameInfo info[1];  // in memory the array has vectorInfo.maxNumData elements
 
   void SetNumData(size_t n) { vectorInfo.numData = static_cast<longword>(n); }
   OSensorFrameInfo* GetInfo(int index) { return info + index; }
@@ -109,7 +109,7 @@ struct OJointValue {
   word signal;         // raw reading of the potentiometer, 10 bits
   sword pwmDuty;       // requested motor drive; may exceed +-255, the motor's limit
   slongword refValue;  // set point at the time of the sample, 10^-6 rad
-  word refSignal;      // the set point as a raw reading
+  word refSignal;      // the set point, in the unit of `signal`
   word padding[1];
 
   OJointValue() {}  // initialises no field

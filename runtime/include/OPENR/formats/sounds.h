@@ -23,18 +23,18 @@ const OSoundChannel osoundchannelSTEREO = 2;
 
 // Describes one sound of a vector; 64 bytes.
 struct OSoundInfo {
-  ODataType type;            // the type odataSOUND; some programs write odataSOUND_VECTOR
+  ODataType type;            // odataSOUND; odataSOUND_VECTOR, which some programs set, works too
   OPrimitiveID primitiveID;  // the speaker or the microphone
   longword frameNumber;      // frame in which the output or the recording began
   longword frameSize;        // size of a sound frame in bytes
-  longword dataOffset;       // offset in bytes from the start of the vector
+  longword dataOffset;       // offset of the sound in bytes from the start of the vector
   longword maxDataSize;      // number of bytes of memory for the sound
   longword dataSize;         // number of bytes in use
   OSoundFormat format;
   OSoundChannel channel;
   word samplingRate;  // in Hz
   word bitsPerSample;
-  longword actualDataSize;  // number of bytes that the device has played or recorded
+  longword actualDataSize;  // number of bytes that the device has played or recorded so far
   longword padding[6];
 
   void Set(ODataType dataType, OPrimitiveID id, size_t size) {
@@ -46,7 +46,7 @@ struct OSoundInfo {
 
 struct OSoundVectorData {
   ODataVectorInfo vectorInfo;
-  OSoundInfo info[1];  // really has vectorInfo.maxNumData elements
+  OSoundInfo info[1];  // in memory the array has vectorInfo.maxNumData elements
 
   void SetNumData(size_t n) { vectorInfo.numData = static_cast<longword>(n); }
   OSoundInfo* GetInfo(int index) { return info + index; }

@@ -85,7 +85,7 @@ struct ODataVectorInfo {
   longword infoSize;    // size of an info block in bytes
   longword maxNumData;  // number of info blocks
   longword numData;     // number of info blocks in use
-  OVRSyncKey syncKey;   // ovrsynckeyUNDEF: the vector waits for no other vector
+  OVRSyncKey syncKey;   // ovrsynckeyUNDEF if the vector waits for no other vector
   longword wait;        // number of frames of 8 ms by which output is delayed
   longword optOffset;   // index of the first valid byte of `optional`
   longword optSize;     // number of valid bytes of `optional`
