@@ -29,9 +29,9 @@ struct Stall {
   bool may_be_done = false;
   // True if the observer has probably stopped asking for data on purpose, so the report has a note
   // and not a warning.  This is assumed if the observer has received two notifications or more: it
-  // has asserted ready between them, so its program has not forgotten how.  This is also assumed if
-  // the subject belongs to a system object (a part of the robot), which continues its work even if
-  // the observer never asserts ready.
+  // has asserted ready between them, so its program can assert ready.  This is also assumed if the
+  // subject belongs to a system object (a part of the robot), which continues its work even if the
+  // observer never asserts ready.
   bool is_chosen = false;
 };
 

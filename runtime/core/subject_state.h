@@ -142,7 +142,7 @@ struct SubjectState {
   std::string service;  // full name of the subject's service, for messages to the user
   size_t buffer_size = MAX_NUM_DATA + 1;
   size_t unit_size = 1;
-  // The same observers as in `links`, in the form that OSubject::begin() returns.
+  // The connected observers, in the form that OSubject::begin() returns.
   std::list<OObserverInfo> infos;
 };
 

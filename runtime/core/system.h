@@ -195,7 +195,8 @@ class System {
   const RegionTable& regions() const { return regions_; }
   RegionShares& region_shares() { return region_shares_; }
   HostAddresses& host_addresses() { return host_addresses_; }
-  GuardPages* guard_pages() { return guard_pages_.get(); }  // null: no read-only copies are made
+  // Null if no read-only copies of sent data are made.
+  GuardPages* guard_pages() { return guard_pages_.get(); }
   // Returns how long a frame of the robot's devices lasts in virtual time: kFrameUs, or the length
   // that the cost model gives.
   int64_t frame_us() const { return options_.cost ? options_.cost->FrameUs() : kFrameUs; }

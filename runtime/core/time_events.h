@@ -31,7 +31,7 @@ class TimeEvents {
     EventMessage message;
     int64_t due_us = INT64_MAX;  // INT64_MAX if the event waits for a reply
     int64_t period_us = 0;
-    uint64_t box = 0;    // the box whose reply the event waits for; 0 for a timed event
+    uint64_t box = 0;    // box in which the event waits for a reply; 0 for a time event
     uint64_t cause = 0;  // number of the message whose handler has ordered the event
   };
   using Events = std::map<uint32_t, Event>;  // the key is the id of the event

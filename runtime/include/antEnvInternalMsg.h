@@ -29,7 +29,7 @@ const int32 antEnv_InitParam_String = -2;
 struct antEnvCreateEndpointMsg : public antOperationMsg<antError> {
   int32 protocol;  // a constant EndpointType_...
   int32 poolSize;  // size in bytes of the memory for packets; must be more than the largest send
-  antModuleRef moduleRef;  // in the answer: the endpoint
+  antModuleRef moduleRef;  // in the answer: the new endpoint
 
   antEnvCreateEndpointMsg(int32 type = 0, int32 pool = 0)
       : antOperationMsg<antError>(antEnv_Operation_CreateEndpoint),

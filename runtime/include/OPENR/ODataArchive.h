@@ -42,7 +42,7 @@ struct Header {
 // An entry of the directory of an .ODA file (an archive of motions or sounds), which describes one
 // member of the archive; 144 bytes.
 struct Entry {
-  char type[4];     // "OMTN", "WAVE", "MIDI", "OSND", "LED", "SYN"; padded with zeros
+  char type[4];     // kind of data: "OMTN", "WAVE", "MIDI", "OSND", "LED", "SYN"; padded with zeros
   char name[128];   // padded with zeros
   longword offset;  // place of this archive member, in bytes from the start of the file
   longword size;    // size of this archive member in bytes

@@ -69,7 +69,7 @@ typedef longword OReason;
 const OReason oreasonUNDEF = 0xffffffff;
 const OReason oreasonBOOT = 0;
 const OReason oreasonSHUTDOWN = 1;
-const size_t oreasonPARAM_MAX_SIZE = 128;  // size of the parameter block in bytes
+const size_t oreasonPARAM_MAX_SIZE = 128;  // size in bytes of OReasonMessage::param
 
 typedef longword OMemoryStickStatus;
 const OMemoryStickStatus omemorystickUNDEF = 0xffffffff;

@@ -14,7 +14,7 @@ struct OVRData {
   OStatus status;
   ODataType type;
   MemoryRegionID dataVectorID;
-  longword offset;  // offset in bytes from the start of the region
+  longword offset;  // offset of the vector in bytes from the start of the region
 
   OVRData() { Set(oSUCCESS, odataUNDEF, 0); }
   OVRData(ODataType dataType, MemoryRegionID id) { Set(dataType, id); }

@@ -21,7 +21,7 @@ class OControlEvent {
       : index_(index), id_(id), subName_(subName), command_(command) {}
 
   int SbjIndex() const { return index_; }
-  const char* SubName() const { return subName_; }  // full service name of the peer
+  const char* SubName() const { return subName_; }  // full name of the service at the other end
   const ObserverID& SenderID() const { return id_; }
   bool IsAddObserver() const {
     return command_ == objcommCMD_ADDOBSERVER || command_ == objcommCMD_ADDOBSERVER_SELF ||

@@ -11,7 +11,7 @@
 struct SharedMemoryHeader {
   MemoryRegionID memID;
   void* physAddr;
-  unsigned int offset;     // offset in bytes from the start of the region
+  unsigned int offset;     // offset of this memory in bytes from the start of its region
   unsigned int totalSize;  // in bytes
 };
 typedef SharedMemoryHeader ShmHdr;

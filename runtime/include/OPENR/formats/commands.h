@@ -90,14 +90,14 @@ struct OJointCommandValue3 {
 // A command of the type odataJOINT_COMMAND4, for the ears of the ERS-7.
 struct OJointCommandValue4 {
   OJointValue4 value;
-  word period;  // in frames of 8 ms
+  word period;  // duration in frames of 8 ms
   word reserved;
 };
 
 // A command of the type odataLED_COMMAND2: switches an LED on or off.
 struct OLEDCommandValue2 {
   OLEDValue led;
-  word period;  // in frames of 8 ms
+  word period;  // duration in frames of 8 ms
   word reserved;
 };
 
@@ -105,7 +105,7 @@ struct OLEDCommandValue2 {
 struct OLEDCommandValue3 {
   sword intensity;  // 0..255
   OLED3Mode mode;
-  word period;  // in frames of 8 ms
+  word period;  // duration in frames of 8 ms
   word reserved;
 };
 

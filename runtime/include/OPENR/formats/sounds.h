@@ -24,7 +24,7 @@ const OSoundChannel osoundchannelSTEREO = 2;
 // Describes one sound of a vector; 64 bytes.
 struct OSoundInfo {
   ODataType type;            // odataSOUND; odataSOUND_VECTOR, which some programs set, works too
-  OPrimitiveID primitiveID;  // the speaker or the microphone
+  OPrimitiveID primitiveID;  // id of the speaker or of the microphone
   longword frameNumber;      // frame in which the output or the recording began
   longword frameSize;        // size of a sound frame in bytes
   longword dataOffset;       // offset of the sound in bytes from the start of the vector

@@ -77,7 +77,7 @@ const size_t odataOPTIONAL_MAX = 128;
 // vector's address and totalSize, so these four values must be enough to find the memory.
 struct ODataVectorInfo {
   MemoryRegionID memRegionID;  // region that holds the vector
-  OPhysAddr physAddr;          // set for images and sound only
+  OPhysAddr physAddr;          // set by the robot for images and sound only; 0 on the host
   longword offset;             // offset in bytes from the start of the region to the vector
   longword totalSize;          // size of the whole vector in bytes
   ODataType type;              // a type odata..._VECTOR
