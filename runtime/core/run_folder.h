@@ -14,10 +14,11 @@ namespace openr_host {
 // place of the copy.
 class RunFolder {
  public:
-  // Makes room for a copy of the image `file` and returns the path of the copy.  Keeps `bytes`, the
-  // content of the image, for RestoreOriginal().  If a file with debug information (NAME.DBG) lies
-  // beside `file`, makes a link to it beside the copy, where debuggers look for it.  If the folder
-  // cannot be written, returns "" and sets `*problem` to the reason.
+  // Makes a folder for a copy of the image `file`, and returns the path that the copy will have.
+  // Keeps `bytes`, the content of the image, for RestoreOriginal().  If a file with debug
+  // information (NAME.DBG) lies beside `file`, makes a link to it in the new folder, where
+  // debuggers look for it.  If the folder cannot be written, returns "" and sets `*problem` to the
+  // reason.
   std::string AddCopy(const std::string& file, const std::string& bytes, std::string* problem);
 
   // Writes `bytes`, the changed content of the image, to the file `copy`, a path that AddCopy() has

@@ -43,7 +43,7 @@ class GatewayStream {
   // Removes the next whole set (the data of one notification) from the bytes that were received
   // from the peer, the gateway of another computer.  Returns kNeedsMore if the set has not arrived
   // completely.  Returns kBroken if the rest of the stream cannot be decoded; error() then returns
-  // the reason.  Announced sizes are checked against limits before they are used.
+  // the reason.  Sizes in the stream are checked against limits before they are used.
   Result NextSet(GatewaySet* set);
 
   const std::string& error() const { return error_; }

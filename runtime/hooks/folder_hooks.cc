@@ -44,7 +44,7 @@ std::string UpperCase(std::string text) {
 }
 
 // Returns whether `entry` of the host's folder `path` is no FIFO, socket or device, and no link to
-// such a file.  A link to nothing counts as a file.
+// such a file.  Also returns true for a link to a missing file.
 bool IsFileOrFolder(const std::string& path, const struct dirent& entry) {
   if (entry.d_type == DT_REG || entry.d_type == DT_DIR) return true;
   std::error_code error;

@@ -88,8 +88,8 @@ int BindSocket(const Fd& fd, NetAddress local) {
 }
 
 int ListenOn(const Fd& fd, NetAddress local, int backlog) {
-  // Sets SO_REUSEADDR, so that the port can be bound even while connections of the last run are in
-  // state TIME_WAIT.
+  // Sets SO_REUSEADDR, so that the port can be bound even while connections of an earlier run are
+  // in state TIME_WAIT.
   SetOption(fd.get(), SOL_SOCKET, SO_REUSEADDR);
   if (const int error = BindSocket(fd, local)) return error;
   return listen(fd.get(), backlog) == 0 ? 0 : errno;
@@ -110,8 +110,8 @@ int ConnectResult(const Fd& fd) {
 }
 
 Fd AcceptFrom(const Fd& listener, NetAddress* remote) {
-  // Calls poll() before accept(), because usually no connection waits.  In this case accept() costs
-  // more than poll(), because it first creates a socket.
+  // Calls poll() before accept(), because usually no connection waits.  Then accept() costs more
+  // than poll(), because accept() creates a socket before it finds that no connection waits.
   pollfd waiting{listener.get(), POLLIN, 0};
   if (poll(&waiting, 1, 0) == 0) {
     errno = EAGAIN;

@@ -3,7 +3,7 @@
 // The name of the object is "IPStack".  Programs send messages of TCPEndpointMsg.h and similar
 // headers to IPStack with Call() and Send() of antEnvMsg.  Each message contains a selector of
 // IPStack from 0 to 2.  On the host the selectors 0 to 3 belong to DoInit to DoDestroy.  So Call()
-// and Send() post the message to a further entry of IPStack (EntryFor).
+// and Send() post the message to another entry of IPStack (EntryFor).
 //
 // Time: operations that concern only the stack (creating, binding, a send that fits into the pool
 // of its endpoint) are answered at the instant of the request.  Input from outside enters only at

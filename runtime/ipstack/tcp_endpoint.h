@@ -97,7 +97,7 @@ class TcpEndpoint : public Endpoint {
   uint64_t sent_hash_ = 0;  // hash of all bytes that were sent
   int small_row_ = 0;       // number of small sends since the object last received something
   int64_t last_send_us_ = 0;
-  int64_t closing_since_us_ = 0;  // time of Close, or of the last progress after Close
+  int64_t closing_since_us_ = 0;  // time of Close, or when the peer last accepted a byte after it
 
   std::optional<Operation> opening_;  // the pending Listen or Connect
   std::optional<Operation> send_;

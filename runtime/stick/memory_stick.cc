@@ -35,9 +35,9 @@ std::string UpperCase(std::string_view text) {
   return result;
 }
 
-// Returns the entry of `folder` whose name equals `part` if upper and lower case letters count as
-// equal.  If several names match, prefers the name that is exactly `part`, then the first name in
-// the order of bytes.  Returns "" if no name matches.  Sets `error` if the folder cannot be read.
+// Returns the entry of `folder` whose name equals `part`, without regard to upper and lower case.
+// If several names match, prefers the name that is exactly `part`, then the first name in the order
+// of bytes.  Returns "" if no name matches.  Sets `error` if the folder cannot be read.
 std::string FindEntry(const std::string& folder, const std::string& part, int* error) {
   if (Exists(folder + "/" + part)) return part;
   if (errno == EACCES) *error = EACCES;

@@ -1,7 +1,7 @@
 // Command vectors: set points for joints, states for LEDs and ears.
 //
-// A frame is 8 ms.  A vector changes only the primitives that it lists.  If no further vector
-// follows, the last set point stays in force (Level 2 Reference Guide, 4.2).
+// A frame is 8 ms.  A vector changes only the primitives that it lists.  If no other vector
+// follows, joints keep their last set point (Level 2 Reference Guide, 4.2).
 #ifndef OPENR_FORMATS_COMMANDS_H_INCLUDED
 #define OPENR_FORMATS_COMMANDS_H_INCLUDED
 
