@@ -27,6 +27,24 @@ bool IsInBackground() {
   return foreground != -1 && foreground != getpgrp();
 }
 
+// Returns the number of bytes that can be typed now on every robot that is on.  Leaves out robots
+// whose programs have never read, unless no program of any robot has: such a robot would stop the
+// input of the others for ever when its terminal is full.
+size_t RoomOfReaders(System* system) {
+  const ConsoleInput& console = system->console_input();
+  size_t room = ConsoleInput::kUnreadMax;
+  size_t room_of_readers = ConsoleInput::kUnreadMax;
+  bool has_reader = false;
+  for (int robot = 0; robot < system->robot_count(); ++robot) {
+    if (system->robot(robot).powered_off) continue;
+    room = std::min(room, console.RoomOf(robot));
+    if (!console.HasReader(robot)) continue;
+    has_reader = true;
+    room_of_readers = std::min(room_of_readers, console.RoomOf(robot));
+  }
+  return has_reader ? room_of_readers : room;
+}
+
 }  // namespace
 
 ConsoleFeed::ConsoleFeed(const std::string& file)
@@ -70,13 +88,24 @@ size_t ConsoleFeed::ReadyLength(size_t room) const {
   return is_too_long ? room - 1 : end;
 }
 
-void ConsoleFeed::Feed(System* system) {
-  // Takes the terminal with the least room, so that all robots get the same text.
-  size_t room = ConsoleInput::kUnreadMax;
-  for (int robot = 0; robot < system->robot_count(); ++robot) {
-    if (!system->robot(robot).powered_off)
-      room = std::min(room, system->console_input().RoomOf(robot));
+// Types `lines` on the terminal of `robot`.  If the terminal has no room for them, the robot misses
+// them.  A robot that is on has room unless its programs have never read.
+void ConsoleFeed::Type(System* system, int robot, std::string_view lines) {
+  if (system->console_input().RoomOf(robot) >= ConsoleInput::EnteredSize(lines)) {
+    // Ignores that the robot refuses the text, because only a robot that is off refuses it.
+    TypeText(system, robot, lines);
+    return;
   }
+  if (system->robot(robot).powered_off || !is_reported_.insert(robot).second) return;
+  system->AddFindingAboutRobot(
+      robot, Severity::kWarning,
+      fmt::format("console: typed text is missed from here on: no program of the robot has read so "
+                  "far, {} bytes wait, and the other robots are not to wait for it",
+                  ConsoleInput::kUnreadMax - system->console_input().RoomOf(robot)));
+}
+
+void ConsoleFeed::Feed(System* system) {
+  const size_t room = RoomOfReaders(system);
   ReadStandardInput(room);
   const size_t length = ReadyLength(room);
   if (length == 0) return;
@@ -84,8 +113,7 @@ void ConsoleFeed::Feed(System* system) {
   // itself.
   system->console_input().set_echo(!is_terminal_);
   const std::string_view lines = std::string_view(text_).substr(0, length);
-  // Ignores that a robot refuses the text, because only a robot that is off can have no room.
-  for (int robot = 0; robot < system->robot_count(); ++robot) TypeText(system, robot, lines);
+  for (int robot = 0; robot < system->robot_count(); ++robot) Type(system, robot, lines);
   text_.erase(0, length);
 }
 

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
 #include <string>
+#include <string_view>
 
 namespace openr_host {
 
@@ -21,18 +23,22 @@ class ConsoleFeed {
   // or of the file that the constructor got.  Gives only as much as the terminals of all robots
   // that are on have room for (ConsoleInput::RoomOf()); the rest follows in later calls, when
   // programs have read.  Does not read from standard input meanwhile, so that its writer waits.
-  // Breaks a line that is longer than the terminal of a robot can hold.
+  // Does not wait for a robot whose programs have never read if programs of another robot have:
+  // this robot misses text for which its terminal has no room, and a finding says so.  Breaks a
+  // line that is longer than the terminal of a robot can hold.
   void Feed(System* system);
 
  private:
   void ReadStandardInput(size_t size_max);
+  void Type(System* system, int robot, std::string_view lines);
   size_t ReadyLength(size_t room) const;
 
   std::string text_;  // input that has arrived and was not given to robots yet
   // True: standard input is a terminal, which shows the typed text itself, so that the program need
   // not show it.
   bool is_terminal_ = false;
-  bool is_open_ = false;  // true: more text may arrive on standard input
+  bool is_open_ = false;       // true: more text may arrive on standard input
+  std::set<int> is_reported_;  // robots about which a finding says that they miss text
 };
 
 }  // namespace openr_host

@@ -19,6 +19,11 @@ size_t ConsoleInput::RoomOf(int robot) const {
   return kUnreadMax - std::min(used, kUnreadMax);
 }
 
+bool ConsoleInput::HasReader(int robot) const {
+  const auto found = terminals_.find(robot);
+  return found != terminals_.end() && found->second.has_reader;
+}
+
 std::shared_ptr<const void> ConsoleInput::Reserve(int robot, size_t bytes) {
   std::shared_ptr<size_t>& reserved = reserved_[robot];
   if (reserved == nullptr) reserved = std::make_shared<size_t>(0);
@@ -71,6 +76,7 @@ size_t ConsoleInput::Read(char* buffer, size_t size, const std::function<bool()>
   Object* const self = t_current.object;
   ASSERT(self != nullptr, "only a handler reads the console");
   Terminal& terminal = terminals_[self->robot];
+  terminal.has_reader = true;
   // Repeats the wait until the terminal has text, because another reader may take the line after
   // this reader was woken and before it runs.
   while (terminal.text.empty()) {

@@ -35,6 +35,9 @@ class ConsoleInput {
   // that has not been read yet and without the text that Reserve() keeps room for.
   size_t RoomOf(int robot) const;
 
+  // Returns whether a program of `robot` has called Read() since the beginning of the run.
+  bool HasReader(int robot) const;
+
   // Keeps room for the text of an input that waits for its frame boundary, `bytes` long, on the
   // terminal of `robot` until the last copy of the result is destroyed.
   std::shared_ptr<const void> Reserve(int robot, size_t bytes);
@@ -70,6 +73,7 @@ class ConsoleInput {
     std::string text;  // text that has not been read yet
     // The objects that wait for a line, each with the reply box that will end its wait.
     std::deque<std::pair<ObjectId, uint64_t>> readers;
+    bool has_reader = false;  // see HasReader()
   };
 
   void WakeNext(Terminal* terminal);

@@ -4,13 +4,17 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <fstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "runtime/base/temp_folder.h"
+#include "runtime/core/code_object.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {
@@ -56,6 +60,93 @@ void ListenToTyping(System* system, std::string* typed) {
   system->inputs().OnAdd([typed](int, std::string_view line) {
     typed->append(line.substr(std::string_view("type ").size()));
   });
+}
+
+// Reads the console of its robot, without an end.
+class LineReader : public CodeObject {
+ public:
+  LineReader() {
+    entry_ = AddExtra("Read", [this](void*) {
+      char line[1024];
+      for (;;) text.append(line, system().console_input().Read(line, sizeof line));
+    });
+  }
+  // Makes the object begin to read.
+  void Begin() {
+    const CurrentScope scope(&system(), &host());
+    system().Post(system().NewMessage(host().id, entry_));
+  }
+
+  std::string text;  // all text that was read
+
+ private:
+  Selector entry_ = 0;
+};
+
+// Two robots, on which a long file is typed.
+class TwoConsolesTest : public testing::Test {
+ protected:
+  TwoConsolesTest() {
+    while (lines_.size() < 3 * ConsoleInput::kUnreadMax) lines_ += std::string(99, 'x') + '\n';
+    std::ofstream(file()) << lines_;
+    for (int robot = 0; robot < 2; ++robot) {
+      system_.AddRobot("ERS-210", nullptr);
+      readers_.push_back(system_.AddObject<LineReader>(robot, "reader"));
+    }
+    system_.inputs().OnAdd([this](int robot, std::string_view line) {
+      typed_[static_cast<size_t>(robot)] += line.substr(std::string_view("type ").size());
+    });
+    system_.Boot();
+  }
+  std::string file() const { return folder_.path() + "/typed.txt"; }
+  static SystemOptions Options() {
+    SystemOptions options;
+    options.console = [](std::string_view) {};  // the echo of what is read
+    return options;
+  }
+  void Feed(ConsoleFeed* feed) {
+    for (int i = 0; i < 20; ++i) {
+      feed->Feed(&system_);
+      system_.RunFor(8000);
+    }
+  }
+  size_t CountFindings() const {
+    return static_cast<size_t>(std::count_if(
+        system_.findings().all().begin(), system_.findings().all().end(), [](const Finding& one) {
+          return one.text.find("typed text is missed") != std::string::npos;
+        }));
+  }
+
+  const TempFolder folder_;
+  System system_{Options()};
+  std::vector<LineReader*> readers_;
+  std::string lines_;
+  std::array<std::string, 2> typed_;
+};
+
+TEST_F(TwoConsolesTest, ARobotThatNeverReadsDoesNotStopTheOthers) {
+  ConsoleFeed feed(file());
+  readers_[1]->Begin();
+  Feed(&feed);
+  EXPECT_EQ(typed_[1], lines_);
+  EXPECT_EQ(readers_[1]->text, lines_);
+  EXPECT_LE(typed_[0].size(), ConsoleInput::kUnreadMax);
+  EXPECT_TRUE(lines_.starts_with(typed_[0]));
+  EXPECT_FALSE(typed_[0].empty());
+  EXPECT_EQ(CountFindings(), 1u);
+}
+
+TEST_F(TwoConsolesTest, NothingIsMissedWhileNoRobotReads) {
+  ConsoleFeed feed(file());
+  Feed(&feed);
+  EXPECT_EQ(typed_[0], typed_[1]);
+  EXPECT_LE(typed_[0].size(), ConsoleInput::kUnreadMax);
+  EXPECT_EQ(CountFindings(), 0u);
+  for (LineReader* const reader : readers_) reader->Begin();
+  Feed(&feed);
+  EXPECT_EQ(readers_[0]->text, lines_);
+  EXPECT_EQ(readers_[1]->text, lines_);
+  EXPECT_EQ(CountFindings(), 0u);
 }
 
 TEST(ConsoleFeedTest, AFileIsTypedOnceOnEveryRobot) {
