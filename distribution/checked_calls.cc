@@ -28,6 +28,12 @@ constexpr uint64_t kResultMax = 1024;
 
 bool IsTime(int64_t time_us) { return time_us >= 0 && time_us <= kTimeMaxUs; }
 
+// Returns whether a worker is loading `object` for the first time.  The stand-in of such an object
+// gets its entries when its constructors have returned.
+bool IsLoading(const Object& object) {
+  return !object.HasEntry(oentryINIT) && !object.has_early_work();
+}
+
 TimeEvents::EventMessage MessageOfCaller(const TimeEvents::EventMessage& message) {
   TimeEvents::EventMessage own = message;
   own.owner = t_current.object->id;
@@ -59,9 +65,27 @@ int32_t CheckedCalls::RegisterName(ObjectId object, std::string_view name) {
   return LocalCalls::RegisterName(object, name);
 }
 
+// Lets constructors find neither their own object nor the names that they have registered for it.
+// In one process they do not find these either, because the object is in no table yet.
+int32_t CheckedCalls::FindName(std::string_view name, ObjectId* object) {
+  const int32_t error = LocalCalls::FindName(name, object);
+  const bool is_found = error == sSUCCESS && *object == t_current.object->id;
+  return is_found && IsLoading(*t_current.object) ? sOBJNOTFOUND : error;
+}
+
 OStatus CheckedCalls::RegisterService(ObjectId object, uint32_t selector, std::string_view name) {
   if (!is_own_(object) || name.size() > oserviceNAME_MAX) return oFAIL;
-  return LocalCalls::RegisterService(object, selector, name);
+  Object* const self = t_current.object;
+  if (!self->has_early_work() || object != self->id)
+    return LocalCalls::RegisterService(object, selector, name);
+  // Keeps the service until the object of the restarted worker is in its place.  The directory may
+  // still have the same service of the lost object.
+  const auto& directory = system_->robot(self->robot).directory;
+  const auto found = directory.find(std::string(name));
+  const bool is_of_other = found != directory.end() && found->second.first != object;
+  if (is_of_other || !self->KeepEarlyService(std::string(name), selector)) return oALREADY_EXIST;
+  self->entry_names().SetService(selector, std::string(name));
+  return oSUCCESS;
 }
 
 uint32_t CheckedCalls::NewRegion(size_t size, ObjectId owner) {

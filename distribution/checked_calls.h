@@ -32,6 +32,7 @@ class CheckedCalls : public LocalCalls {
                          int64_t period_us) override;
   uint32_t AddReplyEvent(const TimeEvents::EventMessage& message, uint64_t box) override;
   int32_t RegisterName(ObjectId object, std::string_view name) override;
+  int32_t FindName(std::string_view name, ObjectId* object) override;
   OStatus RegisterService(ObjectId object, uint32_t selector, std::string_view name) override;
   uint32_t NewRegion(size_t size, ObjectId owner) override;
   bool DeleteRegion(uint32_t region) override;

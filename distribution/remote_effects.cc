@@ -9,6 +9,7 @@
 #include "distribution/remote_object.h"
 #include "distribution/worker_call_list.h"
 #include "runtime/core/api.h"
+#include "runtime/core/cpu.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {
@@ -35,8 +36,21 @@ struct CallTargets {
   }
 };
 
+// Keeps the messages of `object` in its outbox, so that a message that is refused later is handled
+// as in one process (cpu.h).  An object that has early work keeps its messages also afterwards.
+class OutboxScope {
+ public:
+  explicit OutboxScope(Object* object) : object_(object) { object_->delivery().set_busy(true); }
+  ~OutboxScope() { object_->delivery().set_busy(object_->has_early_work()); }
+  OutboxScope(const OutboxScope&) = delete;
+  OutboxScope& operator=(const OutboxScope&) = delete;
+
+ private:
+  Object* const object_;
+};
+
 // Returns whether a worker may call function number `function` while no handler runs and there is
-// no current object.  Workers call the functions of kFunctions also while they load their objects.
+// no current object.  Workers call the functions of kFunctions also when they drop connections.
 // Calls of all other functions without a current object are ignored.
 bool MayLackCaller(uint32_t function) {
   constexpr uint32_t kFunctions[] = {
@@ -111,6 +125,17 @@ void RemoteEffects::Apply(const openr_wire_ToMaster& to_master, Object* self) {
       ApplyNote(note);
     }
   }
+}
+
+void RemoteEffects::ApplyLoaded(const openr_wire_ToMaster& to_master, Object* object) {
+  if (object == nullptr) return Apply(to_master, nullptr);
+  {
+    const OutboxScope scope(object);
+    Apply(to_master, object);
+  }
+  if (object->has_early_work()) return;
+  const CurrentScope scope(resources_->system(), object);
+  PostOutbox(object);
 }
 
 HandlerStop RemoteEffects::ApplyStop(const openr_wire_ToMaster& to_master) {
@@ -229,7 +254,7 @@ int32_t RemoteEffects::Post(const openr_wire_PostedMessage& posted, Object* self
 
 // Calls function number `function` of WorkerCallList (the list of the master's functions that
 // workers may call), as a worker has asked, in the name of the current object.  There is no current
-// object while the worker loads its objects.  For a number that is not in the list, returns the
+// object if no handler has caused the call.  For a number that is not in the list, returns the
 // status oNOT_SUPPORTED.
 CallResult RemoteEffects::Call(uint32_t function, const CallArguments& arguments) {
   if (function >= WorkerCallList::kSize) return {oNOT_SUPPORTED};

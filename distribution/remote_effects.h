@@ -43,8 +43,13 @@ class RemoteEffects {
   bool HandleRequest(const openr_wire_ToMaster& to_master);
 
   // Applies the effects in `to_master` in the name of `self`.  If `self` is null, no handler has
-  // caused them: the worker was loading its objects, for instance.
+  // caused them: the worker was dropping connections, for instance.
   void Apply(const openr_wire_ToMaster& to_master, Object* self);
+  // Applies the effects of the constructors of `object`, which the worker has loaded.  Messages
+  // leave the outbox of `object` when it is in its place: now, or, if it is an object of a
+  // restarted worker, when it replaces the old one (EarlyWork).  `object` is null if none was
+  // loaded.
+  void ApplyLoaded(const openr_wire_ToMaster& to_master, Object* object);
   // Handles the sample that reports that a handler in the worker has stopped: applies the effects
   // of the handler, and records the data about its object.  Returns why the handler has stopped.
   HandlerStop ApplyStop(const openr_wire_ToMaster& to_master);

@@ -48,21 +48,23 @@ bool RemoteLoader::HandleSample(const openr_wire_ToMaster& to_master,
     connection_->Refuse("no list of its objects");
   const auto& loaded = to_master.body._u.loaded.objects;
   std::string problem;
+  RemoteObject* object = nullptr;
   for (uint32_t i = 0; i < loaded._length; ++i) {
     const openr_wire_LoadedObject& entry = loaded._buffer[i];
     const auto found = objects.find(entry.id);
     if (found == objects.end() || awaited_objects_.erase(entry.id) == 0)
       connection_->Refuse("an object that is not its own, or sent it twice");
+    object = found->second;
     if (entry.problem != nullptr && *entry.problem != '\0') {
       if (problem.empty()) problem = entry.problem;
       continue;
     }
-    found->second->SetDescription(entry);
-    resources_->RecordHeap(found->second->robot, entry.heap_here);
+    object->SetDescription(entry);
+    resources_->RecordHeap(object->robot, entry.heap_here);
   }
-  // Applies the effects only after the objects have their entries and priorities, because
-  // constructors may have sent messages to their own objects.
-  effects_->Apply(to_master, nullptr);
+  // Applies the effects only after the object has its entries and priority, because constructors
+  // may have sent messages to their own object.
+  effects_->ApplyLoaded(to_master, object);
   if (!problem.empty()) throw ProcessLost(problem);
   if (!awaited_objects_.empty()) connection_->Refuse("nothing of an object that it was to load");
   return true;

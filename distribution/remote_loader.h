@@ -27,15 +27,15 @@ class RemoteLoader {
   void Welcome(System* system, const openr_wire_Welcome& welcome);
 
   // Sends new entries of the master's tables of robots and objects, and waits until the worker has
-  // loaded its own objects among them.
+  // loaded its own object, if there is one among them.
   void Load(const openr_wire_Load& load);
 
-  // Begins to load the objects of a restarted worker: sends the entries of the master's tables of
-  // robots and objects, as Load() does, but does not wait until the worker has loaded them.  The
-  // worker counts as lost until RemoteProcess::Rejoin().
+  // Begins to load an object of a restarted worker: sends the next entries of the master's tables
+  // of robots and objects, as Load() does, but does not wait until the worker has loaded the
+  // object.  The worker counts as lost until RemoteProcess::Rejoin().
   void BeginLoad(const openr_wire_Load& load);
-  // Returns whether the worker has loaded its objects after BeginLoad().  `objects` are the
-  // master's new stand-ins for these objects.
+  // Returns whether the worker has loaded the object after BeginLoad().  `objects` are the master's
+  // new stand-ins for the objects of the worker.
   bool HasLoaded(const std::map<ObjectId, RemoteObject*>& objects);
 
  private:

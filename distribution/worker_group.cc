@@ -167,9 +167,12 @@ void WorkerGroup::Welcome(Member* member) {
 }
 
 // Returns the entries of the master's tables of robots and objects that the worker has not
-// received, and counts them as sent.
+// received, up to the next object of the worker, and counts them as sent.  A restarted worker loads
+// its objects one by one, as at the beginning of the run, so that each object's constructors have a
+// sample of their own for their effects.
 openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
   openr_wire_Load load{};
+  load.now_us = system_->now_us();
   std::vector<openr_wire_RobotEntry> robots;
   std::vector<openr_wire_DesignEntry> designs;
   std::vector<openr_wire_ObjectEntry> objects;
@@ -187,11 +190,12 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
   }
   member->robots_sent = static_cast<size_t>(system_->robot_count());
   ASSERT(member->objects_sent <= system_->objects().size(), "{}", member->objects_sent);
-  for (; member->objects_sent < system_->objects().size(); ++member->objects_sent) {
+  for (bool is_own = false; !is_own && !HasSentAll(*member); ++member->objects_sent) {
     const Object& object = *system_->objects()[member->objects_sent];
+    is_own = member->objects.contains(object.id);
     objects.push_back({object.id, object.robot, arena->Text(object.name), arena->Text(object.path),
-                       object.is_system(), object.name == IpStack::kName,
-                       member->objects.contains(object.id), object.boxes().last()});
+                       object.is_system(), object.name == IpStack::kName, is_own,
+                       object.boxes().last()});
   }
   // Sends the heap use of all robots with every Load, and not only of new robots, because objects
   // in other processes may have used more heap since the previous Load.
@@ -205,12 +209,15 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
   return load;
 }
 
+// Returns whether the worker has received all entries of the master's table of objects.
+bool WorkerGroup::HasSentAll(const Member& member) const {
+  return member.objects_sent == system_->objects().size();
+}
+
 // Sends the worker the new entries of the master's tables of robots and objects, and waits until
 // the worker has loaded the new objects that belong to it.  The first time, also waits until the
 // worker has joined.
-void WorkerGroup::SendNextLoad(Member* member) {
-  WireArena arena;
-  const openr_wire_Load load = NextLoadFor(member, &arena);
+void WorkerGroup::SendNewEntries(Member* member) {
   if (!member->is_welcomed) {
     const auto host = options_.placement.host_of.find(member->name);
     const std::string advice = host == options_.placement.host_of.end()
@@ -220,14 +227,17 @@ void WorkerGroup::SendNextLoad(Member* member) {
                                               [this] { return IsEnding(); });
     Welcome(member);
   }
-  member->process->loader().Load(load);
+  do {
+    WireArena arena;
+    member->process->loader().Load(NextLoadFor(member, &arena));
+  } while (!HasSentAll(*member));
 }
 
 void WorkerGroup::LoadNewObjects(Member* member) {
   while (problem_.empty()) {
     const bool is_first = member->robots_sent == 0;
     try {
-      return SendNextLoad(member);
+      return SendNewEntries(member);
     } catch (const ProcessRefused& refused) {
       if (!is_first || !member->is_external) {
         problem_ = refused.what();
@@ -412,6 +422,7 @@ void WorkerGroup::End() {
   std::vector<EndingWorker> workers;
   for (auto& [name, entry] : members_) {
     Member* const member = &entry;
+    DropNewObjects(member);  // while the System exists, because their outboxes have its messages
     workers.push_back({[member, why] { return member->process->SendEnd(why); },
                        [member] { return HasEnded(*member); },
                        [member](int64_t limit_ms) {

@@ -174,7 +174,8 @@ class WorkerGroup {
   void Welcome(Member* member);
   openr_wire_Load NextLoadFor(Member* member, WireArena* arena);
   void LoadNewObjects(Member* member);
-  void SendNextLoad(Member* member);
+  bool HasSentAll(const Member& member) const;
+  void SendNewEntries(Member* member);
   void WaitForAnotherWorker(Member* member, const std::string& why);
   // Returns whether the user has asked the run to end (Ctrl-C).
   bool IsEnding() const { return options_.interrupts && options_.interrupts() >= 1; }
@@ -196,8 +197,10 @@ class WorkerGroup {
   void CheckRestart(Member* member);
   void Restart(Member* member);
   void BeginLoading(Member* member);
+  bool HasLoadedAll(Member* member);
   void ReplaceObjects(Member* member);
   void OnReplaced(ObjectId id);
+  static void DropNewObjects(Member* member);
   void FailAttempt(Member* member, const std::string& why);
   bool IsRestarting(const Member& member) const;
   bool AdvanceRestarts();

@@ -89,7 +89,7 @@ void WorkerGroup::AdvanceRestart(Member* member, bool may_load) {
         if (may_load) BeginLoading(member);
         return;
       case Stage::kLoading:
-        if (process.loader().HasLoaded(member->successors)) ReplaceObjects(member);
+        if (HasLoadedAll(member)) ReplaceObjects(member);
         break;
       case Stage::kReplacing:
         return;
@@ -120,12 +120,27 @@ void WorkerGroup::CheckRestart(Member* member) {
                   member->name, kSlowStageMs / 1000, options_.wait_ms / 1000));
 }
 
+// Deletes the new stand-ins for the objects of a restarted worker, if the object table has not
+// taken them yet.  The old stand-ins act for the objects again.
+void WorkerGroup::DropNewObjects(Member* member) {
+  if (member->new_objects.empty()) return;
+  member->process->resources().Replace(member->objects);
+  member->new_objects.clear();
+  member->successors.clear();
+}
+
 // Gives up this attempt to restart the worker, because of `why`.  Goes back to stage kCleaningUp,
 // so that Restart() tries again or gives the worker up.
 void WorkerGroup::FailAttempt(Member* member, const std::string& why) {
   options_.say(why);
   member->lost = why;
-  member->new_objects.clear();
+  if (!member->new_objects.empty()) {
+    // Ends what the constructors in the new process have made, because the next attempt runs
+    // constructors again.
+    member->process->ReleaseAll();
+    for (const auto& [id, object] : member->objects) system_->object_table().EndAllOf(id);
+  }
+  DropNewObjects(member);
   member->process->connection().slot().Abandon();
   member->attempt_failed = true;
   EnterStage(member, Stage::kCleaningUp);
@@ -158,9 +173,10 @@ void WorkerGroup::Restart(Member* member) {
   EnterStage(member, Stage::kJoining);
 }
 
-// Sends a restarted worker, which has joined, the settings of the run and all entries of the
-// master's tables of robots and objects.  All entries go in one sample, because the tables are
-// complete.  The tables grow object by object only at the beginning of a run.
+// Sends a restarted worker, which has joined, the settings of the run and the entries of the
+// master's tables of robots and objects up to the first object of the worker.  The new stand-ins
+// act for the objects from now on, but keep what the constructors do until they are in the place of
+// the old stand-ins (EarlyWork).
 void WorkerGroup::BeginLoading(Member* member) {
   // Sets the counts of sent robots and objects to 0, because the new process has received none.
   member->robots_sent = member->objects_sent = 0;
@@ -168,19 +184,41 @@ void WorkerGroup::BeginLoading(Member* member) {
   member->successors.clear();
   for (const auto& [id, object] : member->objects) {
     member->new_objects.push_back(object->NewInstance());
-    member->successors[id] = member->new_objects.back().get();
+    RemoteObject* const fresh = member->new_objects.back().get();
+    fresh->KeepEarlyWork({});
+    fresh->delivery().set_busy(true);  // keeps the messages of the constructors in the outbox
+    member->successors[id] = fresh;
   }
+  member->process->resources().Replace(member->successors);
   Welcome(member);
   WireArena arena;
   member->process->loader().BeginLoad(NextLoadFor(member, &arena));
   EnterStage(member, Stage::kLoading);
 }
 
+// Returns whether a restarted worker has loaded all its objects.  If it has loaded the last one
+// that it was sent, sends the entries up to its next object.
+bool WorkerGroup::HasLoadedAll(Member* member) {
+  RemoteLoader& loader = member->process->loader();
+  if (!loader.HasLoaded(member->successors)) return false;
+  if (HasSentAll(*member)) return true;
+  WireArena arena;
+  loader.BeginLoad(NextLoadFor(member, &arena));
+  return false;
+}
+
 // Tells the object table to replace the master's old stand-ins for the worker's objects by the new
 // stand-ins.  The table calls OnReplaced() for each object that it has replaced.
 void WorkerGroup::ReplaceObjects(Member* member) {
   std::vector<std::unique_ptr<Object>> new_objects;
-  for (auto& object : member->new_objects) new_objects.push_back(std::move(object));
+  for (auto& object : member->new_objects) {
+    // Keeps the time events of the constructors apart, because a message that is due before the
+    // replacement would go to the old stand-in.
+    EarlyWork work = object->TakeEarlyWork();
+    work.events = system_->time_events().TakeOf(object->id);
+    object->KeepEarlyWork(std::move(work));
+    new_objects.push_back(std::move(object));
+  }
   member->new_objects.clear();
   EnterStage(member, Stage::kReplacing);
   system_->object_table().PostReplacement(std::move(new_objects));

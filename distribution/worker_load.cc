@@ -2,7 +2,6 @@
 // of this process, find its Memory Stick, and count the heap that its objects use.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
@@ -55,6 +54,8 @@ std::string Worker::LoadObjects(const openr_wire_Load& load) {
     if (is_refused_) return problem;
     if (options_.before_loading) options_.before_loading(stick_);
   }
+  // Sets the clock, because constructors may read it.  It is not 0 when the worker was restarted.
+  if (load.now_us > system_->now_us()) system_->RunUntil(load.now_us);
   for (uint32_t i = 0; i < load.designs._length; ++i) {
     const openr_wire_DesignEntry& entry = load.designs._buffer[i];
     CheckRobot(entry.robot);
@@ -120,11 +121,10 @@ void Worker::AddObject(const openr_wire_ObjectEntry& entry,
   }
   if (entry.is_own) {
     loading_ = entry.id;
-    Object* const object = LoadImage(system_.get(), entry.robot, StringOf(entry.path), "join");
+    Object* const object =
+        LoadImage(system_.get(), entry.robot, StringOf(entry.path), "join", "", entry.last_box);
     loading_ = kNoObject;
     if (object != nullptr) {
-      // Keeps the larger number, because a constructor may have opened boxes already.
-      object->boxes().set_last(std::max(object->boxes().last(), entry.last_box));
       own_object_names_.insert(object->name);
       loaded->push_back(Describe(*object));
       return;

@@ -5,7 +5,8 @@
 // cannot be loaded.  Both objects have the same id.  Therefore the end of the old object would also
 // end what the constructors of the new image have made, and the old object would receive the
 // messages that they send to their own object.  So all this, and all messages of the constructors,
-// are kept apart until the new object is in place.
+// are kept apart until the new object is in place.  The same holds for the objects of a restarted
+// worker process (distribution/worker_group_restart.cc).
 #pragma once
 
 #include <cstdint>

@@ -36,7 +36,7 @@ std::string NearestName(const std::string& path) {
 
 std::unique_ptr<ImageObject> OpenImage(System* system, int robot, ObjectId id,
                                        const std::string& path, const std::string& where,
-                                       const std::string& file) {
+                                       const std::string& file, uint64_t last_box) {
   const std::string& source = file.empty() ? path : file;
   const auto refuse = [&](const std::string& why) {
     system->AddFindingAboutRobot(robot, Severity::kError,
@@ -56,6 +56,7 @@ std::unique_ptr<ImageObject> OpenImage(System* system, int robot, ObjectId id,
   }
   auto image = std::make_unique<ImageObject>(system, id, robot);
   image->path = path;
+  image->boxes().set_last(last_box);
   std::string problem;
   const auto load = [&] { problem = image->Load(location.path, system->run_folder()); };
   if (Object* const old = system->object(id); old != nullptr && !old->is_absent()) {
@@ -79,9 +80,9 @@ std::unique_ptr<ImageObject> OpenImage(System* system, int robot, ObjectId id,
 }
 
 Object* LoadImage(System* system, int robot, const std::string& path, const std::string& where,
-                  const std::string& file) {
+                  const std::string& file, uint64_t last_box) {
   const ObjectId id = system->object_table().IdFor(robot, path);
-  auto image = OpenImage(system, robot, id, path, where, file);
+  auto image = OpenImage(system, robot, id, path, where, file, last_box);
   if (image == nullptr) return nullptr;
   Object* const object = system->object_table().Adopt(std::move(image));
   // Sends the messages that constructors of the image have sent to their own object, which was not

@@ -81,7 +81,7 @@ int LocalCalls::CountEvents() { return system_->time_events().CountOf(t_current.
 
 int32_t LocalCalls::RegisterName(ObjectId object, std::string_view name) {
   ObjectId known = kNoObject;
-  if (LocalCalls::FindName(name, &known) == sSUCCESS) return sFAIL;
+  if (FindName(name, &known) == sSUCCESS) return sFAIL;
   RobotOfCaller(system_).names[std::string(name)] = object;
   return sSUCCESS;
 }

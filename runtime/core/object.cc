@@ -139,6 +139,16 @@ EarlyWork Object::TakeEarlyWork() {
   return std::exchange(early_work_, {});
 }
 
+bool Object::KeepEarlyService(const std::string& service, uint32_t selector) {
+  ASSERT(has_early_work_, "{} keeps no early work", name);
+  auto& services = early_work_.services;
+  const bool is_known =
+      std::any_of(services.begin(), services.end(),
+                  [&service](const auto& entry) { return entry.first == service; });
+  if (!is_known) services.emplace_back(service, selector);
+  return !is_known;
+}
+
 void Object::ReturnHeld() {
   // Puts the held messages back, the newest first.  Readmit() puts each message at the front of the
   // queue, so at the end the oldest message is at the front.

@@ -293,11 +293,14 @@ class Object {
   void Succeed(const Object& old);
 
   // Keeps what the constructors of this image did while the image was loaded to replace an object
-  // with the same id (early_work.h).  REQUIRES: called once.
+  // with the same id (early_work.h).  REQUIRES: !has_early_work().
   void KeepEarlyWork(EarlyWork work);
   // Returns whether KeepEarlyWork() has kept something that TakeEarlyWork() has not returned yet.
   bool has_early_work() const { return has_early_work_; }
   EarlyWork TakeEarlyWork();
+  // Adds `service` at entry `selector` to the early work.  Returns false if the early work has this
+  // service already.  REQUIRES: has_early_work().
+  bool KeepEarlyService(const std::string& service, uint32_t selector);
 
   System* const system;
   const ObjectId id;

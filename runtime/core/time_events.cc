@@ -65,6 +65,15 @@ TimeEvents::Events TimeEvents::TakeNewerThan(uint32_t id) {
   return taken;
 }
 
+TimeEvents::Events TimeEvents::TakeOf(ObjectId owner) {
+  Events taken;
+  for (auto it = events_.begin(); it != events_.end();) {
+    const auto entry = it++;
+    if (entry->second.message.owner == owner) taken.insert(events_.extract(entry));
+  }
+  return taken;
+}
+
 void TimeEvents::PutBack(Events events) {
   for (auto& [id, event] : events) event.due_us = std::max(event.due_us, system_->now_us());
   events_.merge(events);

@@ -59,8 +59,10 @@ class TimeEvents {
   // Takes away the events that were added after the event `id`, and returns them.  They post
   // nothing until PutBack().
   Events TakeNewerThan(uint32_t id);
-  // Puts back `events`, which TakeNewerThan() has returned.  Time events whose due time has passed
-  // meanwhile are due now.
+  // Takes away the events that `owner` has ordered, as TakeNewerThan() does, and returns them.
+  Events TakeOf(ObjectId owner);
+  // Puts back `events`, which TakeNewerThan() or TakeOf() has returned.  Time events whose due time
+  // has passed meanwhile are due now.
   void PutBack(Events events);
 
   // Returns the virtual time at which the next time event is due; INT64_MAX if there is no time

@@ -183,6 +183,24 @@ TEST_F(ForgedTheirsTest, AValidListOfLoadedObjectsIsAccepted) {
   EXPECT_FALSE(remote_->HasEntry(kEntry));
 }
 
+// Constructors act for their own object only, also while another object of the worker exists.
+TEST_F(ForgedTheirsTest, ConstructorsSendInTheNameOfAnother) {
+  openr_wire_Message message = Message(openr_wire_PAYLOAD_BYTES);
+  message.sender = sender_->host().id;
+  openr_wire_ToMaster to_master = Loaded({remote_->id});
+  to_master.effects = Post(message).effects;
+  EXPECT_THAT(LossByLoaded(to_master), HasSubstr("a message in the name of another object"));
+  EXPECT_FALSE(remote_->delivery().is_busy());
+}
+
+// The reply box of a request that a constructor has sent is open when the object is loaded.
+TEST_F(ForgedTheirsTest, ConstructorsOpenReplyBoxes) {
+  openr_wire_ToMaster to_master = Loaded({remote_->id});
+  to_master.effects = Note<&SystemCalls::OpenBox>({1}).effects;
+  EXPECT_EQ(LossByLoaded(to_master), "");
+  EXPECT_TRUE(remote_->boxes().IsOpen(1));
+}
+
 TEST_F(ForgedTheirsTest, AnObjectOfAnotherWasLoaded) {
   EXPECT_THAT(LossByLoaded(Loaded({remote_->id, sender_->host().id})),
               HasSubstr("an object that is not its own"));
