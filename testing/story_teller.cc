@@ -5,9 +5,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "openr/ending/crash_log.h"
-#include "openr/ending/ending.h"
-#include "openr/ending/watchdog.h"
+#include "openr/ending/end_guards.h"
 
 namespace openr::testing {
 namespace {
@@ -61,10 +59,12 @@ void Listen() {
 // the process crashes or when a handler of an object does not return.  Only the newest bench of the
 // process has Guards.
 struct StoryTeller::Guards {
-  explicit Guards(int64_t handler_limit_us) : watchdog(handler_limit_us) {}
+  explicit Guards(int64_t handler_limit_us)
+      : guards({.prints_end = false,
+                .handler_limit_us = handler_limit_us,
+                .limit_name = "BenchOptions::handler_limit"}) {}
 
-  const openr_host::CrashLog crash_log{{}};
-  const openr_host::Watchdog watchdog;
+  const openr_host::EndGuards guards;
   const openr_host::EndingAction ending_action{[](openr_host::Ending*) {
     std::fprintf(stderr, "%s\n", WithStory("").c_str());
     std::fflush(nullptr);

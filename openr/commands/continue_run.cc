@@ -12,8 +12,6 @@
 
 #include "cli/exit_code.h"
 #include "cli/progress_line.h"
-#include "openr/ending/crash_log.h"
-#include "openr/ending/ending.h"
 #include "openr/inspect/recorder.h"
 #include "openr/live/console_log.h"
 #include "openr/live/live_answers.h"

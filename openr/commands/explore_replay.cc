@@ -16,9 +16,7 @@
 #include "kit/shell_words.h"
 #include "openr/commands/common_flags.h"
 #include "openr/commands/explore_setup.h"
-#include "openr/ending/crash_log.h"
-#include "openr/ending/ending.h"
-#include "openr/ending/watchdog.h"
+#include "openr/ending/end_guards.h"
 #include "openr/explore/failing_run.h"
 #include "openr/explore/fork_server.h"
 #include "openr/inspect/recorder.h"
@@ -34,6 +32,7 @@ using Json = nlohmann::ordered_json;
 // the run ended; ReplayDeviations() has returned it.  Returns the exit code.
 int ShowFailure(const ExploreFlags& flags, const ExploredStick& stick, uint64_t seed,
                 const Json& deviations, const Json& answer) {
+  const EndGuards guards({.handler_limit_us = 0});
   ShowOptions show = flags.show;
   show.name = std::filesystem::path(flags.replay_file).filename();
   const auto make = [&](const std::function<void(std::string_view)>& console) {
@@ -56,9 +55,7 @@ bool RecordFailure(const ExploreFlags& flags, const ExploredStick& stick, uint64
                answer["broken"]["text"].get<std::string>());
     return false;
   }
-  const EndingAnswer ending_answer(-1);
-  const CrashLog crash_log({});
-  const Watchdog watchdog(flags.plan.limits.handler_us);
+  const EndGuards guards({.handler_limit_us = flags.plan.limits.handler_us});
   fmt::print(stderr, "openr explore: writing {}; openr replay {} --step goes through it\n",
              flags.record_file, ShellWord(flags.record_file));
   SimulationOptions simulation = stick.simulation;

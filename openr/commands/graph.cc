@@ -20,6 +20,7 @@
 #include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
+#include "openr/ending/end_guards.h"
 #include "openr/graph/graph_view.h"
 #include "openr/run/report.h"
 #include "openr/simulation/run_stick.h"
@@ -73,6 +74,7 @@ int Graph(GraphFlags flags) {
   flags.simulation.host_network = false;
   const RunStick stick(flags.simulation.stick, true);
   flags.simulation.stick = stick.folder();
+  const EndGuards guards({.limit_name = ""});
   Simulation simulation(flags.simulation);
   System& system = simulation.system();
   bool booted = false;

@@ -24,9 +24,7 @@
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
 #include "openr/commands/distribution_flags.h"
-#include "openr/ending/crash_log.h"
-#include "openr/ending/ending.h"
-#include "openr/ending/watchdog.h"
+#include "openr/ending/end_guards.h"
 #include "openr/run/report.h"
 #include "openr/simulation/run_stick.h"
 #include "openr/simulation/sanitizer_start.h"
@@ -186,8 +184,7 @@ class JoinedWorker {
   void Begin(const std::string& stick);
 
   JoinFlags flags_;
-  std::optional<CrashLog> crash_log_;
-  std::optional<Watchdog> watchdog_;
+  std::optional<EndGuards> guards_;
   // Stick whose images need the library of AddressSanitizer, which this process lacks; "": none.
   std::string found_stick_;
   std::optional<RunStick> own_stick_;
@@ -243,16 +240,18 @@ void JoinedWorker::Begin(const std::string& stick) {
   const std::string file = is_child() ? flags_.crash_log
                            : is_own   ? own_stick_->crash_log()
                                       : CrashLogOn(stick);
-  // Text that the report adds after the path of the crash record, such as " on HOST"; nullopt: the
-  // report need not name the path, because the crash record is on the run's stick.
-  std::optional<std::string> place;
+  EndGuardOptions options;
+  options.prints_end = false;  // false, because the run does not end with this process
+  options.crash_logs = {file};
+  options.adds_to_crash_logs = true;
+  // Names no place if the crash record is on the run's stick.
   if (!is_child()) {
-    place = " on " + HostName();
+    options.crash_log_place = " on " + HostName();
   } else if (file != CrashLogOn(stick)) {
-    place = "";
+    options.crash_log_place = "";
   }
-  crash_log_.emplace(std::vector<std::string>{file}, true, place);
-  watchdog_.emplace(flags_.handler_limit_us);
+  options.handler_limit_us = flags_.handler_limit_us;
+  guards_.emplace(std::move(options));
 }
 
 // Runs a worker in this process, which is a child process of `openr join --restart`.  Returns the

@@ -22,9 +22,7 @@
 #include "openr/data/mcap_writer.h"
 #include "openr/data/replay_log.h"
 #include "openr/data/table_chart.h"
-#include "openr/ending/crash_log.h"
-#include "openr/ending/ending.h"
-#include "openr/ending/watchdog.h"
+#include "openr/ending/end_guards.h"
 #include "openr/inspect/replayer.h"
 #include "openr/motion/log_compare.h"
 #include "openr/motion/log_times.h"
@@ -33,10 +31,6 @@
 
 namespace openr_host {
 namespace {
-
-// Longest processor time of a handler, in microseconds.  A handler that takes longer ends the
-// replay.  The default of openr replay is the same.
-constexpr int64_t kHandlerLimitUs = 10'000'000;
 
 struct PlotFlags {
   std::string file, stick, motion, output;
@@ -68,9 +62,7 @@ Table TableOfRecording(const PlotFlags& flags, std::vector<std::string>* problem
   const ReplayOptions replay = {
       .file = flags.file, .stick = flags.stick, .console = [](std::string_view) {}};
   StartWithSanitizerOfRecording(replay);
-  const EndingAnswer answer(-1);
-  const CrashLog crash_log({});
-  const Watchdog watchdog(kHandlerLimitUs);
+  const EndGuards guards({.limit_name = ""});
   const TempFolder folder;
   DataLogOptions log;
   log.file = folder.path() + "/run.csv";

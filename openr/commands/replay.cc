@@ -21,9 +21,7 @@
 #include "openr/commands/run_flags.h"
 #include "openr/commands/show_run.h"
 #include "openr/data/replay_log.h"
-#include "openr/ending/crash_log.h"
-#include "openr/ending/ending.h"
-#include "openr/ending/watchdog.h"
+#include "openr/ending/end_guards.h"
 #include "openr/inspect/replayer.h"
 #include "openr/inspect/stepper.h"
 #include "openr/run/report.h"
@@ -146,10 +144,9 @@ int Replay(ReplayFlags flags) {
       std::fwrite(text.data(), 1, text.size(), stderr);
     };
   }
-  const EndingAnswer answer(flags.json ? STDOUT_FILENO : -1);
-  const CrashLog crash_log({});
-  const Watchdog watchdog(
-      flags.step || (flags.panel && !flags.continue_at_us) ? 0 : flags.handler_limit_us);
+  const bool is_unlimited = flags.step || (flags.panel && !flags.continue_at_us);
+  const EndGuards guards({.answer = flags.json ? STDOUT_FILENO : -1,
+                          .handler_limit_us = is_unlimited ? 0 : flags.handler_limit_us});
   if (flags.step) return StepThrough(flags.replay) ? kExitGood : kExitWrong;
   if (flags.continue_at_us) {
     flags.go_on.replay = flags.replay;

@@ -174,15 +174,11 @@ RobotJobs::RobotJobs(const RunFlags& flags)
       stick_(flags.simulation.stick, false),
       console_(flags.console_file),
       interrupts_(plan_.for_us || plan_.until_idle ? HangUp::kIgnored : HangUp::kCounts),
-      ending_answer_(std::in_place, flags.json ? StandardOutput() : -1, flags.report_file),
-      crash_log_(std::in_place, std::vector<std::string>{stick_.crash_log()}),
-      watchdog_(std::in_place, flags.handler_limit_us),
+      guards_(std::in_place, GuardOptions()),
       simulation_(Options()),
       reports_(static_cast<size_t>(flags.simulation.robots)) {
   ASSERT(flags.jobs > 0);
-  watchdog_.reset();
-  crash_log_.reset();
-  ending_answer_.reset();
+  guards_.reset();
   CrashLog::RemoveOldRecords(stick_.crash_log());
 }
 
@@ -196,6 +192,16 @@ SimulationOptions RobotJobs::Options() {
   options.host_network = false;
   options.log_level = flags_.log == "error" ? 1 : flags_.log == "warning" ? 2 : 3;
   options.console = [this](std::string_view text) { Print(text); };
+  return options;
+}
+
+EndGuardOptions RobotJobs::GuardOptions() const {
+  EndGuardOptions options;
+  options.answer = flags_.json ? StandardOutput() : -1;
+  options.answer_file = flags_.report_file;
+  options.crash_logs = {stick_.crash_log()};
+  if (stick_.is_default()) options.crash_log_place = "";
+  options.handler_limit_us = flags_.handler_limit_us;
   return options;
 }
 
@@ -214,14 +220,12 @@ void RobotJobs::Print(std::string_view text) {
 // `answer`.
 void RobotJobs::RunInCopy(int robot, int answer) {
   robot_ = robot;
-  const EndingAnswer ending_answer(-1);
-  // Text that the finding about a crash adds after the name of the crash record's file (CrashLog);
-  // nullopt: the finding does not name this file, because the file is on the stick that the user
-  // has named.
-  std::optional<std::string> place;
-  if (stick_.is_default()) place = "";
-  const CrashLog crash_log({stick_.crash_log()}, true, place);
-  const Watchdog watchdog(flags_.handler_limit_us);
+  EndGuardOptions options = GuardOptions();
+  // Lets the original process write the report, which it combines from the reports of its copies.
+  options.answer = -1;
+  options.answer_file = "";
+  options.adds_to_crash_logs = true;
+  const EndGuards guards(options);
   simulation_.robots()[0]->parts().UseNoiseOf(robot);
   Runner runner(&simulation_, plan_, &interrupts_);
   const auto report = [&] {

@@ -10,9 +10,7 @@
 #include "cli/console.h"
 #include "cli/process_copy.h"
 #include "openr/commands/run_flags.h"
-#include "openr/ending/crash_log.h"
-#include "openr/ending/ending.h"
-#include "openr/ending/watchdog.h"
+#include "openr/ending/end_guards.h"
 #include "openr/run/interrupt.h"
 #include "openr/simulation/run_stick.h"
 #include "openr/simulation/simulation.h"
@@ -39,6 +37,7 @@ class RobotJobs {
 
  private:
   SimulationOptions Options();
+  EndGuardOptions GuardOptions() const;
   ProcessCopy Start(int robot);
   void RunInCopy(int robot, int answer);
   void Print(std::string_view text);
@@ -57,10 +56,7 @@ class RobotJobs {
   // Beginning of a line that the objects of this robot have printed; its end has not been printed
   // yet.
   std::string line_;
-  // The next three members watch the loading of the images.
-  std::optional<EndingAnswer> ending_answer_;
-  std::optional<CrashLog> crash_log_;
-  std::optional<Watchdog> watchdog_;
+  std::optional<EndGuards> guards_;  // guards the loading of the images
   Simulation simulation_;
   // The report of each robot, by the number of the robot; null: the robot has not run.
   std::vector<nlohmann::ordered_json> reports_;

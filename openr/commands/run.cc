@@ -25,9 +25,7 @@
 #include "openr/commands/robot_jobs.h"
 #include "openr/commands/run_flags.h"
 #include "openr/data/data_log.h"
-#include "openr/ending/crash_log.h"
-#include "openr/ending/ending.h"
-#include "openr/ending/watchdog.h"
+#include "openr/ending/end_guards.h"
 #include "openr/inspect/recorder.h"
 #include "openr/inspect/trace_file.h"
 #include "openr/live/console_log.h"
@@ -174,11 +172,10 @@ class CommandedRun {
   // Returns the file descriptor to which the progress of the run is printed.  Returns -1, so that
   // no progress is printed, if the end of the run is not known, or if a program reads the output.
   int ProgressStream() const { return plan_.for_us && !flags_.json ? STDERR_FILENO : -1; }
-  std::optional<std::string> PlaceOfCrashRecord() const;
+  EndGuardOptions GuardOptions() const;
   void BeginRecording();
   void BeginDataLog();
   bool RunToTheEnd();
-  void EndGuards();
   bool FinishFiles();
   bool Report();
 
@@ -199,11 +196,9 @@ class CommandedRun {
   DistributedRun distribution_;
   Rewind rewind_;
   const SimulationOptions options_;
-  // The next three members are made before the simulation, because code of images runs while the
-  // simulation loads them, and may crash.  EndGuards() destroys them.
-  std::optional<EndingAnswer> ending_answer_;
-  std::optional<CrashLog> crash_log_;
-  std::optional<Watchdog> watchdog_;
+  // Made before the simulation, because code of images runs while the simulation loads them, and
+  // may crash.
+  std::optional<EndGuards> guards_;
   Simulation simulation_;
   RunClock clock_;
   Couplings couplings_{&clock_, &rewind_};
@@ -227,11 +222,7 @@ CommandedRun::CommandedRun(const RunFlags& flags)
       recorder_(flags.record_file, !flags.no_payloads),
       distribution_(flags.placement, flags.ros2, stick_, flags.handler_limit_us, &interrupts_),
       options_(Options()),
-      ending_answer_(std::in_place, flags.json ? StandardOutput() : -1, flags.report_file),
-      crash_log_(std::in_place,
-                 std::vector<std::string>(static_cast<size_t>(options_.robots), stick_.crash_log()),
-                 distribution_.has_processes(), PlaceOfCrashRecord()),
-      watchdog_(std::in_place, flags.handler_limit_us),
+      guards_(std::in_place, GuardOptions()),
       simulation_(options_),
       clock_(plan_.rate, flags.placement.is_free),
       history_(&system()),
@@ -282,7 +273,9 @@ int CommandedRun::Run() {
   } else {
     facts_.standing.assign(simulation_.robots().size(), StandingMonitor(simulation_.model()));
   }
-  EndGuards();
+  // Ends the guards before the report is written, because a crash after that, for example while the
+  // images are unloaded, would replace the report.
+  guards_.reset();
   good = Report() && good;
   // Waits for the branch that goes on in place of this process, because the shell waits only for
   // this process.
@@ -339,7 +332,7 @@ void CommandedRun::BeginRewind(LiveServer* live, Runner* runner) {
   parts.before_input = [this](int robot, const std::string& line) { events_.Skip(robot, line); };
   parts.become_branch = [this, live](double rate) {
     live->OpenAgain();
-    watchdog_->StartAgain();
+    guards_->StartAgain();
     interrupts_.StartAgain();
     clock_.set_rate(rate);
     clock_.GoOn();
@@ -349,12 +342,15 @@ void CommandedRun::BeginRewind(LiveServer* live, Runner* runner) {
   rewind_.Begin(std::move(parts));
 }
 
-// Returns the text that follows the name of the crash record in the finding about a crash; nullopt
-// if the finding need not name the record.  Returns "" if the run has the default stick: the
-// finding then names the record, because users do not know in which folder it is.
-std::optional<std::string> CommandedRun::PlaceOfCrashRecord() const {
-  if (stick_.is_default()) return "";
-  return std::nullopt;
+EndGuardOptions CommandedRun::GuardOptions() const {
+  EndGuardOptions options;
+  options.answer = flags_.json ? StandardOutput() : -1;
+  options.answer_file = flags_.report_file;
+  options.crash_logs.assign(static_cast<size_t>(options_.robots), stick_.crash_log());
+  options.adds_to_crash_logs = distribution_.has_processes();
+  if (stick_.is_default()) options.crash_log_place = "";
+  options.handler_limit_us = flags_.handler_limit_us;
+  return options;
 }
 
 void CommandedRun::BeginRecording() {
@@ -412,14 +408,6 @@ bool CommandedRun::RunToTheEnd() {
   good = FinishFiles() && good;
   boots_ = system().booted() || !system().powered_off() || interrupts_.count() >= 2;
   return good;
-}
-
-// Ends the watch for crashes and for handlers that do not return.  Called before the report is
-// written, because a crash after that would replace the report.
-void CommandedRun::EndGuards() {
-  watchdog_.reset();
-  crash_log_.reset();
-  ending_answer_.reset();
 }
 
 // Finishes the files of --record, --log-data and --timeline.  Returns false after printing an error

@@ -12,16 +12,19 @@
 #include <cstring>
 #include <filesystem>
 #include <iterator>
+#include <optional>
 #include <system_error>
-#include <utility>
+#include <vector>
 
 #include "cli/output_file.h"
 #include "openr/ending/code_lookup.h"
 #include "openr/ending/crash_stack.h"
+#include "openr/ending/end_guards.h"
 #include "openr/ending/ending.h"
 #include "openr/ending/integer_division.h"
 #include "openr/ending/robot_record.h"
 #include "openr/ending/signal_text.h"
+#include "runtime/base/assert.h"
 #include "runtime/core/code_place.h"
 #include "runtime/core/current.h"
 #include "runtime/core/fp_flags.h"
@@ -45,14 +48,8 @@ constexpr int kCrashSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL};
 // crash.
 constexpr size_t kAlternateStackBytes = 256 << 10;
 
-// Paths of the files for crash records; the index is the robot's number.  Null while no CrashLog
-// exists.
-std::vector<std::string>* g_files = nullptr;
-// True: a crash record is added to the end of its file; false: it replaces the file.
-bool g_adds = false;
-// The text that follows the name of the crash record's file in the error finding about a crash.
-// Without a value, the finding does not name the file.  Null while no CrashLog exists.
-std::optional<std::string>* g_place = nullptr;
+// The options of the CrashLog; null while no CrashLog exists.
+const EndGuardOptions* g_record_options = nullptr;
 char g_stack[kAlternateStackBytes];
 // The actions and the stack that the CrashLog has replaced; its destructor restores them.
 struct sigaction g_replaced_actions[std::size(kCrashSignals)];
@@ -173,9 +170,9 @@ bool ContinueInSignal(const siginfo_t& info, void* context) {
 
 // Returns the path of the file for crash records of `robot`; null if `robot` has no such file.
 const std::string* FileOf(int robot) {
-  if (g_files == nullptr || robot < 0 || static_cast<size_t>(robot) >= g_files->size())
-    return nullptr;
-  const std::string& file = (*g_files)[static_cast<size_t>(robot)];
+  const std::vector<std::string>& files = g_record_options->crash_logs;
+  if (robot < 0 || static_cast<size_t>(robot) >= files.size()) return nullptr;
+  const std::string& file = files[static_cast<size_t>(robot)];
   return file.empty() ? nullptr : &file;
 }
 
@@ -186,13 +183,13 @@ class RecordFile {
   // Opens the file `name` for a crash record.  If `name` is null, no file is opened or written.
   explicit RecordFile(const std::string* name) : name_(name) {
     if (name == nullptr) return;
+    const bool adds = g_record_options->adds_to_crash_logs;
     // Calls syscall() and not open(), because the runtime replaces open() in this process by a
     // function that may open a file of the object's Memory Stick instead.
-    descriptor_ =
-        static_cast<int>(syscall(SYS_openat, AT_FDCWD, name->c_str(),
-                                 O_WRONLY | O_CREAT | (g_adds ? O_APPEND : O_TRUNC), 0666));
+    descriptor_ = static_cast<int>(syscall(SYS_openat, AT_FDCWD, name->c_str(),
+                                           O_WRONLY | O_CREAT | (adds ? O_APPEND : O_TRUNC), 0666));
     if (descriptor_ < 0) error_ = errno;
-    if (g_adds && descriptor_ >= 0) begin_ = std::max<off_t>(lseek(descriptor_, 0, SEEK_END), 0);
+    if (adds && descriptor_ >= 0) begin_ = std::max<off_t>(lseek(descriptor_, 0, SEEK_END), 0);
   }
 
   void Write(const SignalText& text) {
@@ -303,8 +300,8 @@ void WriteRecordInSignal(Ending* ending, RobotException* exception, const void* 
   WriteRobotRecord(*exception, *ending->object,
                    [&file](const SignalText& text) { file.Write(text); });
   stack.AddPlace(&ending->finding);
-  if (file.PrintWriteResult() && g_place->has_value())
-    ending->finding.Add("; record: ").Add(*name).Add(**g_place);
+  const std::optional<std::string>& place = g_record_options->crash_log_place;
+  if (file.PrintWriteResult() && place) ending->finding.Add("; record: ").Add(*name).Add(*place);
 }
 
 // Handles SIGSEGV, SIGBUS, SIGFPE and SIGILL.  Ends the process with a crash record if an object
@@ -396,11 +393,9 @@ extern "C" [[gnu::visibility("default")]] void __asan_on_error() {
 
 namespace openr_host {
 
-CrashLog::CrashLog(std::vector<std::string> files, bool adds,
-                   const std::optional<std::string>& place) {
-  g_adds = adds;
-  g_place = new std::optional<std::string>(place);
-  g_files = new std::vector<std::string>(std::move(files));
+CrashLog::CrashLog(const EndGuardOptions& options) {
+  ASSERT(g_record_options == nullptr);  // only one CrashLog may exist at a time
+  g_record_options = &options;
   if constexpr (OPENR_ASAN) return;
   UseAlternateStack();
   struct sigaction action {};
@@ -423,13 +418,8 @@ CrashLog::~CrashLog() {
       sigaction(kCrashSignals[i], &g_replaced_actions[i], nullptr);
     sigaltstack(&g_replaced_stack, nullptr);
   }
-  delete g_files;
-  delete g_place;
-  g_files = nullptr;
-  g_place = nullptr;
+  g_record_options = nullptr;
 }
-
-bool CrashLog::exists() { return g_files != nullptr; }
 
 void CrashLog::RemoveOldRecords(const std::string& file) {
   // Ignores errors when it removes the file of an old crash record.  A file that does not exist

@@ -5,11 +5,13 @@
 #include <unistd.h>
 
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/prepared_file.h"
+#include "openr/ending/end_guards.h"
 #include "runtime/base/assert.h"
 #include "runtime/core/current.h"
 #include "runtime/core/object.h"
@@ -28,16 +30,16 @@ constexpr int kHandledSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIG
 
 EndingAction* g_newest = nullptr;
 Ending* g_ending = nullptr;
-Current g_current;          // the object and handler that ran when the end of the process began
-bool g_is_awaited = false;  // true while an EndingAnswer exists, which reports an early end
-int g_answer = -1;
-// The file to which the JSON answer of a command is written if the run of the command ends early;
-// no value: no file.  The descriptor g_answer gets the answer, too.  The EndingAnswer works out the
-// paths for this file in advance, because OnSignalDuringEnding() must not allocate memory.
+Current g_current;  // the object and handler that ran when the end of the process began
+// The options of the EndingAnswer; null while no EndingAnswer exists.
+const EndGuardOptions* g_options = nullptr;
+// The file EndGuardOptions::answer_file; no value: no file.  The EndingAnswer works out the paths
+// for this file in advance, because OnSignalDuringEnding() must not allocate memory.
 std::optional<PreparedFile> g_answer_file;
 
 void AnswerInSignal(const Ending& ending) {
-  if (g_is_awaited) {
+  if (g_options == nullptr) return;
+  if (g_options->prints_end) {
     SignalText last;
     last.Add("ended by ").Add(EndName(ending.kind)).Add(": ");
     if (ending.object != nullptr) last.Add(ending.object->name.c_str()).Add(": ");
@@ -46,7 +48,7 @@ void AnswerInSignal(const Ending& ending) {
   }
   if (ending.answered) return;
   const char* const ended_by = EndName(ending.kind);
-  WriteEndingAsJson(ending.record, ending.finding, ended_by, g_current, g_answer);
+  WriteEndingAsJson(ending.record, ending.finding, ended_by, g_current, g_options->answer);
   if (!g_answer_file) return;
   const int file = g_answer_file->Open();
   if (file < 0) return;
@@ -83,20 +85,16 @@ void RunEndingActions(Ending* ending) {
     each->action_(ending);
 }
 
-EndingAnswer::EndingAnswer(int descriptor, const std::string& file) {
-  ASSERT(!g_is_awaited);  // only one EndingAnswer may exist at a time
-  g_is_awaited = true;
-  g_answer = descriptor;
-  if (!file.empty()) g_answer_file.emplace(file);
+EndingAnswer::EndingAnswer(const EndGuardOptions& options) {
+  ASSERT(g_options == nullptr);  // only one EndingAnswer may exist at a time
+  g_options = &options;
+  if (!options.answer_file.empty()) g_answer_file.emplace(options.answer_file);
 }
 
 EndingAnswer::~EndingAnswer() {
-  g_is_awaited = false;
-  g_answer = -1;
+  g_options = nullptr;
   g_answer_file.reset();
 }
-
-bool EndingAnswer::exists() { return g_is_awaited; }
 
 void BeginEnding(Ending* ending) {
   g_ending = ending;
@@ -122,6 +120,7 @@ void BeginEnding(Ending* ending) {
 
 void FinishEnding() {
   Ending* const ending = g_ending;
+  if (g_options != nullptr && g_options->answer_first) g_options->answer_first(ending);
   RunEndingActions(ending);
   AnswerInSignal(*ending);
   _exit(kExitWrong);

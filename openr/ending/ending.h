@@ -6,7 +6,6 @@
 #pragma once
 
 #include <functional>
-#include <string>
 
 #include "openr/ending/signal_text.h"
 #include "runtime/core/run_end.h"
@@ -14,6 +13,7 @@
 namespace openr_host {
 
 class Object;
+struct EndGuardOptions;
 
 // The reason why the process ends, as texts and data for the functions that report it.
 struct Ending {
@@ -48,28 +48,23 @@ class EndingAction {
 // functions before it calls them, so that a second call does not run them again.
 void RunEndingActions(Ending* ending);
 
-// While an EndingAnswer exists, a run that ends early says on the last line of standard error why
-// it has ended.  For a command that has to answer in JSON, the object {"error", "ended_by",
-// "findings"} is written too, unless an EndingAction has already written an answer.  Only one
-// EndingAnswer may exist at a time.
+// While an EndingAnswer exists, the user of a run that ends early gets an answer that says why it
+// has ended.  Only one EndingAnswer may exist at a time.  EndGuards (end_guards.h) makes it, and
+// describes `options`.
 class EndingAnswer {
  public:
-  // The JSON answer about a run that has ended early is written to `descriptor` (-1: none) and to
-  // `file` ("": none).
-  explicit EndingAnswer(int descriptor, const std::string& file = "");
+  explicit EndingAnswer(const EndGuardOptions& options);
   ~EndingAnswer();
   EndingAnswer(const EndingAnswer&) = delete;
   EndingAnswer& operator=(const EndingAnswer&) = delete;
-
-  static bool exists();
 };
 
 // The first of two steps by which a signal handler ends the process.  Writes out what objects have
 // printed so far, and prepares for further signals that come while the process ends.
 void BeginEnding(Ending* ending);
-// The second of two steps by which a signal handler ends the process.  Calls the functions that
-// EndingActions have registered, writes the JSON report of the run to the places that EndingAnswer
-// knows, and does not return.
+// The second of two steps by which a signal handler ends the process.  Calls the function
+// EndGuardOptions::answer_first and the functions that EndingActions have registered, writes the
+// JSON report of the run to the places that EndingAnswer knows, and does not return.
 [[noreturn]] void FinishEnding();
 
 }  // namespace openr_host

@@ -25,7 +25,6 @@ constexpr int kTicks = 8;
 timer_t g_timer;
 uint64_t g_limit_us = 0;
 const char* g_flag = "";  // the flag of the command that sets the limit; "": none
-int g_count = 0;          // number of Watchdogs: 0 or 1
 uint64_t g_work = 0;      // the work that was done at the last check (CurrentWork())
 int g_seen = 0;           // number of checks in a row at which g_work was still done
 
@@ -92,7 +91,6 @@ void OnTickSignal(int) {
 }  // namespace
 
 Watchdog::Watchdog(int64_t limit_us, const char* flag) : limit_us_(limit_us) {
-  ++g_count;
   g_flag = flag;
   if (limit_us <= 0) return;
   g_limit_us = static_cast<uint64_t>(limit_us);
@@ -122,15 +120,12 @@ bool Watchdog::StartTimer() const {
   return true;
 }
 
-bool Watchdog::exists() { return g_count > 0; }
-
 void Watchdog::StartAgain() {
   g_seen = 0;
   if (armed_) armed_ = StartTimer();
 }
 
 Watchdog::~Watchdog() {
-  --g_count;
   if (!armed_) return;
   timer_delete(g_timer);
   // Ignores the signal of the timer, because the signal may come once more and would end the

@@ -9,17 +9,14 @@ namespace openr_host {
 // on standard error, and the process ends with status 1.  The same holds for the loading of an
 // image, which runs the constructors of the image's globals.  Only handlers on the thread that made
 // the Watchdog are watched.  The time during which a debugger stops the process does not count.  A
-// Watchdog with a limit of 0 does nothing.  Only one Watchdog may exist at a time.
+// Watchdog with a limit of 0 does nothing.  Only one Watchdog may exist at a time.  EndGuards
+// (end_guards.h) makes it, and describes `limit_us` and `flag`.
 class Watchdog {
  public:
-  // `flag` is the flag of the command that sets the limit, for the message; "": the command has
-  // none.
-  explicit Watchdog(int64_t limit_us, const char* flag = "--handler-limit");
+  Watchdog(int64_t limit_us, const char* flag);
   ~Watchdog();
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
-
-  static bool exists();
 
   // Starts the timer of the handlers' time limit again in a fork of the process, because a fork has
   // no timers.

@@ -21,6 +21,7 @@
 
 #include "cli/json_text.h"
 #include "cli/process_copy.h"
+#include "openr/ending/end_guards.h"
 #include "runtime/base/assert.h"
 #include "runtime/core/address_plan.h"
 
@@ -157,7 +158,19 @@ struct ExplorerProcesses::Job {
   // Does the work of one child process.  Returns at the end instead of calling _exit(), so that the
   // destructor of the prepared run removes the folder with the copies of the images.
   void Work(int channel) const;
+  PreparedRun Prepare(int channel) const;
 };
+
+// Assembles the run.  If a constructor of an image ends this process, sends the reason to the
+// process at the other end of `channel`.
+PreparedRun ExplorerProcesses::Job::Prepare(int channel) const {
+  const auto send = [channel](Ending* ending) {
+    const std::string problem = std::string(ending->record.text()) + DescribeEnd(EndOf(*ending));
+    Send(channel, JsonText(Json{{"problem", problem}}) + "\n");
+  };
+  const EndGuards guards({.answer_first = send, .handler_limit_us = limits.handler_us});
+  return prepare_run();
+}
 
 void ExplorerProcesses::Job::Work(int channel) const try {
   SilenceOutput();
@@ -167,7 +180,7 @@ void ExplorerProcesses::Job::Work(int channel) const try {
                                                     Memory::kElsewhere, channel);
   }
   if (memory == Memory::kElsewhere) MoveMemory();
-  PreparedRun prepared = prepare_run();
+  PreparedRun prepared = Prepare(channel);
   if (!prepared.problem.empty()) throw std::runtime_error(prepared.problem);
   PlanServer server(std::move(prepared), options, limits, elsewhere.get());
   Send(channel, JsonText(Json(kReady)) + "\n");

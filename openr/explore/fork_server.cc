@@ -18,9 +18,7 @@
 #include "cli/json_text.h"
 #include "cli/output_file.h"
 #include "cli/process_copy.h"
-#include "openr/ending/crash_log.h"
-#include "openr/ending/ending.h"
-#include "openr/ending/watchdog.h"
+#include "openr/ending/end_guards.h"
 #include "runtime/base/assert.h"
 #include "runtime/core/system.h"
 
@@ -79,14 +77,14 @@ Json ForkServer::Broken(const Json& plan, const char* property, const std::strin
 // Returns the answer (the JSON that describes the result of a run) for a copy of the process that
 // ended early, for example by a crash.  `said` is the text that the copy has written.  Normally
 // `said` is the answer, which the copy writes while it ends.  If `said` is only an error
-// (EndingAnswer), the answer is made from this error.  If `said` is "", the answer is made from
+// (EndGuards), the answer is made from this error.  If `said` is "", the answer is made from
 // `status`, the exit status of the copy.
 Json ForkServer::AnswerOfEndedCopy(const Json& plan, const std::string& said, int status) {
   const Json json = TryParseJson<Json>(said);
   if (json.is_object() && json.contains("broken")) return json;
   if (json.is_object() && json.contains("error")) {
-    const std::string text = json["error"].get<std::string>();
-    return Broken(plan, PropertyOfEnding(text), text);
+    return Broken(plan, PropertyOfEnding(json.value("ended_by", "")),
+                  json["error"].get<std::string>());
   }
   return Broken(plan, kNoCrash,
                 WIFSIGNALED(status)
@@ -96,9 +94,7 @@ Json ForkServer::AnswerOfEndedCopy(const Json& plan, const std::string& said, in
 }
 
 void ForkServer::RunInCopy(const Json& plan, int answer) {
-  const EndingAnswer ending_answer(answer);
-  const CrashLog crash_log({});
-  const Watchdog watchdog(limits_.handler_us);
+  const EndGuards guards({.answer = answer, .handler_limit_us = limits_.handler_us});
   Json result;
   try {
     result = RunPlan(&prepared_, plan, options_, log_,

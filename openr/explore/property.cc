@@ -8,6 +8,7 @@
 
 #include "openr/explore/property_file.h"
 #include "runtime/base/spelling.h"
+#include "runtime/core/run_end.h"
 #include "runtime/core/stalls.h"
 #include "runtime/core/system.h"
 
@@ -130,9 +131,8 @@ std::vector<std::string> KnownNames() {
 
 }  // namespace
 
-const char* PropertyOfEnding(std::string_view record) {
-  const bool hangs = record.find("does not return") != std::string_view::npos;
-  return hangs ? kHandlersReturn : kNoCrash;
+const char* PropertyOfEnding(std::string_view ended_by) {
+  return ended_by == EndName(EndKind::kHandlerLimit) ? kHandlersReturn : kNoCrash;
 }
 
 const std::vector<PropertyEntry>& PropertyTable() {

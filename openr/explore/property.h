@@ -54,9 +54,8 @@ inline constexpr char kNoCrash[] = "no-crash";
 inline constexpr char kHandlersReturn[] = "handlers-return";
 
 // Returns the name of the property that a run broke when its process ended early: no-crash or
-// handlers-return.  `record` is the text about the end that the process wrote (Ending::record in
-// ending.h).
-const char* PropertyOfEnding(std::string_view record);
+// handlers-return.  `ended_by` is the reason of the end (EndName()).
+const char* PropertyOfEnding(std::string_view ended_by);
 
 // The properties that are checked in every run.  Each name is one of these: a built-in property, a
 // property file, "default" for all default properties, or a line in the format of a property file

@@ -58,8 +58,9 @@ class PlanRun {
     std::string_view text = ending.record.text();
     while (text.ends_with('\n')) text.remove_suffix(1);
     broken_ = nullptr;
-    Break(PropertyOfEnding(text), std::string(text));
-    Json answer = {{"seed", plan_.at("seed")}, {"ended_by", EndName(ending.kind)}};
+    const char* const ended_by = EndName(ending.kind);
+    Break(PropertyOfEnding(ended_by), std::string(text));
+    Json answer = {{"seed", plan_.at("seed")}, {"ended_by", ended_by}};
     AddBroken(&answer);
     return answer;
   }

@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "cli/exit_code.h"
 #include "cli/json_text.h"
@@ -20,6 +21,30 @@
 #include "runtime/core/system.h"
 
 namespace openr_host {
+namespace {
+
+// Returns the last message about a run that has ended while its images were loaded.  It has the
+// members of the last message about other runs, but the report is as short as that of openr run.
+nlohmann::ordered_json StateWhileLoading(const Ending& ending) {
+  const Object& object = *ending.object;
+  const nlohmann::ordered_json finding = {{"severity", SeverityName(Severity::kError)},
+                                          {"robot", object.robot},
+                                          {"object", object.name},
+                                          {"time_s", 0.0},
+                                          {"message", 0},
+                                          {"said", ""},
+                                          {"count", 1},
+                                          {"text", std::string(ending.finding.text())}};
+  const auto findings = nlohmann::ordered_json::array({finding});
+  return {{"findings", findings},
+          {"console", nlohmann::ordered_json::array()},
+          {"report",
+           {{"error", std::string(ending.record.text())},
+            {"ended_by", EndName(ending.kind)},
+            {"findings", findings}}}};
+}
+
+}  // namespace
 
 RunServer::~RunServer() = default;
 
@@ -133,24 +158,16 @@ RunServer::Answer RunServer::Time() {
   return {{{"time_s", static_cast<double>(run().system().now_us()) / 1e6}}, ""};
 }
 
-// Makes this process report a crash of an object, or a handler that runs longer than
+// Makes this process report a crash of an object, or code of an object that runs longer than
 // `handler_limit_us`, before the process ends.  The process then writes a crash record and answers
 // the present request.
-void RunServer::BeginGuards(int64_t handler_limit_us) {
-  ending_action_.reset();
-  watchdog_.reset();
-  crash_log_.reset();
-  ending_answer_.reset();
-  ending_answer_ = std::make_unique<EndingAnswer>(-1);
-  WatchCrashes();
-  watchdog_ = std::make_unique<Watchdog>(handler_limit_us);
-  ending_action_ = std::make_unique<EndingAction>([this](Ending* ending) { ReportEnding(ending); });
-}
-
-void RunServer::WatchCrashes() {
-  crash_log_.reset();  // destroys the old CrashLog, because only one may exist
-  const auto robots = run().simulation().robots().size();
-  crash_log_ = std::make_unique<CrashLog>(std::vector<std::string>(robots, run_->crash_log()));
+void RunServer::BeginGuards(const std::vector<std::string>& crash_logs, int64_t handler_limit_us) {
+  EndGuardOptions options;
+  options.answer_first = [this](Ending* ending) { ReportEnding(ending); };
+  options.crash_logs = crash_logs;
+  options.handler_limit_us = handler_limit_us;
+  options.limit_name = "handler_limit_s";
+  guards_.emplace(std::move(options));
 }
 
 // Answers the present request when the process ends (docs/endings.md), because the program that
@@ -168,8 +185,11 @@ void RunServer::ReportEnding(Ending* ending) {
 // the commands findings, console and report would answer now, because the program that drives the
 // run cannot ask a process that ends.  Called in a signal handler.
 void RunServer::SendFinalState(const Ending& ending) {
-  if (run_ == nullptr) return;
   try {
+    if (run_ == nullptr) {
+      pipe_.Send(JsonText(StateWhileLoading(ending)), "");
+      return;
+    }
     NoteTheEnding(ending, &run_->simulation());
     const Json from_first = {{"first", 0}};
     const nlohmann::ordered_json words = {{"findings", FindingsJson(run_->live())["findings"]},

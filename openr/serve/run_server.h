@@ -10,9 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "openr/ending/crash_log.h"
-#include "openr/ending/ending.h"
-#include "openr/ending/watchdog.h"
+#include "openr/ending/end_guards.h"
 #include "openr/serve/observation.h"
 #include "openr/serve/request_pipe.h"
 #include "openr/serve/served_run.h"
@@ -46,8 +44,7 @@ class RunServer {
   ServedRun& run();
   ServedRun& BootedRun();
   void CheckIsNotFinished();
-  void BeginGuards(int64_t handler_limit_us);
-  void WatchCrashes();
+  void BeginGuards(const std::vector<std::string>& crash_logs, int64_t handler_limit_us);
   void ReportEnding(Ending* ending);
   void SendFinalState(const Ending& ending);
   int64_t LimitOf(const Request& request);
@@ -80,18 +77,13 @@ class RunServer {
 
   RequestPipe& pipe_;
   bool is_copy_ = false;
-  // A function that is called when a crash, or a handler that does not return, ends the process.
+  // A function that is called when a crash, or code that does not return, ends the process.
   // This function is registered first, so it is called last, after the function that completes the
   // recording of `run_`.  So the recording is complete even if this function crashes while it makes
   // the report.
   const EndingAction final_state_action_{[this](Ending* ending) { SendFinalState(*ending); }};
   std::unique_ptr<ServedRun> run_;
-  // These members end the process when an object crashes or its handler does not return:
-  // ending_answer_, crash_log_, watchdog_ and ending_action_.
-  std::unique_ptr<EndingAnswer> ending_answer_;
-  std::unique_ptr<CrashLog> crash_log_;
-  std::unique_ptr<Watchdog> watchdog_;
-  std::unique_ptr<EndingAction> ending_action_;
+  std::optional<EndGuards> guards_;
   Observation observation_;
   std::vector<std::string> actuators_;
 };

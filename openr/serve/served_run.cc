@@ -37,7 +37,7 @@ ServedRun::ServedRun(const ServedRunOptions& options)
       crash_log_(stick_.crash_log()),
       recorder_(options.record_file, options.payloads),
       simulation_options_(SimulationWith(options)),
-      simulation_(std::make_unique<Simulation>(simulation_options_)),
+      simulation_(MakeSimulation()),
       history_(&system()),
       live_{simulation_.get(), &clock_, &console_, &history_, nullptr, &rewind_},
       recording_(options.record_file) {
@@ -80,6 +80,12 @@ SimulationOptions ServedRun::SimulationWith(const ServedRunOptions& given) {
   }
   if (!given.record_file.empty()) recorder_.RecordNetworks(&options);
   return options;
+}
+
+// Loads the images, whose constructors may end this process.
+std::unique_ptr<Simulation> ServedRun::MakeSimulation() const {
+  if (options_.before_loading) options_.before_loading(CrashLogs());
+  return std::make_unique<Simulation>(simulation_options_);
 }
 
 std::string ServedRun::ForkProblem() const {

@@ -37,6 +37,9 @@ struct ServedRunOptions {
   std::string record_file;       // file for a recording; "": no recording
   bool payloads = true;          // whether the recording has the bytes of messages
   bool echo = false;             // whether to print on standard error what objects print
+  // A function that is called once, before the images are loaded, with the files for crash records
+  // (ServedRun::CrashLogs()); may be empty.
+  std::function<void(const std::vector<std::string>& crash_logs)> before_loading = nullptr;
 };
 
 class ServedRun {
@@ -51,8 +54,10 @@ class ServedRun {
   const LiveContext& live() const { return live_; }
   const ConsoleLog& console() const { return console_; }
   bool is_recorded() const { return !recording_.empty(); }
-  // Returns the path of the file for the record of a crash.
-  const std::string& crash_log() const { return crash_log_; }
+  // Returns the path of the file for crash records of each robot.
+  std::vector<std::string> CrashLogs() const {
+    return std::vector<std::string>(static_cast<size_t>(options_.simulation.robots), crash_log_);
+  }
   RobotClients& clients() { return clients_; }
   // Returns the reason why the run cannot be copied by a fork; "" if it can be copied.
   std::string ForkProblem() const;
@@ -98,6 +103,7 @@ class ServedRun {
 
  private:
   SimulationOptions SimulationWith(const ServedRunOptions& options);
+  std::unique_ptr<Simulation> MakeSimulation() const;
   void Sample();
   void Keep(DeliveredMessage message);
 

@@ -153,8 +153,11 @@ RunServer::Answer RunServer::DoStart(const Request& request) {
   if (run_ != nullptr) throw std::runtime_error("there is a run already; a process makes one only");
   const double limit_s = Number(request.json, "handler_limit_s");
   const int64_t limit_us = InUs(limit_s);
-  run_ = std::make_unique<ServedRun>(OptionsOf(request.json));
-  BeginGuards(limit_us);
+  ServedRunOptions options = OptionsOf(request.json);
+  options.before_loading = [this, limit_us](const std::vector<std::string>& crash_logs) {
+    BeginGuards(crash_logs, limit_us);
+  };
+  run_ = std::make_unique<ServedRun>(options);
   for (const JointModel& joint : run_->simulation().model().joints)
     actuators_.push_back(joint.name);
   return {DescribeModel(run_->simulation().model()), ""};

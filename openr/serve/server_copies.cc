@@ -155,10 +155,10 @@ RunServer::Answer RunServer::BecomeCopy(int socket, const std::string& record,
                                         const std::function<void(const std::string&)>& tell) {
   try {
     run_->BecomeCopy(record);
-    watchdog_->StartAgain();
-    // Calls WatchCrashes() again, because this process is now a copy of the run with a Memory Stick
-    // of its own, and must write a crash record to that stick.
-    WatchCrashes();
+    guards_->StartAgain();
+    // This process is now a copy of the run with a Memory Stick of its own, and must write a crash
+    // record to that stick.
+    guards_->set_crash_logs(run_->CrashLogs());
   } catch (const std::exception& error) {
     tell(error.what());
     // Ends the copy, because a copy without files of its own cannot go on, and must not read

@@ -13,7 +13,6 @@
 #include "cli/input_file.h"
 #include "cli/install_paths.h"
 #include "openr/decode/decode_message.h"
-#include "openr/ending/loading_watch.h"
 #include "openr/simulation/cost_file.h"
 #include "openr/simulation/network_setup.h"
 #include "openr/simulation/pacer.h"
@@ -137,7 +136,6 @@ Simulation::Simulation(const SimulationOptions& options)
       sticks_(SticksOf(options)),
       cost_(CostOf(options)),
       system_(MakeSystem(options, cost_)) {
-  const LoadingWatch watch;
   for (int i = 0; i < options.robots; ++i) AddRobot(options, i);
 }
 
