@@ -244,10 +244,24 @@ void WorkerGroup::LoadNewObjects(Member* member) {
       } else {
         WaitForAnotherWorker(member, refused.what());
       }
+    } catch (const ProcessCrashed& crashed) {
+      HandleLoadingCrash(*member, crashed);
     } catch (const ProcessLost& lost) {
       problem_ = lost.what();
     }
   }
+}
+
+// Handles a crash of a constructor, or a constructor that does not return, in a worker that loads
+// its objects for the first time.  The run cannot begin without these objects.
+void WorkerGroup::HandleLoadingCrash(const Member& member, const ProcessCrashed& crashed) {
+  const auto found = member.objects.find(crashed.object);
+  const RemoteObject* const object =
+      found == member.objects.end() ? member.objects.begin()->second : found->second;
+  const std::string why = fmt::format("{}; process '{}' (pid {}) is gone", crashed.what(),
+                                      member.name, member.process->connection().identity().pid);
+  problem_ = fmt::format("{}: {}", object->name, why);
+  HandleLoss(object, RemoteObject::Loss::kAtEnd, why);
 }
 
 // Lets another process join in place of a worker that has refused the run, for instance because its

@@ -177,6 +177,7 @@ class WorkerGroup {
   bool HasSentAll(const Member& member) const;
   void SendNewEntries(Member* member);
   void WaitForAnotherWorker(Member* member, const std::string& why);
+  void HandleLoadingCrash(const Member& member, const ProcessCrashed& crashed);
   // Returns whether the user has asked the run to end (Ctrl-C).
   bool IsEnding() const { return options_.interrupts && options_.interrupts() >= 1; }
   // Returns whether the user has asked for the end of the run at least twice, so that the run ends

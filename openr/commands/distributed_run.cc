@@ -1,8 +1,5 @@
 #include "openr/commands/distributed_run.h"
 
-#include <fmt/format.h>
-
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -68,13 +65,10 @@ void DistributedRun::CheckPlaces() const {
   if (!problem.empty()) throw std::runtime_error(problem);
 }
 
-bool DistributedRun::Connect(Simulation* simulation) {
-  if (workers_ == nullptr) return true;
+std::string DistributedRun::Connect(Simulation* simulation) {
+  if (workers_ == nullptr) return "";
   const std::string problem = workers_->Connect();
-  if (!problem.empty()) {
-    fmt::print(stderr, "openr: {}\n", problem);
-    return false;
-  }
+  if (!problem.empty()) return problem;
   const auto robot_of = [simulation](const Object& object) {
     return simulation->robots()[static_cast<size_t>(object.robot)];
   };
@@ -82,7 +76,7 @@ bool DistributedRun::Connect(Simulation* simulation) {
       [robot_of](Object* object) { robot_of(*object)->OnCommanderLost(object->id); });
   workers_->OnObjectRestart(
       [robot_of](Object* object) { robot_of(*object)->OnCommanderBack(object->id); });
-  return true;
+  return "";
 }
 
 void DistributedRun::Begin(Simulation* simulation, RunPlan* plan) {

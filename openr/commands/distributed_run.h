@@ -45,8 +45,8 @@ class DistributedRun {
   void CheckPlaces() const;
 
   // Sends each worker process the list of the run's robots and objects, and waits until the worker
-  // has loaded its own objects.  Returns false after printing an error.
-  bool Connect(Simulation* simulation);
+  // has loaded its own objects.  Returns "", or why a worker has not loaded them.
+  std::string Connect(Simulation* simulation);
 
   // Begins to exchange data with ROS 2 and openr top, and sets the functions in `plan` that handle
   // these data during the run.  REQUIRES: plan->recorder is set, because the recorder must learn

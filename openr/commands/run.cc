@@ -165,7 +165,7 @@ class CommandedRun {
 
  private:
   SimulationOptions Options();
-  void ReportNoBoot(bool is_refused);
+  void ReportNoBoot(bool is_refused, const std::string& problem);
   std::string LiveName() const;
   std::string ReasonNotRewindable() const;
   void BeginRewind(LiveServer* live, Runner* runner);
@@ -262,9 +262,11 @@ int CommandedRun::Run() {
   if (simulation_.loaded()) distribution_.CheckPlaces();
   console_.Print(DescribeObjects(&simulation_));
   const bool is_refused = flags_.simulation.strict && system().findings().HasError();
-  boots_ = simulation_.loaded() && !is_refused && distribution_.Connect(&simulation_);
+  std::string problem;  // why the processes with objects of the run are not ready
+  if (simulation_.loaded() && !is_refused) problem = distribution_.Connect(&simulation_);
+  boots_ = simulation_.loaded() && !is_refused && IsGood(problem);
   bool good = boots_;
-  if (!boots_) ReportNoBoot(is_refused);
+  if (!boots_) ReportNoBoot(is_refused, problem);
   // Sets `boots_` to true after a Ctrl-C while the run waited for its workers.  Nobody knows
   // whether the robot would have booted, so openr must not print that the robot does not boot.
   if (!boots_ && interrupts_.count() > 0) boots_ = true;
@@ -283,11 +285,11 @@ int CommandedRun::Run() {
   return good && !system().findings().HasError() ? kExitGood : kExitWrong;
 }
 
-void CommandedRun::ReportNoBoot(bool is_refused) {
+void CommandedRun::ReportNoBoot(bool is_refused, const std::string& problem) {
   RunEnd end{EndKind::kNoBoot, "the robot does not boot; the findings say why"};
   if (simulation_.loaded()) {
-    end.why = is_refused ? "--strict refuses what the findings name; no object was started"
-                         : "a process with objects of the run did not come";
+    end.why =
+        is_refused ? "--strict refuses what the findings name; no object was started" : problem;
     if (interrupts_.count() > 0)
       end = {EndKind::kSignal, "Ctrl-C or SIGTERM came while a process was waited for"};
   }

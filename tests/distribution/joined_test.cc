@@ -156,6 +156,40 @@ TEST_F(JoinedTest, ACrashSaysWhereItsRecordIs) {
   EXPECT_EQ(stick.Read("OPEN-R/EMON.LOG"), "");
 }
 
+// The run cannot begin without the object, and says why in its report.
+TEST_F(JoinedTest, AConstructorThatEndsTheWorkerIsReportedByTheRun) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "crashes are reported by the sanitizer";
+#endif
+  const std::pair<const char*, const char*> faults[] = {
+      {"earlycrash", "crash: SIGSEGV"},
+      {"earlyabort", "crash: a constructor of a global object has called abort()"},
+      {"earlyexit", "crash: a constructor of a global object has called exit()"},
+      {"earlyhang", "the loading or unloading of an image does not end: constructors of its"}};
+  for (const auto& [word, text] : faults) {
+    SCOPED_TRACE(word);
+    const ScratchFolder stick;
+    stick.MakeTrouble(word);
+    folder_.Write("where.cfg", "Trouble vision\n@vision 127.0.0.1\n");
+    const auto join = Join({"--handler-limit", "200ms"});
+    const std::string pid = std::to_string(join->pid());
+    const auto run = Run({"--stick", stick.path(), "--for", "1s", "--json"});
+    EXPECT_EQ(run->Finish().status, 1);
+    EXPECT_THAT(run->heard(), HasSubstr(std::string("\nended by no-boot: Trouble: ") + text));
+    const json report = json::parse(run->said(), nullptr, false);
+    ASSERT_TRUE(report.is_object()) << run->heard();
+    EXPECT_EQ(report["findings"].size(), 1u);
+    EXPECT_EQ(report["findings"].at(0)["object"], "Trouble");
+    const auto finding = report["findings"].at(0)["text"].get<std::string>();
+    EXPECT_THAT(finding, HasSubstr(text));
+    EXPECT_THAT(finding, HasSubstr("; process 'vision' (pid " + pid + ") is gone"));
+    EXPECT_EQ(report["processes"][0]["lost"], finding);
+    EXPECT_EQ(join->Finish().status, 1);
+    EXPECT_THAT(join->heard(), HasSubstr("Trouble, constructors of its globals"));
+    EXPECT_THAT(join->heard(), Not(HasSubstr("ended by ")));
+  }
+}
+
 TEST_F(JoinedTest, AWorkerThatIsEndedTellsTheRun) {
   const auto join = Join();
   const auto run = Run({});
