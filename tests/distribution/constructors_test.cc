@@ -47,6 +47,22 @@ TEST(EarlyProbeTest, MessagesAndNamesOfConstructorsAreTheSameInAWorker) {
   }
 }
 
+// A worker opens boxes behind those that a constructor has opened; the master knows of none then.
+TEST(EarlyProbeTest, TheirReplyBoxesAreNotOpenedAgainInAWorker) {
+  const ScratchFolder stick;
+  MakeStick(stick, {"PROBE.BIN"}, "");
+  stick.Write("OPEN-R/MW/DATA/P/OWN.TXT", "");
+  stick.Write("OPEN-R/MW/DATA/P/ASK.TXT", "");
+  const Words flags = {"--stick", stick.path(), "--for", "1s"};
+  const RecordedRun alone = Record(flags);
+  EXPECT_EQ(alone.status, 0) << alone.err;
+  ExpectSame(alone, Record(flags + Isolated({"probe"})));
+  for (const json& object : alone.report["objects"]) {
+    if (object["name"] != "probe") continue;
+    EXPECT_EQ(object["messages"], 7) << "DoInit, DoStart, and five to DoEarly";
+  }
+}
+
 // The request of a constructor opens a reply box, and nothing after it needs an answer at once.
 TEST_F(ConstructorsTest, RepliesToTheirRequestsArriveInAWorker) {
   for (const Words& more : {Words{}, Words{"--strict"}, Words{"--seed", "7"}}) {

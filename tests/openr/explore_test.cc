@@ -154,6 +154,34 @@ TEST(ExploreCommandTest, AHandlerThatHangsIsEnded) {
   EXPECT_THAT(result.out, HasSubstr(" -> Trouble  DoStart: boot\n"));
 }
 
+#ifndef __SANITIZE_ADDRESS__  // AddressSanitizer reports crashes itself
+// Expects that an exploration of Trouble ends while it loads the image, and says `end`.
+void ExpectEarlyEndOfTrouble(const std::string& word, const std::string& end,
+                             const std::vector<std::string>& more = {}) {
+  const ScratchFolder stick;
+  stick.MakeTrouble(word);
+  std::vector<std::string> flags{"--runs",          "1",    "--stick", stick.path(),
+                                 "--handler-limit", "200ms"};
+  flags.insert(flags.end(), more.begin(), more.end());
+  const ProgramResult result = Explore(flags);
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("Trouble, constructors of its globals"));
+  EXPECT_THAT(result.err, HasSubstr("\nended by " + end));
+}
+
+TEST(ExploreCommandTest, AConstructorThatEndsTheProcessIsNamed) {
+  const std::string crash = "crash: Trouble: crash: ", called = "a constructor of a global object ";
+  ExpectEarlyEndOfTrouble("earlycrash", crash + "SIGSEGV");
+  ExpectEarlyEndOfTrouble("earlycrash", crash + "SIGSEGV", {"--verify"});
+  ExpectEarlyEndOfTrouble("earlyabort", crash + called + "has called abort()");
+  ExpectEarlyEndOfTrouble("earlyexit", crash + called + "has called exit()");
+  ExpectEarlyEndOfTrouble("earlyhang",
+                          "handler-limit: Trouble: the loading or unloading of an image does not "
+                          "end: constructors of its globals has used more than 0.2 s of processor "
+                          "time (--handler-limit)");
+}
+#endif
+
 TEST(ExploreCommandTest, AStickThatDoesNotBootIsRefusedWithItsFindings) {
   const ScratchFolder stick;
   stick.Write("OPEN-R/MW/CONF/OBJECT.CFG", "/MS/OPEN-R/MW/OBJS/NOBODY.BIN\n");

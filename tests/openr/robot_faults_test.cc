@@ -1,6 +1,7 @@
 // Faults that stop the robot's processor, as docs/limits.md lists them: what a run does by default
 // and with --strict.  tests/images/Trouble makes them.
 #include <gmock/gmock.h>
+#include <signal.h>
 
 #include <nlohmann/json.hpp>
 
@@ -263,6 +264,44 @@ TEST(RobotFaultsTest, AConstructorThatDoesNotReturnIsEnded) {
       result.err,
       HasSubstr("the loading or unloading of an image does not end: Trouble, constructors"));
   EXPECT_THAT(result.err, HasSubstr("ended by handler-limit: Trouble: "));
+}
+
+// The images of --jobs are loaded once, before the robots have processes of their own.
+TEST(RobotFaultsTest, AConstructorEndsRobotsWithProcessesOfTheirOwn) {
+  const ScratchFolder stick;
+  const auto run = [&stick](const std::string& word) {
+    stick.Write("OPEN-R/MW/DATA/P/TROUBLE.TXT", word);
+    return RunProgram({"run", "--robots", "2", "--jobs", "2", "--for", "100ms", "--json", "--stick",
+                       stick.path(), "--handler-limit", "200ms"});
+  };
+  stick.MakeTrouble("");
+  const ProgramResult hang = run("earlyhang");
+  EXPECT_EQ(hang.status, 1) << hang.err;
+  EXPECT_EQ(json::parse(hang.out, nullptr, false)["ended_by"], "handler-limit");
+  EXPECT_THAT(hang.err, HasSubstr("has used more than 0.2 s of processor time (--handler-limit)"));
+  EXPECT_EQ(stick.Read("OPEN-R/EMON.LOG"), "");
+  const ProgramResult crash = run("earlycrash");
+  EXPECT_EQ(crash.status, 1) << crash.err;
+  const json report = json::parse(crash.out, nullptr, false);
+  EXPECT_EQ(report["ended_by"], "crash") << crash.out;
+  EXPECT_EQ(report["findings"].at(0)["object"], "Trouble");
+  EXPECT_THAT(stick.Read("OPEN-R/EMON.LOG"),
+              HasSubstr("OBJECT Trouble, constructors of its globals"));
+}
+
+// The images are unloaded after the report has been written.
+TEST(RobotFaultsTest, ACrashOfADestructorLeavesTheReportAlone) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("latecrash");
+  const ProgramResult result =
+      RunProgram({"run", "--for", "100ms", "--rate", "max", "--rc-port", "0", "--stick",
+                  stick.path(), "--report", stick.File("report.json")});
+  EXPECT_EQ(result.status, 128 + SIGSEGV) << result.err;
+  const json report = json::parse(stick.Read("report.json"), nullptr, false);
+  ASSERT_TRUE(report.is_object());
+  EXPECT_EQ(report["ended_by"], "time");
+  EXPECT_FALSE(report.contains("error"));
+  EXPECT_EQ(stick.Read("OPEN-R/EMON.LOG"), "");
 }
 
 #endif

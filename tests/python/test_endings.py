@@ -12,6 +12,29 @@ import openr_host
 from openr_host._channel import find_program
 
 CALM = "if (vectors++ == 0) {"
+# A global object whose constructor ends the process as the file EARLY.TXT of the stick says.
+EARLY = """
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct Early {
+    Early()
+    {
+        char word[16] = "";
+        FILE* file = fopen("/MS/OPEN-R/MW/DATA/P/EARLY.TXT", "r");
+        if (file == 0) return;
+        if (fscanf(file, "%15s", word) != 1) word[0] = 0;
+        fclose(file);
+        if (strcmp(word, "crash") == 0) *(volatile int*)0 = 1;
+        if (strcmp(word, "abort") == 0) abort();
+        if (strcmp(word, "exit") == 0) exit(4);
+        for (volatile int i = 0; strcmp(word, "hang") == 0;) i++;
+    }
+};
+
+static Early early;
+"""
 
 
 class EndingTest(unittest.TestCase):
@@ -20,14 +43,16 @@ class EndingTest(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory()
         cls.root = pathlib.Path(cls.folder.name)
         cls.sticks = {}
-        for name, does in (("Crasher", "if (vectors == 20) *(volatile int*)0 = 1;"),
-                           ("Sleeper", "if (vectors == 20) for (volatile int i = 0;;) i++;"),
-                           ("Divider", "if (vectors == 20) { volatile double i = 0; i = i / i; }")):
+        for name, does, does_early in (
+                ("Crasher", "if (vectors == 20) *(volatile int*)0 = 1;", ""),
+                ("Sleeper", "if (vectors == 20) for (volatile int i = 0;;) i++;", ""),
+                ("Divider", "if (vectors == 20) { volatile double i = 0; i = i / i; }", ""),
+                ("Starter", "", EARLY)):
             openr = find_program()
             subprocess.run([openr, "new", name, str(cls.root / name)], check=True,
                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             source = cls.root / name / name / f"{name}.cc"
-            source.write_text(source.read_text().replace(CALM, f"{does}\n    {CALM}"))
+            source.write_text(source.read_text().replace(CALM, f"{does}\n    {CALM}") + does_early)
             cls.sticks[name] = openr_host.build(cls.root / name)
 
     @classmethod
@@ -111,6 +136,32 @@ class EndingTest(unittest.TestCase):
                 run.run(10)
         self.assertEqual(ended.exception.by, "handler-limit")
         self.assertIn("Sleeper", ended.exception.why)
+
+    def test_a_constructor_that_ends_the_process_is_the_answer_to_the_start(self):
+        stick = self.sticks["Starter"]
+        record, data = stick / "OPEN-R/EMON.LOG", stick / "OPEN-R/MW/DATA/P"
+        data.mkdir(parents=True, exist_ok=True)
+        for word, by, text in (("crash", "crash", "SIGSEGV"),
+                               ("abort", "crash", "a constructor of a global object has called abort()"),
+                               ("exit", "crash", "a constructor of a global object has called exit()"),
+                               ("hang", "handler-limit", "0.3 s of processor time (handler_limit_s)")):
+            with self.subTest(word):
+                (data / "EARLY.TXT").write_text(word)
+                with self.assertRaises(openr_host.RunEnded) as ended:
+                    openr_host.Run(stick, body="ideal", handler_limit_s=0.3)
+                kept = ended.exception
+                self.assertEqual(kept.by, by)
+                self.assertIn(text, kept.why)
+                self.assertIn("constructors of its globals", kept.why)
+                finding, = kept.findings
+                self.assertEqual((finding.severity, finding.object), ("error", "starter"))
+                self.assertIn(finding.text, kept.why)
+                self.assertEqual((kept.console, kept.report["ended_by"]), ([], by))
+                self.assertEqual(record.exists(), by == "crash")
+                record.unlink(missing_ok=True)
+        (data / "EARLY.TXT").unlink()
+        with openr_host.Run(stick, body="ideal") as run:  # the stick is as good as before
+            run.run(0.2)
 
     def test_a_crash_in_a_copy_leaves_the_original_alone(self):
         with openr_host.Run(self.sticks["Crasher"], body="ideal") as run:

@@ -29,6 +29,25 @@ TEST(StoryTest, AHandlerWithoutEndIsEndedWithTheStory) {
               AllOf(HasSubstr("a handler does not return: Trouble, DoStart"),
                     HasSubstr("To see it again: OPENR_SEED=1 ")));
 }
+
+void LoadTrouble(const char* what) {
+  Bench bench({.handler_limit = 200ms});
+  bench.stick().Write("/MS/OPEN-R/MW/DATA/P/TROUBLE.TXT", what);
+  bench.AddImage(OPENR_IMAGES "/TROUBLE.BIN");
+}
+
+TEST(StoryTest, AConstructorThatEndsTheProcessIsNamedBeforeTheStory) {
+  const std::pair<const char*, const char*> faults[] = {
+      {"earlycrash", "EXCEPTION SIGSEGV"},
+      {"earlyabort", "EXCEPTION a constructor of a global object has called abort()"},
+      {"earlyexit", "EXCEPTION a constructor of a global object has called exit()"},
+      {"earlyhang", "(BenchOptions::handler_limit)"}};
+  for (const auto& [word, text] : faults) {
+    EXPECT_EXIT(LoadTrouble(word), ExitedWithCode(1),
+                AllOf(HasSubstr(text), HasSubstr("Trouble, constructors of its globals"),
+                      HasSubstr("To see it again: OPENR_SEED=1 ")));
+  }
+}
 #endif
 
 TEST(StoryTest, ABenchThatIsOffCannotRun) {

@@ -6,6 +6,7 @@
 
 static sError sent, asked, registered, ordered;
 static RID    box;
+static RID    ownBox;
 
 bool
 SendEarly(OID own)
@@ -21,7 +22,21 @@ SendEarly(OID own)
     char question[] = "who?";
     Find("talker", &talker);
     asked = SendWithRBox(talker, oentryBASE + 6, question, sizeof(question), &box);
+    FILE* ask = fopen("/MS/OPEN-R/MW/DATA/P/ASK.TXT", "r");
+    if (ask == 0) return true;
+    fclose(ask);
+    SendWithRBox(own, earlyEntry, 0, 0, &ownBox);
     return true;
+}
+
+void
+AskAgain(OID own)
+{
+    if (!ownBox.IsValid()) return;
+    for (int i = 0; i < 2; i++) {
+        RID another;
+        SendWithRBox(own, earlyEntry, 0, 0, &another);
+    }
 }
 
 std::string

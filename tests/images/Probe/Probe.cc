@@ -37,6 +37,7 @@ OStatus Probe::DoStart(const OSystemEvent&) {
   OSYSLOG1((osyslogINFO, "state: %s", "probing"));
   ENABLE_ALL_SUBJECT;
   ASSERT_READY_TO_ALL_OBSERVER;
+  AskAgain(myOID_);
   return oSUCCESS;
 }
 
