@@ -22,7 +22,6 @@
 #include "cli/output_file.h"
 #include "cli/process_copy.h"
 #include "cli/progress_line.h"
-#include "cli/standard_streams.h"
 #include "openr/run/report.h"
 #include "openr/run/runner.h"
 #include "runtime/base/assert.h"
@@ -174,7 +173,7 @@ RobotJobs::RobotJobs(const RunFlags& flags)
       stick_(flags.simulation.stick, false),
       console_(flags.console_file),
       interrupts_(plan_.for_us || plan_.until_idle ? HangUp::kIgnored : HangUp::kCounts),
-      guards_(std::in_place, GuardOptions()),
+      guards_(std::in_place, GuardsOf(flags_, stick_)),
       simulation_(Options()),
       reports_(static_cast<size_t>(flags.simulation.robots)) {
   ASSERT(flags.jobs > 0);
@@ -195,16 +194,6 @@ SimulationOptions RobotJobs::Options() {
   return options;
 }
 
-EndGuardOptions RobotJobs::GuardOptions() const {
-  EndGuardOptions options;
-  options.answer = flags_.json ? StandardOutput() : -1;
-  options.answer_file = flags_.report_file;
-  options.crash_logs = {stick_.crash_log()};
-  if (stick_.is_default()) options.crash_log_place = "";
-  options.handler_limit_us = flags_.handler_limit_us;
-  return options;
-}
-
 // Prints the whole lines of `text`, each with the number of its robot in front, because the lines
 // of several robots mix on the console.
 void RobotJobs::Print(std::string_view text) {
@@ -220,7 +209,7 @@ void RobotJobs::Print(std::string_view text) {
 // `answer`.
 void RobotJobs::RunInCopy(int robot, int answer) {
   robot_ = robot;
-  EndGuardOptions options = GuardOptions();
+  EndGuardOptions options = GuardsOf(flags_, stick_);
   // Lets the original process write the report, which it combines from the reports of its copies.
   options.answer = -1;
   options.answer_file = "";

@@ -37,7 +37,6 @@ class RobotJobs {
 
  private:
   SimulationOptions Options();
-  EndGuardOptions GuardOptions() const;
   ProcessCopy Start(int robot);
   void RunInCopy(int robot, int answer);
   void Print(std::string_view text);

@@ -345,13 +345,8 @@ void CommandedRun::BeginRewind(LiveServer* live, Runner* runner) {
 }
 
 EndGuardOptions CommandedRun::GuardOptions() const {
-  EndGuardOptions options;
-  options.answer = flags_.json ? StandardOutput() : -1;
-  options.answer_file = flags_.report_file;
-  options.crash_logs.assign(static_cast<size_t>(options_.robots), stick_.crash_log());
+  EndGuardOptions options = GuardsOf(flags_, stick_);
   options.adds_to_crash_logs = distribution_.has_processes();
-  if (stick_.is_default()) options.crash_log_place = "";
-  options.handler_limit_us = flags_.handler_limit_us;
   return options;
 }
 

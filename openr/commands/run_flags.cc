@@ -289,4 +289,14 @@ RunPlan PlanOf(const RunFlags& flags) {
   return plan;
 }
 
+EndGuardOptions GuardsOf(const RunFlags& flags, const RunStick& stick) {
+  EndGuardOptions options;
+  options.answer = flags.json ? StandardOutput() : -1;
+  options.answer_file = flags.report_file;
+  options.crash_logs.assign(static_cast<size_t>(flags.simulation.robots), stick.crash_log());
+  if (stick.is_default()) options.crash_log_place = "";
+  options.handler_limit_us = flags.handler_limit_us;
+  return options;
+}
+
 }  // namespace openr_host

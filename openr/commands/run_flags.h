@@ -9,8 +9,10 @@
 
 #include "openr/commands/distribution_flags.h"
 #include "openr/data/data_log.h"
+#include "openr/ending/end_guards.h"
 #include "openr/panel/listen.h"
 #include "openr/run/runner.h"
+#include "openr/simulation/run_stick.h"
 #include "openr/simulation/simulation.h"
 
 namespace openr_host {
@@ -62,5 +64,8 @@ bool WantsPanel(const RunFlags& flags);
 // Returns the plan of the run that the flags describe.  Throws CLI::ValidationError if two flags
 // contradict each other, or if a value cannot be used.
 RunPlan PlanOf(const RunFlags& flags);
+
+// Returns the guards of the run that the flags describe; `stick` is the stick of the run.
+EndGuardOptions GuardsOf(const RunFlags& flags, const RunStick& stick);
 
 }  // namespace openr_host
