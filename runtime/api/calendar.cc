@@ -45,8 +45,8 @@ int64_t DaysToMonth(int64_t year, int64_t month) {
 
 CivilDate DateOfDay(int64_t days) {
   CivilDate date;
-  // Begins with a year that is not too late: the first year of the period of 400 years, plus one
-  // year for every 366 days since then.  Most years have 365 days, so this year may be too early.
+  // Begins with a guess that is never too late: the first year of the period of 400 years, plus one
+  // year for every 366 days since then.  Most years have 365 days, so the guess may be too early.
   // The loop then adds years until `days` lies in the year.
   date.year = 2000 + FloorDiv(days, kDaysIn400Years) * 400;
   date.year += (days - DaysToYear(date.year)) / 366;

@@ -11,7 +11,8 @@ namespace {
 // detection, CDT.  An image stores its bands row by row: row 0 of each band, then row 1 of each
 // band, and so on.
 struct BandPlace {
-  int index;  // place of the band in a row of the image, from 0; -1 if the image lacks the band
+  // Number of the band in the order of the image's bands, from 0; -1 if the image lacks the band.
+  int index;
   int bands;  // number of bands of the image
 };
 
@@ -24,9 +25,9 @@ BandPlace PlaceOf(ODataType type, OFbkImageBand band) {
       return band <= ofbkimageBAND_Cb ? BandPlace{static_cast<int>(band), 3} : kNone;
     case odataFBK_YCrCb_HPF:
       if (band <= ofbkimageBAND_Cb) return {static_cast<int>(band), 6};
-      // The bands LH, HL and HH come directly after the band Cb in the image.  Their constants in
-      // OFbkImageBand come after the constant of CDT, which comes after that of Cb.  So the index
-      // of one of these bands in the image is its constant minus 1.
+      // In an image, the bands LH, HL and HH follow the band Cb.  In OFbkImageBand, the constant of
+      // CDT lies between the constant of Cb and theirs.  So the index of one of these bands in the
+      // image is its constant minus 1.
       if (band >= ofbkimageBAND_Y_LH && band <= ofbkimageBAND_Y_HH) {
         return {static_cast<int>(band) - 1, 6};
       }
@@ -56,8 +57,8 @@ OFbkImage::OFbkImage(OFbkImageInfo* info, byte* data, OFbkImageBand band)
   height_ = static_cast<int>(info->height);
   skip_ = width_ * (place.bands - 1);
   pointer_ = data + place.index * width_;
-  // The tag is in the last row of the first band of the image (Y, or the only band).  The first
-  // band begins at `data`, so the place of the tag does not depend on `band`.
+  // The tag is in the last row of the image's first band (Y, or the only band), whichever band is
+  // asked for.  The first band begins at `data`.
   if (width_ >= kTagSize && height_ > 0) tag_ = data + (width_ + skip_) * (height_ - 1);
 }
 

@@ -32,7 +32,8 @@ bool IPAddress::InLoop() const { return address_ >> 24 == 127; }
 bool IPAddress::AllHostsGroup() const { return address_ == 0xe0000001u; }
 
 char* IPAddress::GetAsString(char* text) const {
-  return std::strcpy(text, Text(address_).c_str());  // fits `text`: at most 15 characters and NUL
+  // `text` has room for an address: 15 characters and a NUL.
+  return std::strcpy(text, Text(address_).c_str());
 }
 
 void IPAddress::print() const { osysprint("%s\n", Text(address_).c_str()); }

@@ -94,8 +94,8 @@ sError GetResourceValue(sResource resource, slongword* current, slongword* max, 
     default:
       return sINVALIDRESOURCE;
   }
-  // Returns the current value of the object's limit as the maximum.  The host does not restrict the
-  // length of the message queue, so the current length is returned as the maximum length, too.
+  // Returns the current length of the message queue as its maximum too, because the host does not
+  // limit the length.
   if (max != nullptr) *max = *current;
   if (min != nullptr) *min = 1;
   return sSUCCESS;

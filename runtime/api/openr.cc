@@ -23,10 +23,10 @@ constexpr longword kCpuClockHz = 192'000'000;  // clock of the ERS-210's CPU (R4
 Robot& CurrentRobot() { return t_current.system->robot(t_current.object->robot); }
 RobotServices& Services() { return *CurrentRobot().services; }
 
-// Returns why the robot was shut down, as text for the report of a run that ends with this call of
-// OPENR::Shutdown().  If `condition` has a boot timer (robot.md 15.3), the program wants the robot
-// to boot again later.  The run ends nevertheless if none of its robots can boot again.  For this
-// case the text tells the user to start the run again.
+// Returns the text with which the report of a run tells that OPENR::Shutdown() has ended the run.
+// With a boot timer in `condition` (robot.md 15.3) the robot should boot again later, but this text
+// is used only if robots in this run cannot boot again.  So the text then tells the user to start
+// the run again.
 std::string HowItEnds(const OBootCondition& condition) {
   return (condition.bitmap & obcbBOOT_TIMER) == 0 ? " shut the robot down (OPENR::Shutdown)"
                                                   : " shut the robot down (OPENR::Shutdown) to "
@@ -140,7 +140,7 @@ OStatus SetMotorPower(OPower power) {
 OStatus Shutdown(const OBootCondition& bootCondition) {
   const ApiScope scope;
   const OStatus status = Services().Shutdown(bootCondition);
-  // Shuts the robot down also if it has no devices: for such a robot, Services().Shutdown() returns
+  // A robot without devices is shut down too, although its Services().Shutdown() returns
   // oNOT_SUPPORTED.
   if (status == oSUCCESS || status == oNOT_SUPPORTED)
     t_current.system->Shutdown(

@@ -50,25 +50,24 @@ struct OpenrSecondStack {
     if (watch) watch->Begin(openr_host::kFpCaught);
     stack.Call(body, argument);
     SwitchToHandler();
-    // The program never reaches this line: SwitchToHandler() has left this stack for the stack of
-    // the handler, and nothing switches back to a stack whose function has ended.
+    // The program never reaches this line.  SwitchToHandler() has switched to the stack of the
+    // handler, and nothing switches back to a stack whose function has ended.
     __builtin_unreachable();
   }
 
-  // Switches from `stack` back to the stack of the handler.  The switch restores the handler's
-  // floating-point flags, and so loses the flags that the function `body` has raised.  Stores the
-  // flags of `body` in `fp_flags` first, because the object is checked for them when the handler
-  // ends.
+  // Switches from the second stack back to the stack of the handler.  The switch restores the
+  // handler's floating-point flags, and so loses the flags that code on the second stack has
+  // raised.  Stores these flags in `fp_flags` first, because the object is checked for them when
+  // the handler ends.
   void SwitchToHandler() {
     fp_flags = openr_host::FpFlags();
     if (fp_flags != 0) openr_host::ClearFpFlags();
     handler.SwitchFrom(&fiber);
   }
 
-  // Switches from the stack of the handler to `stack`, on which the function `body` runs.  Returns
-  // when `body` has ended, or has left `stack` to continue later.  Then counts the used bytes of
-  // `stack` as stack of the object, because on the robot `body` would run on the object's only
-  // stack.
+  // Switches from the stack of the handler to the second stack.  Returns when the function on the
+  // second stack has ended, or has switched back to continue later.  Then counts the used bytes of
+  // the second stack as stack of the object, because on the robot an object has only one stack.
   void SwitchToSecondStack() {
     ArithmeticWatch* const outer = t_current.watch;
     if (watch) t_current.watch = &*watch;

@@ -89,10 +89,9 @@ OStatus DeleteVector(MemoryRegionID id, ODataType type, OStatus unknown) {
   return info->type == type && t_current.system->calls().DeleteRegion(id) ? oSUCCESS : unknown;
 }
 
-// Returns the size of `count` elements of `each` bytes.  If the size is more than kRobotMemoryBytes
-// (the memory of the robot), returns kRobotMemoryBytes, because the multiplication could overflow.
-// The caller adds the size of the header, so such a vector needs more than the robot's memory, and
-// NewVector() returns oNO_MEMORY.
+// Returns the size of `count` elements of `each` bytes, but at most kRobotMemoryBytes (the memory
+// of the robot), because the multiplication could overflow.  A vector of this largest size does not
+// fit into the robot's memory together with its header, so NewVector() returns oNO_MEMORY.
 size_t BytesOf(size_t count, size_t each) {
   return each != 0 && count > kRobotMemoryBytes / each ? kRobotMemoryBytes : count * each;
 }

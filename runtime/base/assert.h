@@ -15,8 +15,8 @@ namespace openr_host {
 
 // The function that AssertFailed() calls before abort(); null until the first System is made.
 // Returns the state of the run (virtual time, object, message, seed) as lines of text, each with
-// its newline.  Also clears t_current (current.h), because abort() ends only the handler and not
-// the process while t_current names an object (runtime/hooks).
+// its newline.  Also clears t_current (current.h).  While t_current names an object, abort() ends
+// only the handler and not the process (runtime/hooks).
 extern std::string (*assert_context)();
 
 }  // namespace openr_host

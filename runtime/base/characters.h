@@ -1,6 +1,6 @@
-// Functions that return whether a character is a blank, a digit or a letter.  The parsers of the
-// robot's text files use these functions and not those of <cctype>, because these functions accept
-// only ASCII characters, whatever the host's locale.
+// Functions that return whether a character is a blank, a digit or a letter.  They accept only
+// ASCII characters, while the functions of <cctype> depend on the host's locale.  So the parsers of
+// the robot's text files use these functions.
 #pragma once
 
 namespace openr_host {

@@ -22,7 +22,8 @@ constexpr bool IsJsonTooDeep(std::string_view json) {
     if (c == '"') {
       is_in_text = !is_in_text;
     } else if (is_in_text) {
-      if (c == '\\') ++i;  // The next character belongs to the text, even if it is a quote.
+      // Skips the character after a backslash, because a quote there does not end the text.
+      if (c == '\\') ++i;
     } else if (c == '[' || c == '{') {
       if (++depth > kJsonDepthMax) return true;
     } else if ((c == ']' || c == '}') && depth > 0) {

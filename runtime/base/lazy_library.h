@@ -11,8 +11,8 @@ class LazyLibrary {
  public:
   // Loads the library `file`, which stays loaded.  An error names `what`, such as "Cyclone DDS, by
   // which processes exchange data", and the Debian package `package`.  With `is_global`, libraries
-  // that are loaded later find its symbols.  Throws std::runtime_error if the library cannot be
-  // loaded.
+  // that are loaded later can use the functions of this library.  Throws std::runtime_error if the
+  // library cannot be loaded.
   LazyLibrary(const char* file, const char* what, const char* package, bool is_global = false);
 
   // Sets `*function` to the function `name`.  Throws std::runtime_error if the library has no such

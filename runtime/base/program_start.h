@@ -36,13 +36,13 @@ class ProgramStart {
   ProgramStart& operator=(const ProgramStart&) = delete;
 
   // Each of the functions from OpenNull() to UnblockSignals() orders a step that the new process
-  // takes before the program begins.  The steps of OpenNull(), Give(), CloseFrom() and
-  // EnterFolder() are taken in the order of these calls.
+  // takes before it begins the program.  The steps of OpenNull(), Give(), CloseFrom() and
+  // EnterFolder() are taken in the order in which these functions were called.
 
   // Opens /dev/null as `descriptor`; `mode` is O_RDONLY, O_WRONLY or O_RDWR.
   void OpenNull(int descriptor, int mode);
-  // Gives the program `ours`, a descriptor of this process, under the number `theirs`.  The
-  // descriptor `theirs` stays open when the program starts.  `ours` and `theirs` may be equal.
+  // Gives the program `ours`, a descriptor of this process.  In the program the descriptor has the
+  // number `theirs`, and stays open when the program starts.  `ours` and `theirs` may be equal.
   void Give(int ours, int theirs);
   // Closes all descriptors of the new process from number `first` on, so that the program does not
   // have them.

@@ -27,9 +27,9 @@ ssize_t ReadBlock(int descriptor, char* block, size_t size) {
 // Reads the open file `descriptor` to its end and appends the bytes to `*bytes`.  Returns false
 // with errno set if reading fails or the file has more than `bytes_max` bytes.
 bool ReadRest(int descriptor, size_t bytes_max, std::string* bytes) {
-  // Takes the memory for the whole file at once, because accesses to new pages of memory take
-  // longer than reading the file.  The size is only a hint: special files have none, and a file may
-  // grow while it is read.
+  // Takes memory for the whole file at once.  If the text grew step by step, each step would use
+  // new pages of memory, which takes longer than reading the file.  The size is only a hint:
+  // special files have none, and a file may grow while it is read.
   struct stat status;
   if (fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode)) {
     const auto size = static_cast<size_t>(status.st_size);
@@ -60,7 +60,7 @@ std::optional<std::string> ReadFile(const std::string& path, size_t bytes_max) {
   const bool is_whole = ReadRest(descriptor, bytes_max, &bytes);
   const int error = errno;
   close(descriptor);
-  errno = error;  // gives the caller the errno of ReadRest(); close() may have changed errno
+  errno = error;  // gives the caller the errno of ReadRest(), which close() may have changed
   if (!is_whole) return std::nullopt;
   return bytes;
 }

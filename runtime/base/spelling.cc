@@ -66,8 +66,7 @@ std::optional<std::string> ClosestMatch(std::string_view word,
     const int distance = EditDistance(word, candidate);
     if (distance > limit) continue;
     closest = candidate;
-    // Lowers the limit of edits, so that a later candidate (a valid name) is taken only if it needs
-    // fewer edits than this one.
+    // Lowers the limit of edits, so that only a valid name with fewer edits can replace this one.
     limit = distance - 1;
   }
   return closest;

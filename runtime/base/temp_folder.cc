@@ -31,8 +31,8 @@ constexpr std::string_view kBegin = "openr-host-run-";
 
 // Returns the prefix of the names of our temporary folders.  The prefix contains the number of the
 // PID namespace, because containers may share the folder of temporary files, but number their
-// processes separately.  Without this number, a folder that another container uses could be
-// removed, because no process here has the process id in its name.
+// processes separately.  Without this number, a process could remove a folder that another
+// container uses, because the process id in the folder's name does not exist in its own container.
 std::string Prefix() {
   std::error_code error;
   std::string space = fs::read_symlink("/proc/self/ns/pid", error).string();
@@ -79,17 +79,17 @@ void RemoveStaleFolders(const fs::path& parent, const std::string& prefix) {
     if (is_ours && (pid <= 0 || kill(pid, 0) == 0 || errno != ESRCH)) continue;
     if (!is_ours && is_on_network) continue;
     const int folder = Lock(entry.path());
-    // Keeps a folder that another process has locked.  If Lock() fails for another reason, such as
-    // a file system without locks, removes only a folder of this namespace, whose process has
-    // ended.
+    // Keeps a folder that another process has locked.  Lock() may also fail for another reason,
+    // such as a file system without locks.  Then only a folder of this PID namespace is removed,
+    // because its process is known to have ended.
     if (folder < 0 && (!is_ours || errno == EWOULDBLOCK)) continue;
     fs::remove_all(entry.path(), error);
     if (folder >= 0) close(folder);
   }
 }
 
-// Makes a new folder whose name begins with `begin`, and locks it.  Returns the path, or "" with
-// errno set.  `lock` gets the descriptor that holds the lock.
+// Makes a new folder whose name begins with `begin`, and locks it.  Sets `*lock` to the descriptor
+// that holds the lock.  Returns the path of the folder, or "" with errno set.
 std::string MakeLockedFolder(const std::string& begin, int* lock) {
   for (;;) {
     std::string path = begin + "XXXXXX";
@@ -104,9 +104,9 @@ std::string MakeLockedFolder(const std::string& begin, int* lock) {
     // A file system may have no locks (ENOLCK and others).  The folder is then used without a lock.
     const bool is_taken =
         *lock >= 0 && flock(*lock, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-    // Returns the folder if it still exists and no other process has locked it.  Otherwise tries
-    // again with another name: before this process locked the folder, another process may have
-    // taken it for a stale one, and may have removed it or locked it to remove it.
+    // Returns the folder if it still exists and no other process has locked it.  Otherwise makes
+    // another folder: before this process locked the first one, another process may have taken it
+    // for a stale folder, and may have locked or removed it.
     if (*lock >= 0 && !is_taken && access(path.c_str(), F_OK) == 0) return path;
     if (*lock >= 0) close(std::exchange(*lock, -1));
   }
@@ -145,8 +145,8 @@ std::string TemporaryFiles() {
   std::error_code error;
   const fs::path place = fs::temp_directory_path(error);
   if (!error) return place.string();
-  // Names the variable that has the wrong folder.  The C++ library looks for these variables in
-  // this order, and its own error names none of them.
+  // Finds the environment variable with the wrong folder, for the error message.  The C++ library
+  // looks for these variables in this order, and its own error names none of them.
   for (const char* const variable : {"TMPDIR", "TMP", "TEMP", "TEMPDIR"}) {
     const char* const value = std::getenv(variable);
     if (value == nullptr) continue;

@@ -6,8 +6,8 @@
 
 namespace openr_host {
 
-// Returns the host's folder for temporary files, which TMPDIR may name.  Throws std::runtime_error
-// if there is no such folder; the text names the environment variable that names it.
+// Returns the host's folder for temporary files, which TMPDIR may name.  If this folder does not
+// exist, throws std::runtime_error with a text that names the wrong environment variable.
 std::string TemporaryFiles();
 
 enum class TempUse {

@@ -1,5 +1,5 @@
-// Makes text of files and of other programs harmless for a terminal, which obeys control bytes: it
-// would move its cursor, change its title or type text for the user.
+// Makes text of files and of other programs harmless for a terminal.  A terminal obeys control
+// bytes in a text: it could move its cursor, change its title or type text for the user.
 #pragma once
 
 #include <string>

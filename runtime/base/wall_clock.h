@@ -7,9 +7,9 @@
 namespace openr_host {
 
 // Returns the time of the host's monotonic clock in nanoseconds; its origin is arbitrary.  While
-// code of an image (a program of the robot) runs, the result would be the robot's virtual time.  So
-// a function that an image calls must first make an ApiScope (current.h), which marks code of the
-// runtime.
+// code of an image (a program of the robot) runs, this function would return the robot's virtual
+// time.  So a function of the runtime that an image calls must first make an ApiScope (current.h),
+// which marks code of the runtime.
 int64_t WallClockNs();
 
 inline int64_t WallClockMs() { return WallClockNs() / 1'000'000; }

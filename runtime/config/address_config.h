@@ -29,7 +29,7 @@ struct AddressConfig {
   std::vector<Diagnostic> diagnostics;
 };
 
-// Returns an address as text, such as "10.0.1.2".
+// Returns an address as text, such as "10.0.1.2" for 0x0a000102.
 std::string AddressText(uint32_t ip);
 
 // Parses a pair such as "10.0.1.2=127.0.0.1".  Returns "" or the reason why `text` is invalid.
@@ -44,9 +44,9 @@ std::string AddAddressPair(const AddressPair& pair, std::vector<AddressPair>* pa
 AddressConfig ParseAddressConfig(const std::string& file, std::string_view text,
                                  std::string_view design);
 
-// Returns `first`, followed by the pairs of `second` whose robot address is not in `first`.  With
-// the pairs of the command line as `first`, they take precedence over the pairs of the file
-// HOSTADDR.CFG.
+// Returns the pairs of `first`, and those pairs of `second` whose robot address is not in `first`.
+// Called with the pairs of the command line as `first`, because they take precedence over the pairs
+// of the file HOSTADDR.CFG.
 std::vector<AddressPair> MergeAddressPairs(std::vector<AddressPair> first,
                                            const std::vector<AddressPair>& second);
 

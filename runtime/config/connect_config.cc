@@ -45,8 +45,8 @@ bool HasTwoNames(const RecordLine& line, std::vector<Diagnostic>* diagnostics) {
   return false;
 }
 
-// Returns true if `line` names first a subject and then an observer with the same data type.
-// Otherwise reports an error.  `subject` and `observer` are the two words of `line`.
+// Returns true if `line` names first a subject and then an observer, and both have the same data
+// type.  Otherwise reports an error.  `subject` and `observer` are the two words of `line`.
 bool FitTogether(const RecordLine& line, const ServiceName& subject, const ServiceName& observer,
                  std::vector<Diagnostic>* diagnostics) {
   if (!subject.is_subject() && observer.is_subject()) {

@@ -16,12 +16,12 @@ struct ConnectRecord {
   // Name of the observer, with direction 'O' and the data type of the subject.
   ServiceName observer;
   std::string section;         // the robot design for which the line is valid; "" for every robot
-  FilePosition subject_place;  // lets a later message point to the subject's name
+  FilePosition subject_place;  // position of the subject's name, for messages
   FilePosition observer_place;
 };
 
 struct ConnectConfig {
-  std::vector<ConnectRecord> connections;  // in the order of the file; they are made in this order
+  std::vector<ConnectRecord> connections;  // in the order of the lines; connected in this order
   std::vector<Diagnostic> diagnostics;
 };
 

@@ -10,8 +10,8 @@
 namespace openr_host {
 namespace {
 
-// Largest cost (virtual time) that a cost file may give a handler.  The limit is our choice; a
-// larger number is taken for a typing error.
+// Largest virtual time that a cost file may give a handler.  The limit is our choice; a larger
+// number is taken for a typing error.
 constexpr int64_t kCostMaxUs = 10'000'000;
 constexpr int64_t kFrameMinUs = 1'000, kFrameMaxUs = 1'000'000;
 
@@ -55,8 +55,8 @@ class Parser {
   }
 
   // Parses a line of a cost file, "OBJECT ENTRY MICROSECONDS [+-JITTER%]": the virtual time that a
-  // handler takes.  Because names of entries may contain blanks, the numbers are taken from the end
-  // of the line; all words after the object and before the numbers are the entry.
+  // handler takes.  Names of entries may contain blanks.  So the numbers are taken from the end of
+  // the line, and all words between the object and the numbers are the entry.
   void ParseRule(const RecordLine& line) {
     CostRule rule;
     rule.place = line.At(line.words[0]);
@@ -108,7 +108,8 @@ CostResult ParseCostConfig(const std::string& file, std::string_view text) {
 bool MatchesPattern(std::string_view pattern, std::string_view text) {
   size_t p = 0, t = 0;
   // Compares `text` with the pattern, character by character.  After a mismatch, lets the last '*'
-  // of the pattern stand for one more character of `text`, and goes on behind this character.
+  // of the pattern stand for one more character of `text`, and compares the rest of `text` again
+  // with the part of the pattern behind this '*'.
   size_t star = std::string_view::npos;  // position of the last '*' in `pattern`
   size_t resume = 0;                     // end of the part of `text` that the last '*' stands for
   while (t < text.size()) {

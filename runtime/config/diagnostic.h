@@ -8,9 +8,9 @@
 namespace openr_host {
 
 enum class Severity {
-  kError,    // the line is skipped, or the file cannot be used
-  kWarning,  // the line is used, but is probably not what the author wanted
-  kNote,     // nothing is wrong; information only
+  kError,    // an error: the line is skipped, or the file cannot be used
+  kWarning,  // a warning: the line is used, but is probably not what the author wanted
+  kNote,     // a note: nothing is wrong
 };
 
 // A position in a text file.  The results of parsers, such as the name of a service, contain the
@@ -47,8 +47,8 @@ bool HasErrors(const std::vector<Diagnostic>& diagnostics);
 // as '?'.
 std::string Render(const Diagnostic& diagnostic);
 
-// Returns what Render() returns, but without "warning: " or "note: ".  Used for findings, the
-// warnings in the report of a run, which show their severity themselves.
+// Returns what Render() returns, but without "warning: " or "note: ".  Used for findings of a run,
+// because the report shows their severity itself.
 std::string RenderWithoutKind(const Diagnostic& diagnostic);
 
 // Returns all diagnostics as text, each followed by a newline.

@@ -54,9 +54,9 @@ class GatewayReader {
     config_->diagnostics.push_back(ErrorAt(place, std::move(why) + "; the service is not there"));
   }
 
-  // Reads the line for OPEN-R calls, with which programs on a PC call functions of the robot.  In
-  // the robot's file (ROBOTGW.CFG) the line has the port where calls arrive.  In the PC's file
-  // (HOSTGW.CFG) it has the port and address to which calls are sent.
+  // Reads the configuration line for OPEN-R calls (calls by which programs on a PC use functions of
+  // the robot).  In the robot's file (ROBOTGW.CFG) the line has the port where calls arrive.  In
+  // the PC's file (HOSTGW.CFG) it has the port and address to which calls are sent.
   void ReadProxy(const RecordLine& line) {
     const bool is_of_host = line.words[0].text == kProxyRecord;
     if (is_of_host != (side_ == GatewaySide::kHost)) {
@@ -149,9 +149,9 @@ class GatewayReader {
     return false;
   }
 
-  // Returns true if no earlier line of the gateway's configuration for the same robot has the same
-  // service, or the same port and address.  Otherwise reports an error: a service carries only one
-  // connection, and the gateway of the other computer finds a service by its port.
+  // Returns true if `record` differs from each earlier line for the same robot in two points: in
+  // the service, and in the port or the address.  Otherwise reports an error, because a service
+  // carries only one connection, and the gateway of the other computer finds a service by its port.
   bool IsNew(const RecordLine& line, const GatewayRecord& record) {
     std::vector<GatewayRecord> all = config_->services;
     if (config_->proxy) all.push_back(*config_->proxy);
@@ -202,8 +202,9 @@ std::vector<Diagnostic> CheckGatewayWires(const ConnectConfig& wires, const Gate
     int line;
   };
   std::vector<Wire> known;
-  // Checks one end of a wire (a line of CONNECT.CFG): its service must exist, and no earlier wire
-  // may use the service, because a service of the gateway carries one connection.
+  // Checks one end of a wire (a line of CONNECT.CFG).  The gateway must have the service that the
+  // wire names, and no earlier wire may use this service, because a service of the gateway carries
+  // one connection.
   const auto check = [&](const ServiceName& service, const std::string& section,
                          const FilePosition& place) {
     if (!Compose(service).starts_with(kGatewayPrefix)) return;

@@ -19,7 +19,7 @@
 
 namespace openr_host {
 
-inline constexpr char kGatewayImage[] = "TCPGW.BIN";  // the file's name in a robot's OBJECT.CFG
+inline constexpr char kGatewayImage[] = "TCPGW.BIN";  // the gateway's file, as in OBJECT.CFG
 inline constexpr char kGatewayPrefix[] = "TCPGateway.";
 inline constexpr char kProxyService[] = "TCPGateway.Proxy.AperiosMessage.P";
 inline constexpr char kProxyRecord[] = "!ROBOT_PROXY";
@@ -33,26 +33,27 @@ struct GatewayRecord {
   uint16_t port = 0;
   std::string host;     // address of the robot to connect to; "" if this side listens
   std::string section;  // the robot design for which the line is valid; "" for every robot
-  // True if the line of the gateway's configuration is for OPEN-R calls of remote programs, false
-  // if it is for a service.
+  // True for the configuration line for OPEN-R calls (calls of remote programs), false for a line
+  // with a service.
   bool is_proxy = false;
   FilePosition place;
 
-  std::string Name() const;  // returns the first word of the record
+  std::string Name() const;  // returns the first word of the line
 };
 
 struct GatewayConfig {
   std::vector<GatewayRecord> services;  // in the order of the lines of ROBOTGW.CFG or HOSTGW.CFG
-  // The line for OPEN-R calls, with which programs on a PC call functions of the robot.  The first
-  // word of the line is TCPGateway.Proxy.AperiosMessage.P in the robot's file (ROBOTGW.CFG),
-  // !ROBOT_PROXY in the PC's file (HOSTGW.CFG).
+  // The configuration line for OPEN-R calls (calls by which programs on a PC use functions of the
+  // robot); nullopt if the file has no such line.  The line begins with
+  // TCPGateway.Proxy.AperiosMessage.P in the robot's file (ROBOTGW.CFG), and with !ROBOT_PROXY in
+  // the PC's file (HOSTGW.CFG).
   std::optional<GatewayRecord> proxy;
   std::vector<Diagnostic> diagnostics;
 };
 
 // Parses ROBOTGW.CFG (`side` is kRobot), with one "SERVICE PORT" per line, or HOSTGW.CFG (kHost),
-// with one "SERVICE PORT HOST" per line.  A bad line is reported and skipped, and so is a line with
-// the port or service of an earlier line.
+// with one "SERVICE PORT HOST" per line.  A bad line is reported and skipped.  A line with the port
+// or service of an earlier line is bad, too.
 GatewayConfig ParseGatewayConfig(const std::string& file, std::string_view text,
                                  std::string_view design, GatewaySide side);
 

@@ -14,7 +14,8 @@ namespace openr_host {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-constexpr size_t kQuotedBytesMax = 60;  // messages show this many bytes of a line that is too long
+// Messages show only this many bytes of a line that is too long.
+constexpr size_t kQuotedBytesMax = 60;
 
 // The robot designs that OPENR::GetRobotDesign() can return.  Other designs are legal (a stick's
 // DESIGN.CFG may name its own), so this list serves only to warn about misspelt names.
@@ -42,8 +43,8 @@ class SectionFilter {
   SectionFilter(std::string_view design, std::vector<Diagnostic>* diagnostics)
       : design_(design), diagnostics_(diagnostics) {}
 
-  // Returns whether lines of the current section of the text file, such as [ERS-210], are valid for
-  // the robot design that was given to the constructor.
+  // Returns whether the lines of the current section, such as [ERS-210], are for the robot design
+  // that was given to the constructor.
   bool is_open() const { return is_open_; }
   const std::string& section() const { return section_; }
 
@@ -55,7 +56,7 @@ class SectionFilter {
 
   const std::string_view design_;
   std::vector<Diagnostic>* const diagnostics_;
-  bool is_open_ = true;  // true before the first section: its lines are for every robot
+  bool is_open_ = true;  // true at first: lines before the first section are for every robot
   std::string section_;
 };
 
@@ -98,9 +99,9 @@ void SectionFilter::CheckSpelling(const FilePosition& place, const std::string& 
   }
 }
 
-// Returns whether a line has a control byte, which no text file of a stick has on purpose, and
-// reports the first such byte.  Comments are not checked: they may contain any byte, as comments in
-// Japanese do.
+// Returns whether a line has a control byte, and reports the first one, because no text file of a
+// stick has control bytes on purpose.  Comments are not checked: comments in Japanese may contain
+// any byte.
 bool HoldsControlByte(const FilePosition& place, std::vector<Diagnostic>* diagnostics) {
   for (size_t i = 0; i < place.text.size(); ++i) {
     const unsigned char byte = static_cast<unsigned char>(place.text[i]);
@@ -170,7 +171,7 @@ std::vector<FilePosition> SplitLines(const std::string& file, std::string_view t
 
 namespace {
 
-// Removes a comment that follows other words of a line, with a warning, because no source says how
+// Removes a comment behind the other words of a line, with a warning, because no source says how
 // the robot reads such a comment.
 void DropTrailingComment(RecordLine* line, std::vector<Diagnostic>* diagnostics) {
   for (size_t i = 1; i < line->words.size(); ++i) {

@@ -32,9 +32,10 @@ struct Word {
 // Returns the words of `text`, which blanks and tabs separate.
 std::vector<Word> SplitWords(std::string_view text);
 
-// Returns the lines of a file in order, each as a position with column 1.  Lines with NUL bytes or
-// of more than kLineBytesMax bytes are left out and reported.  NUL bytes are reported once for the
-// whole file, because a binary has thousands.  A UTF-8 byte order mark is dropped with a warning.
+// Returns the lines of a file in order, each as a position with column 1.  A line with NUL bytes or
+// of more than kLineBytesMax bytes is left out and reported.  NUL bytes are reported once for the
+// whole file, because a binary file has thousands.  A UTF-8 byte order mark is dropped with a
+// warning.
 std::vector<FilePosition> SplitLines(const std::string& file, std::string_view text,
                                      std::vector<Diagnostic>* diagnostics);
 
@@ -55,8 +56,8 @@ struct RecordLine {
 std::vector<RecordLine> ReadRecords(const std::string& file, std::string_view text,
                                     std::string_view design, std::vector<Diagnostic>* diagnostics);
 
-// Returns true if some robot reads both sections of a text file: their names are equal, or one name
-// is "".  "" stands for the lines before the first section, which are valid for every robot.
+// Returns true if a robot can read both sections of a text file: their names are equal, or one name
+// is "", the name for the lines before the first section, which every robot reads.
 bool MayBothApply(std::string_view section, std::string_view other);
 
 }  // namespace openr_host

@@ -9,9 +9,9 @@
 namespace openr_host {
 namespace {
 
-// Returns the line in `objects`, the earlier lines of OBJECT.CFG, that has the path `path`, or
-// nullptr.  Skips lines whose section is for another robot design than `section`, because no robot
-// reads both sections.
+// Returns the line with the path `path` in `objects`, the earlier lines of OBJECT.CFG; nullptr if
+// there is none.  Skips lines for another robot design than `section`, because no robot reads the
+// lines of both designs.
 const ObjectRecord* FindObject(const std::vector<ObjectRecord>& objects, const std::string& path,
                                const std::string& section) {
   for (const ObjectRecord& object : objects) {

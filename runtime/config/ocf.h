@@ -24,14 +24,14 @@ struct Ocf {
   std::string name;    // run-time object name, unique among all objects
   std::string module;  // equal to `name` if the file has the short form
   // The next five fields and install_selector exist only in the long form of an .ocf file.  The
-  // host does not use these fields, so they are stored as text and not checked.
+  // host does not use these fields, so their words are stored and not checked.
   std::string metaspace = "mCOOP";
   std::string pic = "pic";
   std::string pid = "pid";
   std::string heap_library = "none";
   std::string same_space = "none";
   std::string install_selector = "-1";
-  int64_t stack_bytes = 3072;  // fixed size on the robot
+  int64_t stack_bytes = 3072;  // the size of the stack, which never grows on the robot
   int64_t heap_bytes = 16384;  // step by which the heap grows on the robot
   // The priority of the object, 0 to 255.  The upper 4 bits are the priority class, the lower 4
   // bits are the object's share of the processor in this class.

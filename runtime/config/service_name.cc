@@ -25,8 +25,8 @@ std::vector<Part> SplitAtDots(std::string_view text) {
   }
 }
 
-// Returns the first fault because of which `text` is no service name.  `parts` are the parts of
-// `text` between its dots.  The message of the fault is empty if `text` has no fault.
+// Returns the first reason why `text` is not a service name.  If `text` is a service name, the
+// message of the result is empty.  `parts` are the parts of `text` between its dots.
 ServiceNameFault FindFault(std::string_view text, const std::vector<Part>& parts) {
   if (parts.size() != kPartCount) {
     return {fmt::format("'{}' has {} part{}, a service name has 4: Object.Service.Data.S for a "

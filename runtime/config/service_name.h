@@ -31,9 +31,10 @@ struct ServiceNameFault {
   int offset = 0;  // offset of the fault in the text, where messages show a caret
 };
 
-// Parses the service name `text`; upper and lower case differ.  On failure returns nullopt and
-// fills `fault` unless `fault` is null.  A name that is too long is no failure here, because
-// callers report it differently; they compare the length with kServiceNameBytesMax.
+// Parses the service name `text`; upper and lower case differ.  If `text` is no service name,
+// returns nullopt, and sets `*fault` to the reason unless `fault` is null.  A name that is too long
+// is accepted, because callers themselves compare the length with kServiceNameBytesMax and report
+// it.
 std::optional<ServiceName> ParseServiceName(std::string_view text, ServiceNameFault* fault);
 
 // Returns the service name `name` as text, the inverse of ParseServiceName().

@@ -19,8 +19,8 @@ bool StartsWithRoot(std::string_view path) {
   return EqualsIgnoringCase(path.substr(0, kRoot.size()), kRoot);
 }
 
-// Returns a proposal for the end of an error message about `path`: "; did you mean
-// '/MS/OPEN-R/...'?" if only the beginning of the path is missing, else "".
+// Returns a proposal for the end of an error message about `path`.  If only the beginning of the
+// path is missing, it is "; did you mean '/MS/OPEN-R/...'?", otherwise "".
 std::string Suggestion(const std::string& path) {
   for (const std::string_view prefix : {"", "/", "/MS/", "/MS"}) {
     const std::string candidate = std::string(prefix) + path;

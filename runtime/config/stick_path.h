@@ -10,9 +10,9 @@ namespace openr_host {
 
 // Returns true if `word`, found at `place`, can be the path of a file on the Memory Stick: it
 // begins with /MS/ (in upper or lower case), uses '/', and has no empty, '.' or '..' part.
-// Otherwise reports an error that calls the path `what` ("object path").  A part that is not an 8.3
-// name is only a warning: the host can open such a file, but the robot's FAT file system cannot
-// contain it.
+// Otherwise reports an error that names the path by `what`, such as "object path".  If a part of
+// the path is not an 8.3 name, only warns: the host can open such a file, but the robot's FAT file
+// system cannot contain it.
 bool CheckStickPath(const Word& word, const FilePosition& place, const char* what,
                     std::vector<Diagnostic>* diagnostics);
 

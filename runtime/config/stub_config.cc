@@ -12,8 +12,8 @@
 namespace openr_host {
 namespace {
 
-// The data that the parser of a stub.cfg collects about the object's subjects, or about its
-// observers: the declared number, and the services of the Service lines that were read so far.
+// The parser of a stub.cfg has one Side for the object's subjects and one for its observers.  A
+// Side holds the declared number, and the services of the Service lines that were read so far.
 struct Side {
   const char* noun;           // "subject" or "observer"
   const char* count_keyword;  // keyword in its usual spelling: "NumOfOSubject" or "NumOfOObserver"
@@ -22,7 +22,7 @@ struct Side {
   std::vector<StubService>* services;
 
   bool has_count = false;
-  StubLine count_line = {};       // the NumOf... line; set only if has_count is true
+  StubLine count_line = {};       // the NumOf... line, if has_count is true
   std::optional<int> count = {};  // declared number of services; nullopt if missing or invalid
 };
 
@@ -180,8 +180,8 @@ void StubParser::CheckWhole(const std::string& file) {
 void StubParser::CheckCount(const std::string& file, const Side& side) {
   const int found = static_cast<int>(side.services->size());
   const std::string& object = result_.config.object_name;
-  // Expects a dummy subject in an object without subjects, and a dummy observer in an object
-  // without observers, because the SDK's stub needs at least one of each.
+  // Wants a dummy subject in an object without subjects, and a dummy observer in an object without
+  // observers, because the SDK's stub needs at least one of each.
   const std::string dummy =
       found > 0 ? ""
                 : fmt::format(
@@ -194,7 +194,7 @@ void StubParser::CheckCount(const std::string& file, const Side& side) {
                       dummy));
     return;
   }
-  if (!side.count) return;  // ParseCount() has already reported the bad number of services
+  if (!side.count) return;  // ParseCount() has already reported that the number is bad
   const int count = *side.count;
   const std::string& word = side.count_line.word;
   if (count == 0 && found == 0) {
@@ -215,7 +215,8 @@ void StubParser::CheckCount(const std::string& file, const Side& side) {
 }
 
 // Reports an Extra line whose function has the name of another entry, such as Ready0.  The stub
-// declares a C function _X for each entry X, and two functions of the same name would not compile.
+// declares a C function _X for each entry X, so it would have two functions of the same name and
+// not compile.
 void StubParser::CheckExtra(const StubExtra& extra) {
   std::vector<std::string> taken = {"Init",    "Start", "Stop",    "Destroy", "Hook",
                                     "Control", "Ready", "Connect", "Notify"};

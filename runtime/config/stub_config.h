@@ -49,12 +49,12 @@ struct StubConfigResult {
   std::vector<Diagnostic> diagnostics;
 };
 
-// Parses the text of a stub.cfg.  A line counts if it starts, after blanks, with ObjectName,
-// NumOfOSubject or NumOfSubject, NumOfOObserver or NumOfObserver, Service or Extra, and a colon;
-// every other line is ignored, so "//", "#" and plain text are comments.  Sony's stubgen2 was
-// observed to do all this.  Unlike stubgen2, this parser reports all mistakes and not only the
-// first, and warns about an ignored line that looks like a typing error.  It also reports errors
-// that otherwise the compiler would find in the stub (equal constants, impossible names).
+// Parses the text of a stub.cfg.  Reads the lines that start, after blanks, with ObjectName,
+// NumOfOSubject or NumOfSubject, NumOfOObserver or NumOfObserver, Service or Extra, and a colon.
+// Ignores every other line, so "//", "#" and plain text are comments.  Sony's stubgen2 was observed
+// to do all this.  Unlike stubgen2, this parser reports all mistakes and not only the first, and
+// warns about an ignored line that looks like a typing error.  It also reports errors that
+// otherwise only the compiler of the stub would find (equal constants, impossible names).
 StubConfigResult ParseStubConfig(const std::string& file, std::string_view text);
 
 }  // namespace openr_host

@@ -42,7 +42,7 @@ void AppendServiceNames(const char* array, const char* count,
   for (const StubService& service : services) {
     Append(text, fmt::format("    \"{}\",", Compose(service.name)));
   }
-  text->erase(text->size() - 2, 1);  // removes the comma after the last name
+  text->erase(text->size() - 2, 1);  // removes the comma behind the last name
   Append(text, "};");
 }
 
@@ -169,10 +169,10 @@ std::vector<EntryPoint> ListEntries(const StubConfig& config) {
 }
 
 // Returns the definition of openr_extra_names, the array with the names of the extra entries, which
-// the host reads from the image.  The generated text first declares the array, for two reasons.
-// Without a declaration with `extern`, other files could not see a const array, even in extern "C".
-// The declaration has OPENR_HOST_EXPORT, because g++ makes the array visible outside of the image
-// only if the first declaration has it.
+// the host reads from the image.  The generated text first declares the array with `extern`,
+// because other files cannot see a const array without such a declaration, even in extern "C".  The
+// declaration has OPENR_HOST_EXPORT, because g++ makes the array visible outside of the image only
+// if the first declaration has it.
 std::string MakeExtraNames(const StubConfig& config) {
   std::string names;
   for (const StubExtra& extra : config.extras) names += fmt::format("\"{}\", ", extra.function);

@@ -14,7 +14,7 @@ namespace openr_host {
 namespace {
 
 // The largest number of services that a NumOf... line of stub.cfg may declare.  The number is far
-// above the limit of 64 selectors, but so low that sums of such numbers fit an int.
+// above the limit of 64 selectors, and still so small that sums of such numbers fit an int.
 constexpr int kCountMax = 10'000;
 
 struct KeywordName {
@@ -96,9 +96,9 @@ const KeywordName* FindKeyword(std::string_view word) {
 // `rest` is the text of the line from its first word, `word`, on.
 void WarnOfNearMiss(const Piece& rest, std::string_view word, Reporter* reporter) {
   if (FindKeyword(word) != nullptr) {
-    // Takes a line of stub.cfg that begins with "Service" or "Extra" for a comment if it has
-    // neither quote nor bracket: both words may begin an English sentence, but a Service line has a
-    // quote and an Extra line has a bracket.
+    // Takes a line that begins with "Service" or "Extra" for a comment if it has neither quote nor
+    // bracket.  Both words may begin an English sentence, but a real Service line has a quote and a
+    // real Extra line has a bracket.
     const bool is_prose = (word == "Service" || word == "Extra") &&
                           rest.text.find_first_of("\"(") == std::string_view::npos;
     if (is_prose) return;

@@ -21,8 +21,8 @@ struct StubLine {
   std::string value;   // the text after the colon, without blanks at both ends
 };
 
-// Splits `line` at its colon.  A line without a keyword and a colon counts as a comment: returns
-// nullopt, with a warning if the line looks like a misspelt keyword.
+// Splits `line` at its colon.  A line without a keyword and a colon is a comment: returns nullopt.
+// Warns if the first word of such a line looks like a misspelt keyword.
 std::optional<StubLine> RecognizeStubLine(const FilePosition& line,
                                           std::vector<Diagnostic>* diagnostics);
 

@@ -26,7 +26,7 @@ int ParseSmallNumber(std::string_view text, int max) {
 }
 
 // Stores an IPv4 address such as "10.0.1.100" in `*target`.  If `value` is no address, returns
-// false and stores nothing.  The other functions Set...() of this file treat an invalid value in
+// false and stores nothing.  The other functions Set...() of this file handle an invalid value in
 // the same way.
 bool SetAddress(std::string_view value, std::string* target) {
   std::string_view rest = value;

@@ -35,11 +35,11 @@ struct WlanResult {
   std::vector<Diagnostic> diagnostics;
 };
 
-// Parses the KEY=VALUE lines of WLANCONF.TXT; a line that begins with '#' is a comment.  Blanks
-// around '=' are refused, because the robot refuses them although its guide shows them.  A bad line
-// is reported and does not change its setting.  A key given twice is reported, and its last value
-// is used.  An unknown key only causes a warning.  This file has no sections for robot designs,
-// unlike other files.
+// Parses the KEY=VALUE lines of WLANCONF.TXT; a line that begins with '#' is a comment.  Reports a
+// line with blanks around '=': the robot refuses such a line, although its guide shows it.  A bad
+// line is reported and does not change its setting.  A key given twice is reported, and its last
+// value is used.  An unknown key only causes a warning.  This file has no sections for robot
+// designs, unlike other files.
 WlanResult ParseWlanConfig(const std::string& file, std::string_view text);
 
 }  // namespace openr_host
