@@ -53,9 +53,9 @@ constexpr bool kIsPlanned = false;
 constexpr bool kIsPlanned = true;
 #endif
 
-// Returns whether no memory is mapped in the kAreaBytes from `area` on.  Linux leaves these
-// addresses empty, but a tool that runs this program, such as an emulator, may use them.  In this
-// case this process works without the address plan, and the kernel chooses all addresses.
+// Returns whether no memory is mapped in the area of kAreaBytes bytes that begins at `area`.  Linux
+// leaves these addresses empty, but a tool that runs this program, such as an emulator, may use
+// them.  Then this process works without the address plan, and the kernel chooses all addresses.
 bool IsEmpty(uintptr_t area) {
   MemoryMap map;
   bool is_empty = true;
@@ -64,9 +64,9 @@ bool IsEmpty(uintptr_t area) {
   return is_empty;
 }
 
-// Returns whether the first and the last page of the kAreaBytes from `area` on can be mapped.  On a
-// machine whose addresses have too few bits for this area, these pages cannot be mapped, and this
-// process works without the address plan.
+// Returns whether memory can be mapped at both ends of the area of kAreaBytes bytes that begins at
+// `area`.  On a machine whose addresses have too few bits, this fails, and this process works
+// without the address plan.
 bool IsReachable(uintptr_t area) {
   constexpr size_t kPage = 4096;
   for (const uintptr_t address : {area, area + kAreaBytes - kPage}) {
@@ -82,7 +82,8 @@ bool IsReachable(uintptr_t area) {
 constinit uintptr_t g_area = 0;
 
 // Returns the address plan of this process.  The plan is never deleted, because a static object of
-// the program may hold a System, which gives its places back to the plan when the program ends.
+// the program may hold a System.  When the program ends, this System still gives its places back to
+// the plan.
 Plan& SharedPlan() {
   static Plan* const plan = [] {
     auto* const made = new Plan;
@@ -103,8 +104,9 @@ char* AreaOf(int index, uintptr_t offset, size_t bytes) {
 ObjectAddresses::ObjectAddresses(ObjectId id) {
   Plan& plan = SharedPlan();
   if (plan.area == 0) return;
-  // Object `id` has two places of its own, with the numbers 2 * id and 2 * id + 1.  An object needs
-  // the second place if it is loaded while the object that it replaces still uses the first place.
+  // Object `id` has two places of its own, with the numbers 2 * id and 2 * id + 1.  The second
+  // place is needed when the object is loaded while the object that it replaces still uses the
+  // first place.
   const int64_t own = int64_t{2} * id;
   for (const int64_t index : {own, own + 1}) {
     if (index_ < 0 && index >= 0 && index < kPlaces && !plan.taken[static_cast<size_t>(index)])

@@ -42,9 +42,9 @@ class ObjectAddresses {
   static constexpr size_t kCopyBytes = size_t{128} << 20;
 
   // Takes a place of the plan for object `id`, which has two places of its own.  Takes the first
-  // place, unless another object still uses that place: the previous object `id`, which this object
-  // replaces, or an object of another System in this process.  Then takes the second place.  If
-  // both places are in use, takes the free place with the highest number.
+  // place if it is free.  Two kinds of objects may still use it: the previous object `id`, which
+  // this object replaces, or an object of another System in this process.  Then takes the second
+  // place.  If both places are in use, takes the free place with the highest number.
   explicit ObjectAddresses(ObjectId id);
   ~ObjectAddresses();  // REQUIRES: nothing is mapped at this place any more
   ObjectAddresses(const ObjectAddresses&) = delete;
@@ -74,8 +74,8 @@ class ObjectAddresses {
   int index_ = -1;  // the number of the place; -1 if addresses are not planned
 };
 
-// Reserves an area of kRegionAreaBytes for the regions (blocks of shared memory) of one System and
-// returns its first address.  There are two such areas.  Returns null if both are taken or
+// Reserves an area of kRegionAreaBytes bytes for the regions (blocks of shared memory) of one
+// System, and returns its first address.  There are two areas.  Returns null if both are taken or
 // addresses are not planned.
 char* ReserveRegionArea();
 // Gives back `area`, the addresses for the regions of one System that ReserveRegionArea() has

@@ -33,7 +33,8 @@ size_t SizeOfClass(int size_class) {
 
 int ClassOfSize(size_t size) {
   if (size <= 256) return size == 0 ? 0 : static_cast<int>((size - 1) / 16);
-  const int doubling = std::bit_width(size - 1) - 9;  // 257 to 512 bytes: 0; 513 to 1024: 1
+  // The range of `size` above 256: 0 for 257 to 512, 1 for 513 to 1024, and so on.
+  const int doubling = std::bit_width(size - 1) - 9;
   const size_t base = size_t{256} << doubling;
   return 16 + doubling * 4 + static_cast<int>((size - 1 - base) / (base / 4));
 }
@@ -62,7 +63,7 @@ bool Arena::MapUpTo(size_t span_end) {
   // because the size of that area is a multiple of 1 MiB.
   const size_t end = (span_end + kStep - 1) / kStep * kStep;
   {
-    const ApiScope scope;  // makes the lists grow on the host's heap and not in this arena
+    const ApiScope scope;  // makes the lists take memory of the host's heap
     spans_.resize(end);
     begins_.resize(end * kSpanBytes / 16);
   }
@@ -120,7 +121,7 @@ void Arena::Account(size_t size) {
 
 void* Arena::Allocate(size_t size, size_t alignment) {
   // A block of a size class that is a power of two lies at a multiple of its size.  So for an
-  // alignment above 16 bytes, `size` is rounded up to a power of two that is at least `alignment`.
+  // alignment above 16 bytes, rounds `size` up to a power of two that is at least `alignment`.
   if (alignment > 16) size = std::bit_ceil(std::max(size, alignment));
   if (!MayTake(size)) return nullptr;
   if (alignment > kSpanBytes) return nullptr;
@@ -190,9 +191,9 @@ bool Arena::WasFreed(const void* block) {
   const auto offset =
       static_cast<size_t>(static_cast<const char*>(block) - arena.base_) % kSpanBytes;
   if (span.use < 0) return span.use == kFree && offset == 0;
-  // `unused` is the address of the first block of the size class that was never allocated.  It lies
-  // in the newest span (piece of 64 KiB) of the class.  The blocks behind it were never allocated
-  // either, so none of them was freed.
+  // `unused` is the first block of the size class that was never allocated.  It lies in the newest
+  // span (piece of 64 KiB) of the class.  The blocks behind it were never allocated either, so no
+  // block from `unused` on was freed.
   const char* const unused = arena.bump_[span.use];
   const bool is_of_newest_span =
       unused != nullptr && arena.IndexOf(unused - 1) == arena.IndexOf(block);

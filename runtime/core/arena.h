@@ -127,7 +127,7 @@ class Arena {
 
   char* const base_;
   std::vector<Span> spans_;  // the mapped spans
-  size_t first_free_ = 0;    // index of a span; all spans before this index are in use
+  size_t first_free_ = 0;    // index of a span; no span before it is free
   size_t mapped_spans_ = 0;  // number of mapped spans, counted from the first span
   FreeBlock* free_[kClasses] = {};
   char* bump_[kClasses] = {};  // for each size class, the next block that was never used
@@ -136,8 +136,8 @@ class Arena {
   // bytes.
   std::vector<bool> begins_;
   // For each block, the calls that led to its allocation; the key is the result of PlaceOf().  Null
-  // if calls are not kept.  The keys are no addresses, because ReportLeaks() searches the memory of
-  // this process for addresses of blocks and must not find addresses in this map.
+  // if calls are not kept.  The key is not the address of the block, because ReportLeaks() searches
+  // the memory of this process for addresses of blocks and must not find them in this map.
   std::unique_ptr<std::map<uint32_t, Calls>> calls_;
   size_t in_use_ = 0;
   size_t in_use_max_ = 0;

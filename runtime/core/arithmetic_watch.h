@@ -1,9 +1,9 @@
 // ArithmeticWatch: finds the instruction of a handler that makes a NaN or an infinity, or uses a
-// denormal number.  While the handler's own code runs, such an instruction raises SIGFPE.
+// denormal number.
 //
-// Also while this code runs, results that would be denormal numbers become 0, as on the robot
-// (field-notes.md, 4.4).  So a denormal number that raises SIGFPE was not made by the handler's own
-// arithmetic.
+// While the handler's own code runs, such an instruction raises SIGFPE.  Results that would be
+// denormal numbers become 0 meanwhile, as on the robot (field-notes.md, 4.4).  So a denormal number
+// that raises SIGFPE was not made by the handler's own arithmetic.
 //
 // Functions of the SDK and of the C library are not the handler's own code.  Objects of the classes
 // ApiScope and LibraryScope (current.h) pause the ArithmeticWatch while such a function runs, so
@@ -14,18 +14,17 @@ namespace openr_host {
 
 class ArithmeticWatch {
  public:
-  // Sets whether this process has a signal handler for SIGFPE; the class CrashLog installs one.
-  // Initially there is no signal handler.  Without this signal handler a SIGFPE would end the
-  // process, so floating-point operations must not raise SIGFPE.
+  // Sets whether this process has a signal handler for SIGFPE, as the class CrashLog installs it;
+  // at first there is none.  Without the signal handler a SIGFPE would end the process, so
+  // floating-point operations must not raise SIGFPE then.
   static void SetCatches(bool on);
   // Returns whether floating-point operations may raise SIGFPE, that is, whether this process has a
   // signal handler for it.  Always false with AddressSanitizer, and under Valgrind, because the
   // processor that Valgrind emulates raises no SIGFPE.
   static bool Catches();
 
-  // Begins to watch a handler, at its beginning, for floating-point faults: from now on, operations
-  // that set one of the flags `kinds` (FpFlag) raise SIGFPE, and results that would be denormal
-  // numbers become 0.
+  // Starts the watch at the beginning of a handler: from now on, operations that set one of the
+  // flags `kinds` (FpFlag) raise SIGFPE, and results that would be denormal numbers become 0.
   void Begin(unsigned kinds);
   bool has_begun() const { return has_begun_; }
 

@@ -83,8 +83,7 @@ std::string Render(const SourcePlace& place) {
 // processor ("exception 15").  With --strict the object crashes.  Otherwise a finding is added,
 // once for each place in the source.
 void Report(SourcePlace* place, const std::string& what, const char* exception) {
-  // Does nothing if the check is in code that no object runs, because a fault is reported as the
-  // fault of an object.
+  // Does nothing if no object is current, because a fault is reported as the fault of an object.
   if (t_current.system == nullptr || t_current.object == nullptr) return;
   if (t_current.system->options().strict)
     StopAsTheRobotDoes(fmt::format("{} at {} ({})", what, Render(*place), exception));
@@ -165,10 +164,10 @@ double ValueOf(const TypeText& type, uintptr_t value) {
   return number;
 }
 
-// Returns whether the robot's processor stops at the conversion of `number` to an integer.  The
-// processor first converts to 32 bits, even if the type is smaller, and even if the number is
-// negative and the type unsigned.  A conversion to long long is different: a library function does
-// it, which stops only for NaN.
+// Returns whether the robot's processor stops when it converts `number` to an integer.  The
+// processor first converts to 32 bits, so a smaller type has the limits of 32 bits, and a negative
+// number fits an unsigned type.  A library function does the conversion to long long, and stops
+// only for NaN.
 bool TrapsOnTheRobot(const CastData& data, double number) {
   const TypeText& to = *data.to;
   const bool is_long_long =
@@ -198,8 +197,8 @@ void __ubsan_handle_type_mismatch_v1(AccessData* data, uintptr_t address) {
 // Reports an integer division by zero.  Stops the object even without --strict, because the host's
 // processor would also stop at this division.
 void __ubsan_handle_divrem_overflow(ArithmeticData* data, uintptr_t, uintptr_t divisor) {
-  // If the type has more than 64 bits, the argument `divisor` is the address of the divisor.  Such
-  // a division is not checked for a divisor of zero.
+  // If the type has more than 64 bits, the argument `divisor` is the address of the divisor.  Then
+  // does not check whether the divisor is zero.
   const bool is_zero = data->type->bits() <= 64 ? divisor == 0 : false;
   if (!is_zero || t_current.object == nullptr) return;
   StopAsTheRobotDoes(fmt::format("a division by zero at {} (exception 9)", Render(data->place)));

@@ -13,9 +13,8 @@ CodeObject::CodeObject() : host_(t_current.object) {
   ASSERT(host_ != nullptr, "objects built in code are made with System::AddObject()");
 }
 
-// Clears the Object's pointer to the table of entries, because this table is a part of the
-// CodeObject and ends with it.  This destructor runs also if the constructor of a derived class
-// throws an exception.
+// Clears the Object's pointer to the table of entries, because this table ends with the CodeObject.
+// This destructor runs also if the constructor of a derived class throws an exception.
 CodeObject::~CodeObject() { host_->set_code_entries(nullptr); }
 
 void CodeObject::AddSubjectEntries(const std::string& service, OSubject* subject,

@@ -29,16 +29,16 @@
 namespace openr_host {
 
 // An entry of a CodeObject, which handles the messages to one selector.  The classes derived from
-// CodeEntry store the function that the CodeObject has given for the entry, so that a message
-// reaches this function by one virtual call.
+// CodeEntry store the function that the CodeObject has given for the entry.  So a message reaches
+// this function by one virtual call.
 class CodeEntry {
  public:
   virtual ~CodeEntry() = default;
   virtual void Handle(void* message) = 0;
 
-  // The record of the subject or of the observer that handles the messages of this entry, which
-  // PrefetchDeliveries() loads into the cache.  subject_state is null if the entry belongs to no
-  // subject, observer_state if it belongs to no observer.
+  // The record of the subject or of the observer that handles the messages of this entry; null if
+  // the entry has no subject, or no observer.  PrefetchDeliveries() loads this record into the
+  // cache.
   const SubjectState* subject_state = nullptr;
   const ObserverState* observer_state = nullptr;
 };

@@ -1,8 +1,7 @@
 // Names places in the source code of objects for the texts of findings: "Talker.cc:57".
 //
-// A name comes from the debug information of an image.  The runtime cannot read debug information.
-// So openr/ending/crash_log.cc, which can read it, gives the runtime a function for this with
-// SetPlaceNamer().
+// A name comes from the debug information of an image, which the runtime cannot read.  So
+// openr/ending/crash_log.cc gives the runtime a function that can read it (SetPlaceNamer()).
 #pragma once
 
 #include <string>

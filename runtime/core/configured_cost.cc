@@ -11,9 +11,9 @@ ConfiguredCost::ConfiguredCost(CostConfig config, uint64_t seed)
 ConfiguredCost::Cost ConfiguredCost::Find(const Object& object, uint32_t selector) {
   const std::string entry = object.EntryName(selector);
   Cost cost;
-  // Goes through all rules of the cost file and does not stop at the first that fits the handler.
-  // The last rule that fits decides, and all rules that fit count as used: Unused() must not report
-  // them.
+  // Goes through all rules of the cost file, also after a rule that fits the handler, because the
+  // last rule that fits decides.  Marks all rules that fit as used, so that Unused() does not
+  // report them.
   for (size_t i = 0; i < config_.rules.size(); ++i) {
     const CostRule& rule = config_.rules[i];
     if (!MatchesPattern(rule.object, object.name) || !MatchesPattern(rule.entry, entry)) continue;

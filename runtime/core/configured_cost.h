@@ -24,7 +24,8 @@ class ConfiguredCost : public CostModel {
   void HashState(Hasher* hasher) const override;
 
   // Returns the places in the cost file of the rules that have matched no handler so far, which are
-  // probably mistakes.  A rule that matches counts as used, even if a later rule overrides it.
+  // probably mistakes.  A rule that has matched a handler is left out, even if a later rule has
+  // overridden it.
   std::vector<FilePosition> Unused() const;
 
  protected:

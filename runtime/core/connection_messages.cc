@@ -22,8 +22,8 @@ void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
   System* const system = object->system;
   Object* const sender = system->object(ObjectIdOf(subject.GetOID()));
   if (sender == nullptr) return;
-  // A subject whose object is being replaced receives no more messages, so the regions
-  // that it had sent are given back by a direct call of ReturnRegion() and not by a ready.
+  // The subject's object is being replaced, so the subject receives no more messages.  Then direct
+  // calls of ReturnRegion() give the regions back, not a ready.
   if (sender->is_leaving()) {
     for (RCRegion* const region : regions) sender->ReturnRegion(region);
     return;
@@ -62,12 +62,12 @@ void HandleLateRefusal(Object* sender, const Message& message) {
   const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
   const TakenBack result = sender->TakeBack(message);
   if (result == TakenBack::kPending) return;
-  // Gives the regions back with a message, because `sender` cannot be asked, or has removed this
-  // observer since.
+  // Gives the regions back with a message: the subject has removed this observer, or its object
+  // cannot be asked.
   RefuseNotification(target, message);
-  // The refused notification has used up the observer's ready, and RefuseNotification() has told
-  // the subject that the observer is not ready.  So if the subject may still be connected, asserts
-  // ready again in the name of the observer.
+  // RefuseNotification() has told the subject that the observer is not ready.  The observer does
+  // not know this, because it has not received the notification.  So if the subject may still be
+  // connected, asserts ready again in the name of the observer.
   if (result == TakenBack::kNoSubject) {
     system->object_table().AssertAgain(
         sender->id, {{notify.subjectID.GetSelector(), target->id, message.selector}});

@@ -30,14 +30,14 @@ inline bool IsRunningMessage(const Object& object, PayloadKind kind) {
   return false;
 }
 
-// The message type of a deassert that the runtime sends in place of an observer that cannot
-// receive, because the observer's process has ended or its object is being replaced.  No message
-// type of the SDK has this value.
+// The message type of a deassert that the runtime sends in the name of an observer that no longer
+// receives, because its process has ended or its object is being replaced.  No message type of the
+// SDK has this value.
 constexpr OMessageType kDeassertOfLost = 0x10000;
 
-// The message type of the connect message that an observer gets if the process of the subject is
-// lost.  The observer then sends nothing to the subject, and only records that the subject is
-// missing (ObserverState::missing).  No message type of the SDK has this value.
+// The message type of the connect message that an observer gets in place of an ordinary one if the
+// process of the subject is lost.  The observer then sends nothing to the subject, and only records
+// that the subject is missing (ObserverState::missing).  No message type of the SDK has this value.
 constexpr OMessageType kConnectToLost = 0x10001;
 
 // Sends `subject` a deassert, which says that the observer at entry `selector` of `object` is not
@@ -48,11 +48,12 @@ void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
 // Handles a notification to `object` that will not be delivered.  Gives the regions of `message`
 // back to the subject with SendDeassert(), so that the subject can use them again.
 void RefuseNotification(Object* object, const Message& message);
-// Handles `message`, a notification or a ready of `sender` that was refused when it left the outbox
-// of `sender` (cpu.h).  The function that has sent `message` has already returned success.  The
-// data of a notification become pending again, as if Send() had failed.  If the subject cannot be
-// asked or no longer has the observer (TakenBack), its regions are given back instead.  The command
-// of a ready is lost, but the regions in the ready are given back.
+// Handles `message`, a notification or a ready that was refused when it left the outbox of its
+// `sender` (cpu.h).  The function that has sent `message` has already returned success.
+//
+// Makes the data of a notification pending again, as if Send() had failed.  If that is not possible
+// (TakenBack), gives the regions of the notification back to the subject.  Drops the command of a
+// ready, but gives back the regions in the ready.
 void HandleLateRefusal(Object* sender, const Message& message);
 
 }  // namespace openr_host

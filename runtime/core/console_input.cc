@@ -65,8 +65,8 @@ void ConsoleInput::WakeNext(Terminal* terminal) {
 }
 
 // Ends the wait of object `reader` for a line, because the process of the object has ended.  If
-// `reader` is no longer in the list of readers, WakeNext() has already woken it for a line, but it
-// can no longer read.  In this case wakes the next reader for the line.
+// WakeNext() has already woken `reader` for a line, the object can no longer read this line.  In
+// this case wakes the next reader for the line.
 void ConsoleInput::GiveUp(Terminal* terminal, ObjectId reader, uint64_t box) {
   const bool waited = std::erase(terminal->readers, std::pair(reader, box)) > 0;
   if (!waited && !terminal->text.empty()) WakeNext(terminal);

@@ -31,15 +31,16 @@ class ConsoleInput {
 
   explicit ConsoleInput(System* system) : system_(system) {}
 
-  // Returns how many bytes can be typed on the terminal of `robot` now: kUnreadMax without the text
-  // that has not been read yet and without the text that Reserve() keeps room for.
+  // Returns how many bytes can be typed on the terminal of `robot` now: kUnreadMax minus the bytes
+  // of unread text, and minus the bytes that Reserve() keeps free.
   size_t RoomOf(int robot) const;
 
   // Returns whether a program of `robot` has called Read() since the beginning of the run.
   bool HasReader(int robot) const;
 
-  // Keeps room for the text of an input that waits for its frame boundary, `bytes` long, on the
-  // terminal of `robot` until the last copy of the result is destroyed.
+  // Keeps `bytes` bytes free on the terminal of `robot`, for the text of an input that waits for
+  // its frame boundary.  They are free for other text again when the last copy of the result is
+  // destroyed.
   std::shared_ptr<const void> Reserve(int robot, size_t bytes);
 
   // Returns the number of bytes that Enter() adds to the terminal for `text`.

@@ -21,8 +21,8 @@ void HandleRefused(Object* sender, const Message& message) {
   if (message.kind == PayloadKind::kNotify || message.kind == PayloadKind::kReady)
     HandleLateRefusal(sender, message);
   if (message.reply_box == 0) return;
-  // Ends the wait of the object that has sent the request, as at a time-out, because nothing will
-  // reply.
+  // Nothing will reply to the request, so the wait of the object that has sent it ends, as at a
+  // time-out.
   System* const system = sender->system;
   const CurrentScope scope(system, system->object(message.sender));
   system->calls().BeginWait(message.reply_box, 0, "");
@@ -91,9 +91,9 @@ void Cpu::End(int64_t now_us) {
   if (!jobs_.empty()) jobs_.back().since_us = now_us;
   object->delivery().set_busy(false);
   PostOutbox(object);
-  // Puts the messages that were held for the object, and those that waited for the processor, at
-  // the front of the queue, because they are older than all messages due now.  Begins with the
-  // newest message, so that afterwards the oldest is at the front.
+  // Puts the messages back at the front of the queue: those that were held for the object, and
+  // those that waited for the processor.  They are older than all messages due now.  Begins with
+  // the newest message, so that afterwards the oldest is at the front.
   object->ReturnHeld();
   while (!waiting_.empty()) {
     system_->Readmit(std::move(waiting_.back()));

@@ -52,9 +52,8 @@ class Cpu {
   // takes more than the time between two sensor vectors (field-notes.md, 1.12).
   static constexpr int64_t kLongHandlerUs = 32'000;
 
-  // Keeps `message` until a handler has ended and the processor may be free, because its receiver
-  // `object` must wait for the processor.  Records `now_us` as the time at which the wait of the
-  // object began.
+  // Keeps `message`, whose receiver `object` must wait for the processor, until a handler ends and
+  // the processor may be free.  Records that the wait of the object began at `now_us`.
   void Wait(Object* object, OwnedMessage message, int64_t now_us);
 
   // Returns the messages whose receiver waits for the processor, oldest first.
@@ -76,9 +75,9 @@ class Cpu {
   // if no handler runs.
   int64_t EndUs() const;
 
-  // Ends the handler that has the processor, whose time is over: sends the messages that it posted,
-  // and lets other handlers run.  If a posted request is refused, its sender stops waiting for the
-  // reply, as at a time-out.  REQUIRES: EndUs() == now_us.
+  // Ends the handler that has the processor, because its time is over: sends the messages that it
+  // posted, and lets other handlers run.  If a posted request is refused, its sender stops waiting
+  // for the reply, as at a time-out.  REQUIRES: EndUs() == now_us.
   void End(int64_t now_us);
 
   void HashState(Hasher* hasher) const;

@@ -52,9 +52,9 @@ class ApiScope {
   const bool image_code_;
 };
 
-// Calls `work` with an ApiScope and returns its result.  The functions of the SDK that run for
-// every notification call InApi(), which makes an ApiScope only if code of an image is the caller.
-// For other callers InApi() saves the time that an ApiScope takes.
+// Makes an ApiScope, calls `work` and returns its result.  InApi() calls this function only if code
+// of an image is the caller; for other callers it saves the time that an ApiScope takes.  The
+// functions of the SDK that run for every notification use InApi().
 template <typename Work>
 [[gnu::noinline]] auto InApiOfImage(const Work& work) {
   const ApiScope scope;

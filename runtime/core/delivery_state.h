@@ -15,7 +15,7 @@ class Fiber;
 class DeliveryState {
  public:
   // A flag that is true if a message to the object needs nothing but a call of its handler.  Every
-  // delivery reads this flag, so it lies apart from the DeliveryState, on a cache line of the
+  // delivery reads this flag.  So it lies not in the DeliveryState, but on a cache line of the
   // object that every delivery reads anyway.  Only the object's DeliveryState can change the flag.
   class PlainFlag {
    public:

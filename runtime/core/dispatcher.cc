@@ -34,8 +34,8 @@ uint64_t Dispatcher::Run(const Limits& limits) {
   ASSERT(running_ == nullptr, "a handler must not run the system it belongs to");
   limits_ = limits;
   run_began_at_ = delivered_;
-  // `stop_at_` is the value of delivered_ from which on Loop() calls MayContinue().  It is 0 if
-  // Limits::until is set, because MayContinue() must then call `until` before every message.
+  // `stop_at_` is the number of deliveries after which Loop() begins to call MayContinue().  It is
+  // 0 if Limits::until is set, because MayContinue() must then call `until` before every message.
   stop_at_ =
       limits.until != nullptr ? 0 : delivered_ + std::min(limits.messages, UINT64_MAX - delivered_);
   if (system_->powered_off()) Stop();
@@ -53,9 +53,9 @@ uint64_t Dispatcher::Run(const Limits& limits) {
 }
 
 // Takes a fiber (stack) out of idle_, or makes a new fiber if idle_ is empty.  If there is no
-// memory for the stack of a new fiber, ends the run as a crash of the current object, or throws an
-// exception if no object is current.  So WaitFor() and Abandon() call this function first: the
-// object of the handler must still be the current object, and its state must be unchanged.
+// memory for a new stack, ends the run as a crash of the current object, or throws an exception if
+// no object is current.  So WaitFor() and Abandon() call this function before they change t_current
+// or the state of the object.
 Fiber* Dispatcher::TakeIdleFiber() {
   if (idle_.empty()) {
     // Reserves room for all fibers in idle_, so that push_back() takes no memory in functions that
@@ -70,9 +70,9 @@ Fiber* Dispatcher::TakeIdleFiber() {
   return fiber;
 }
 
-// The function with which a fiber begins.  Makes Run() throw each exception that leaves Loop(),
-// because an exception cannot pass from one stack to another.  An example is std::bad_alloc, thrown
-// when there is no memory to record a message.
+// The function with which a fiber begins.  An exception cannot pass from one stack to another, so
+// this function catches each exception that leaves Loop(), and Run() throws it.  An example is
+// std::bad_alloc, if there is no memory to record a message.
 void Dispatcher::FiberMain(void* dispatcher) {
   Dispatcher* const self = static_cast<Dispatcher*>(dispatcher);
   for (;;) {
@@ -94,7 +94,7 @@ void Dispatcher::SwitchTo(Fiber* fiber) {
   Recycle();
 }
 
-// Makes Run() return to its caller.  The running fiber (stack) stops here, and this function
+// Makes Run() return to its caller.  The running fiber (stack) stops in this function, which
 // returns when a later Run() continues the fiber.
 void Dispatcher::ToCaller() {
   Fiber* const from = running_;
@@ -119,8 +119,8 @@ bool Dispatcher::MayContinue() const {
 }
 
 // The functions from here to Loop() are inline, so that the compiler joins them into one function.
-// This makes messages faster, because every message passes through all these functions on its way
-// from the queue to the handler.
+// This saves time, because every message passes through all these functions on its way from the
+// queue to the handler.
 
 [[gnu::always_inline]] inline void Dispatcher::FinishHandler(Object* object) {
   if (object->is_image()) [[unlikely]]
@@ -239,10 +239,9 @@ OwnedMessage Dispatcher::Admit(Object* object, OwnedMessage message) {
   return message;
 }
 
-// Delivers `message` to `object` when a plain call of the handler may not be enough.  Asks Admit()
-// whether the object can handle the message now, and does nothing more if the object cannot.
-// Otherwise tells the object manager if a DoInit begins, and then runs and measures the handler
-// (RunMeasured()).
+// Delivers `message` to `object` when a plain call of the handler may not be enough.  Does nothing
+// more if Admit() finds that the object cannot handle the message now.  Otherwise tells the object
+// manager if a DoInit begins, and then runs and measures the handler (RunMeasured()).
 [[gnu::noinline]] void Dispatcher::DeliverChecked(Object* object, OwnedMessage message) {
   message = Admit(object, std::move(message));
   if (message == nullptr) return;
@@ -290,11 +289,11 @@ void Dispatcher::ReportException(const Object& object, const std::string& what) 
                       fmt::format("uncaught exception in {}{}; on the robot abort()", entry, what));
 }
 
-// Called when many messages were delivered at one instant of virtual time: when their number
-// reaches SystemOptions::free_deliveries, and for each message after that.  The first call adds a
-// finding.  Each later call sets MessagePoster::crowding_delay_us() to 1, so that each message that
-// is posted from then on takes 1 us.  The count begins anew when the clock moves by more than 1 us
-// at once (AdvanceTo()).
+// Called for many messages at one instant of virtual time: for the message with the number
+// SystemOptions::free_deliveries, and for each message after it.  The first call adds a finding.
+// Each later call sets MessagePoster::crowding_delay_us() to 1, so that each message that is posted
+// from then on takes 1 us.  The counting of messages begins anew when the clock moves by more than
+// 1 us at once (AdvanceTo()).
 void Dispatcher::NoteManyDeliveries(const Object* object) {
   if (delivered_ > crowded_at_) {
     system_->poster().set_crowding_delay_us(1);
@@ -354,10 +353,10 @@ void Dispatcher::Loop() {
 }
 
 void Dispatcher::AdvanceTo(int64_t time_us) {
-  // Does not reset the count of messages at one instant of virtual time if the clock moves by only
-  // 1 us.  Such a step may come from MessagePoster::crowding_delay_us(), which delays the messages
-  // of objects that answer each other without waiting.  A reset would end this delay, although
-  // these objects still answer each other.
+  // Begins to count the messages at one instant anew, but not if the clock moves by only 1 us.
+  // Such a step may come from MessagePoster::crowding_delay_us(), which delays the messages of
+  // objects that answer each other without waiting.  This delay must not end while the objects
+  // still answer each other.
   if (time_us > system_->now_us() + 1) {
     crowded_at_ = delivered_ + free_deliveries_;
     system_->poster().set_crowding_delay_us(0);
@@ -379,7 +378,7 @@ bool Dispatcher::MayRun(Object* object, const Message& message) {
 
 void Dispatcher::DeliverReply(Object* object, OwnedMessage message) {
   ++delivered_;
-  ++crowded_at_;  // raises the limit of NoteManyDeliveries(), so that this reply does not count
+  ++crowded_at_;  // raises the limit for NoteManyDeliveries(), which counts no replies
   system_->trace().Deliver(*message, system_->now_us());
   const uint64_t box = message->reply_box;
   // The reply box may have been closed since `message` was posted: by CleanRBox(), or because the
@@ -388,15 +387,15 @@ void Dispatcher::DeliverReply(Object* object, OwnedMessage message) {
   if (!object->boxes().IsOpen(box)) return;
   object->boxes().Put(box, std::move(message));
   // If the handler does not wait for this reply, the reply stays in its box until the object asks
-  // for it in a later call.  If the object has ordered messages for the arrival of this reply
-  // (reply events), they are posted now.
+  // for it in a later call.  The messages that the object has ordered for the arrival of this reply
+  // (reply events) are posted now.
   if (object->delivery().blocked() == nullptr || object->wait().box() != box) {
     system_->time_events().ReplyArrived(object->id, box);
     return;
   }
   Fiber* const waiting = object->delivery().blocked();
   object->delivery().set_blocked(nullptr);
-  idle_.push_back(running_);  // lets TakeIdleFiber() continue the loop of this fiber later
+  idle_.push_back(running_);  // makes this fiber idle: TakeIdleFiber() can continue its loop
   SwitchTo(waiting);          // continues WaitFor(), which makes `object` the current object again
 }
 
@@ -424,8 +423,8 @@ void Dispatcher::Abandon() {
   ASSERT(running_ != nullptr && t_current.object != nullptr, "only a handler can be abandoned");
   Fiber* const next = TakeIdleFiber();
   // If the object has called an entry of its own directly, self_reply points to a variable on the
-  // stack that is given up here.  Clears this pointer, because later replies of the object would be
-  // written to that variable.
+  // stack that this function gives up.  So clears self_reply: otherwise later replies of the object
+  // would be written to that variable.
   t_current.object->set_self_reply(nullptr);
   FinishHandler(t_current.object);
   // Does not prepare the running fiber (stack) for its next use here, because this code still runs

@@ -71,9 +71,9 @@ class Dispatcher {
   }
   const Gate* gate() const { return gate_; }
   // Makes the dispatcher ask Admit() for every message whether the receiver can handle the message
-  // now.  Called when messages to any object may have to be held back from now on: a gate was set,
-  // a robot was added, which may have a processor (cpu.h), or objects begin to boot.  The calls of
-  // Admit() end when there is no gate and no processor, no object is in its boot, and the time of
+  // now.  Called when messages may have to be held back from now on: a gate was set, a robot was
+  // added, which may have a processor (cpu.h), or objects begin to boot.  The dispatcher stops
+  // asking when there is no gate and no processor, all objects have booted, and the time of
   // handlers is not measured (SystemOptions::wall_clock_ns).
   void CheckDeliveries() { are_deliveries_free_ = false; }
 

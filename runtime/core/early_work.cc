@@ -56,17 +56,18 @@ EarlyWork CollectEarlyWork(Object* fresh, Object* old, const std::function<void(
   const ObjectId id = fresh->id;
   const std::vector<uint32_t> old_regions = RegionsOf(*system, id);
   const uint32_t last_event = system->time_events().last_id();
-  // Hides what the old object has registered, because the new object registers the same names.
+  // Hides the names and services of the old object, because the new object registers the same
+  // names.
   Registered of_old = TakeRegistered(&robot, id);
   // Makes both objects open reply boxes with different numbers.  Otherwise one object could get the
   // reply to a request of the other.
   fresh->boxes().set_last(old->boxes().last());
-  // Keeps the messages of the constructors in the outbox.
+  // Makes the new object busy, so that the messages of its constructors stay in its outbox.
   fresh->delivery().set_busy(true);
   try {
     load();
   } catch (...) {
-    // Gives the old object, which goes on, its names and services back.
+    // Gives the old object, which stays, its names and services back.
     TakeRegistered(&robot, id);
     robot.names.merge(of_old.names);
     robot.directory.merge(of_old.services);

@@ -2,11 +2,11 @@
 // image.
 //
 // A reload loads the new image before the old object ends, so that nothing changes if the image
-// cannot be loaded.  Both objects have the same id.  Therefore the end of the old object would also
-// end what the constructors of the new image have made, and the old object would receive the
-// messages that they send to their own object.  So all this, and all messages of the constructors,
-// are kept apart until the new object is in place.  The same holds for the objects of a restarted
-// worker process (distribution/worker_group_restart.cc).
+// cannot be loaded.  Until then both objects have the same id.  So the end of the old object would
+// also end what the constructors of the new image have made.  And messages that these constructors
+// send to their own object would go to the old object.  Therefore everything that the constructors
+// make and send is kept apart until the new object is in place.  The same holds for the objects of
+// a restarted worker process (distribution/worker_group_restart.cc).
 #pragma once
 
 #include <cstdint>
@@ -23,8 +23,8 @@ class Object;
 
 // The messages of the constructors are not here, but in the outbox of the new object (cpu.h).
 struct EarlyWork {
-  std::vector<uint32_t> regions;   // have no owner (kNoObject) while they are kept apart
-  TimeEvents::Events events;       // are not in TimeEvents while they are kept apart
+  std::vector<uint32_t> regions;   // without owner (kNoObject) until they are restored
+  TimeEvents::Events events;       // not in TimeEvents until they are restored
   std::vector<std::string> names;  // names that were given to Register() (MCOOP.h)
   std::vector<std::pair<std::string, uint32_t>> services;  // names and selectors
 };
@@ -33,8 +33,8 @@ struct EarlyWork {
 // `old` is the object that `fresh` is to replace.
 EarlyWork CollectEarlyWork(Object* fresh, Object* old, const std::function<void()>& load);
 
-// Gives `fresh`, which has replaced the old object, what its constructors have done, and sends
-// their messages.
+// Gives `fresh`, which has replaced the old object, what its own constructors have made, and sends
+// the messages of these constructors.
 void RestoreEarlyWork(Object* fresh);
 
 // Deletes what the constructors of `fresh` have made, because `fresh` will not replace the old

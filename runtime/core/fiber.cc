@@ -47,7 +47,7 @@ void Fiber::Prepare(Main main, void* argument) {
 }
 
 void Fiber::SwitchFrom(Fiber* from) {
-  // Takes the place of `from` if `from` is null, so that the rest of this function needs no special
+  // Stands in for `from` if `from` is null, so that the rest of this function needs no special
   // case.  The state of the running stack is then saved in `nowhere`, where nothing reads it.
   static thread_local Fiber* const nowhere = new MainFiber;
   const bool forever = from == nullptr;
@@ -64,9 +64,8 @@ void Fiber::SwitchFrom(Fiber* from) {
   from->watched_.Leave();
   watched_.Enter();
   const context::transfer_t transfer = context::jump_fcontext(context_, nullptr);
-  // This code runs when another fiber, t_left, has switched back to `from`.  Stores the place where
-  // t_left stopped (transfer.fctx).  t_left could not store this place itself, because the place is
-  // known only after the switch.
+  // This code runs when another fiber, t_left, has switched back to `from`.  Only now is the place
+  // known where t_left stopped (transfer.fctx), so it is stored here for t_left.
   t_left->context_ = transfer.fctx;
   from->FinishSwitch();
 }

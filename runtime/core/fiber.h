@@ -28,9 +28,10 @@ class Fiber {
   // own.
   void Prepare(Main main, void* argument);
 
-  // Saves the running stack in `from` and continues on this fiber's stack; returns when another
-  // fiber switches back to `from`.  If `from` is null, the running stack is given up and the call
-  // never returns.  The exceptions that a stack is handling are saved and restored with the stack.
+  // Saves the running stack in `from` and continues on this fiber's stack.  Returns when another
+  // fiber switches back to `from`.  If `from` is null, gives the running stack up and never
+  // returns.  The exceptions that the code on a stack is handling are saved and restored with the
+  // stack.
   void SwitchFrom(Fiber* from);
 
  private:

@@ -21,15 +21,15 @@ struct Finding {
   int64_t time_us = 0;  // virtual time when the finding was first added
   std::string text;
   uint64_t count = 1;  // number of times that the finding was added
-  // Names the cause of the finding, such as a missing object.  Findings with the same cause, for
-  // example for all lines of CONNECT.CFG that name this object, are kept as one finding.  If
-  // `cause` is empty, only findings with the same text are kept as one finding.
+  // Names the cause of the finding, such as a missing object.  Findings with the same cause are
+  // kept as one finding: for example, the findings about all lines of CONNECT.CFG that name the
+  // missing object.  If `cause` is empty, only findings with the same text are kept as one finding.
   std::string cause = {};
   std::string place = {};  // where the cause is ("CONNECT.CFG:4"); empty if `cause` is empty
   // The places (such as "CONNECT.CFG:5") of later findings with this cause, at most kPlacesMax.
   std::vector<std::string> also_at = {};
   // The content of the message that was being handled when the finding was first added, in words;
-  // "" if it is not known.
+  // "" if the content is not known.
   std::string said = {};
 };
 

@@ -13,8 +13,8 @@
 
 namespace openr_host {
 
-// Bits of the register MXCSR, the floating-point flags.  The processor sets each bit after one kind
-// of floating-point operation.
+// Bits of the register MXCSR, the floating-point flags.  Each bit tells that an operation of one
+// kind was done since the bit was cleared.
 enum FpFlag : unsigned {
   kFpInvalid = 0x01,    // a NaN was made, or an integer type cannot hold the converted number
   kFpDenormal = 0x02,   // an operand was a denormal number

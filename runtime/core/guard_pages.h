@@ -6,10 +6,10 @@
 // 2. An observer reads data after the AssertReady() that gave them back.  On the robot this is no
 //    fault; the observer reads data of a later message (field-notes.md, 2.11).
 //
-// Objects of one process share regions without a copy, so both mistakes would go unseen.  Because a
-// copy is read-only, the first mistake causes a fault at the instruction that writes.  The second
-// mistake causes a fault only with GivenBack::kGone, which makes the copy unreadable after
-// AssertReady().
+// Without these copies, both mistakes would go unseen, because objects of one process share
+// regions.  A write to the read-only copy is a fault, so the first mistake is found at the
+// instruction that writes.  The second mistake is a fault only with GivenBack::kGone, which makes
+// the copy unreadable after AssertReady().
 #pragma once
 
 #include <cstddef>
@@ -53,8 +53,8 @@ class GuardPages {
   char* MapPages(char* area, size_t bytes);
 
   // A read-only copy of data that an observer has received and not given back.  `area` is the
-  // memory area of the copy (null if addresses are not planned), and `bytes` is the size of the
-  // copy's pages.
+  // memory area in which the copy lies (null if addresses are not planned), and `bytes` is the size
+  // of the copy's pages.
   struct Copy {
     char* area;
     size_t bytes;
@@ -68,7 +68,7 @@ class GuardPages {
   // addresses of read-only copies or of memory areas, and these addresses may differ from run to
   // run.
   std::map<const char*, Copy> copies_;
-  std::map<char*, size_t> next_in_;  // for each area, the offset of the next copy
+  std::map<char*, size_t> next_in_;  // by area: offset of the next copy
   // Pages of read-only copies of received data, kept after the observers have given these data
   // back.  The key is the memory area and the number of bytes.  NewCopy() uses the pages again for
   // a copy with the same key.

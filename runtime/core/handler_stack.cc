@@ -6,10 +6,9 @@
 
 // Calls function(argument) with the stack pointer at `top`, a multiple of 16.
 //
-// `function` may save registers of its caller on the new stack, where an object may read them by
-// mistake, as bytes that it has not written.  These registers may hold addresses of the host, which
-// differ from run to run.  So this function sets the registers to 0 before the call, and the object
-// finds the same bytes in every run.
+// First sets the registers to 0 that `function` may save on the new stack.  They may hold addresses
+// of the host, which differ from run to run, and an object may read them from the stack by mistake.
+// So the object finds the same bytes in every run.
 //
 // To return, this function needs the address of its own frame on the old stack.  It stores this
 // address at the top of the new stack, above all frames of the object.  `.cfi_escape` tells
@@ -105,8 +104,7 @@ void HandlerStack::Call(void (*function)(void*), void* argument) {
     function(argument);
     return;
   }
-  // Clears the handler's stack in a destructor, so that it is cleared also if the handler ends with
-  // an exception.
+  // Clears the handler's stack in its destructor, so also if the handler ends with an exception.
   struct Clearing {
     HandlerStack* stack;
     ~Clearing() { stack->Clear(); }
@@ -125,9 +123,8 @@ void HandlerStack::CallWithSanitizer(void (*function)(void*), void* argument) {
   memory_.ForgetFrames();
   SanitizedCall call{function, argument};
   void* fake_stack = nullptr;
-  // Tells AddressSanitizer, when `function` has ended on the handler's stack, that the stack from
-  // which CallWithSanitizer() was called is in use again.  Does so in a destructor, because
-  // `function` may end with an exception.
+  // In its destructor, tells AddressSanitizer that the stack from which CallWithSanitizer() was
+  // called is in use again.  A destructor also runs if `function` ends with an exception.
   struct StackReturn {
     void* const* fake_stack;
     ~StackReturn() { __sanitizer_finish_switch_fiber(*fake_stack, nullptr, nullptr); }
@@ -145,9 +142,9 @@ void HandlerStack::Call(void (*function)(void*), void* argument) { function(argu
 
 void HandlerStack::Clear() {
   ++calls_;
-  // The search for written bytes ends at a gap of zeros.  After most handler calls a narrow gap is
-  // enough.  A search for a wide gap is safer but takes longer (see Call()), so it is done only
-  // after some of the calls.
+  // The search for written bytes ends at a gap of zeros.  A search for a wide gap finds more but
+  // takes longer (see Call()), so it is done only after some of the calls.  After the others a
+  // narrow gap is enough.
   const bool looks_far = calls_ <= 64 || calls_ % 16 == 0;
   used_bytes_ = memory_.Clear(looks_far ? StackMemory::kWideGapBytes : StackMemory::kSmallGapBytes);
   is_dirty_ = false;

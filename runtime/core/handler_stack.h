@@ -2,10 +2,12 @@
 // at the planned addresses of the object and is full of zeros when a handler begins.  Functions
 // that the image imports run on another stack (imported_calls.h).
 //
-// Programs send bytes of their stack that they never set: padding, and members that a constructor
-// forgot.  If the runtime and the C library also used this stack, such bytes would be addresses
-// that differ from process to process.  The stack has a second use: the number of bytes written on
-// it is the size of the stack that the object itself needs.
+// Programs send bytes of their stack that they have never set: padding, and members that a
+// constructor forgot.  If the runtime and the C library also used this stack, such bytes would be
+// addresses that differ from process to process.
+//
+// The stack has a second use: the number of bytes written on it shows how much stack the object
+// itself needs.
 #pragma once
 
 #include <cstddef>

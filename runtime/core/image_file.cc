@@ -29,9 +29,9 @@ constexpr char kSentAsText[] =
     "was changed on its way: each line end in it is CR LF, as after a transfer of text (FTP: type "
     "A); copy it again as binary (type I)";
 
-// Returns whether each LF of the file has a CR before it, because a transfer has changed the file
-// as FTP changes texts.  In compressed bytes only one LF of 256 has a CR before it by chance, so a
-// few LFs are enough to prove that there was such a transfer.
+// Returns whether each LF of the file has a CR before it.  This shows that a transfer in text mode,
+// as of FTP, has changed the file: in compressed bytes only one LF of 256 has a CR before it by
+// chance, so a few LFs are enough.
 bool HasLineEndsOfText(std::string_view bytes) {
   constexpr int kLineEndsMin = 4;
   int line_ends = 0;

@@ -20,9 +20,9 @@
 #include "runtime/core/system.h"
 
 #if defined(__SANITIZE_ADDRESS__)
-// Keeps LeakSanitizer from reporting leaks of objects.  Without sanitizers an object's heap is
-// freed as a whole, so objects need not free their memory; with AddressSanitizer objects use the
-// host's heap, where this memory would be a leak.
+// Keeps LeakSanitizer from reporting leaks of objects.  Objects need not free their memory, because
+// without sanitizers their heap is freed as a whole.  With AddressSanitizer objects use the host's
+// heap, where memory that is not freed is a leak.
 extern "C" const char* __lsan_default_suppressions() {
   return "leak:openr_host::ImageObject::Dispatch\nleak:openr_host::ImageObject::Load\n";
 }
@@ -182,8 +182,8 @@ std::string ImageObject::ReadTables() {
     if (entry->selector >= entries_.size()) entries_.resize(entry->selector + 1, nullptr);
     entries_[entry->selector] = entry->entry;
   }
-  // Counts the entries before the first gap in the object's table of entries. Object::entry_count()
-  // must not count entries that do not exist.
+  // Counts only the entries before the first gap in the object's table of entries, because
+  // Object::entry_count() must not count entries that do not exist.
   uint32_t count = 0;
   while (ImageObject::HasEntry(count)) ++count;
   set_entry_count(count);
@@ -201,8 +201,8 @@ std::string ImageObject::ReadTables() {
 
 bool ImageObject::HasCode(const void* address) const {
   // Compares `address` with an address that is surely in the image, the address of its table of
-  // entries.  `address` belongs to the image if both addresses lie in the same loaded library, that
-  // is, in libraries with the same base address.
+  // entries.  If both lie in the same loaded library, that is, if dladdr() gives the same base
+  // address for both, `address` belongs to the image.
   Dl_info own{}, other{};
   return !entries_.empty() && dladdr(dlsym(handle_, "ObjectEntryTable"), &own) != 0 &&
          dladdr(address, &other) != 0 && own.dli_fbase == other.dli_fbase;
@@ -252,11 +252,13 @@ void ImageObject::ReportFpFlags(uint32_t selector) {
          "the robot is said to stop when it is used");
   }
   // A denormal number is nearer to 0 than the processor's normal numbers.  The robot stops when an
-  // operation uses one, for example an int taken for a float.  The robot's own operations never
-  // make one, because they return 0 instead.  With an ArithmeticWatch the host's operations return
-  // 0, too, so a denormal number that the watch has found (`is_found`) is reported.  Without a
-  // watch the host's operations may make denormal numbers that the robot would not make.  Then one
-  // is reported only if no operation of this object has made one.
+  // operation uses a denormal number, for example an int taken for a float.  But the operations of
+  // the robot never make denormal numbers: they return 0 instead.
+  //
+  // With an ArithmeticWatch the host's operations return 0, too, so a denormal number that the
+  // watch has found (`is_found`) is reported.  Without a watch the host's operations may have made
+  // the denormal number that was used.  So it is reported only if no operation of this object has
+  // made denormal numbers.
   const bool is_found = number_faults().InstructionOf(kFpDenormal) != nullptr;
   if ((fresh & kFpDenormal) && (is_found || !makes_denormals)) {
     warn(kFpDenormal,

@@ -15,8 +15,8 @@ namespace openr_host {
 namespace {
 
 // Two types of relocations.  A relocation is a place in the image that the loader fills in with an
-// address.  With these types, the loader computes this address from the addend, a number in the
-// relocation that is itself an address in the image.  So moving the image changes the addend.
+// address.  With these two types the address depends on the addend, a number in the relocation that
+// is itself an address in the image.  So moving the image changes the addend.
 #if defined(__aarch64__)
 constexpr uint32_t kRelative = R_AARCH64_RELATIVE, kIndirect = R_AARCH64_IRELATIVE;
 #else
@@ -181,7 +181,7 @@ bool AddressWords::Find(uint64_t size_max) {
   uint64_t end = 0;
   for (const Elf64_Phdr& segment : segments_) {
     if (segment.p_type != PT_LOAD) continue;
-    if (end == 0 && segment.p_vaddr != 0) return false;  // was linked for another address than 0
+    if (end == 0 && segment.p_vaddr != 0) return false;  // was linked for an address other than 0
     end = std::max(end, segment.p_vaddr + segment.p_memsz);
   }
   // Relocations in the formats REL and RELR are not supported.  Images do not have them, because

@@ -36,7 +36,7 @@ class ImageMemory {
     return Find(address, size, flags, /*in_file=*/false) != nullptr;
   }
 
-  // Returns the T that the file has for `address`; nullopt if the file has none.
+  // Returns the value of type T that the file has for `address`; nullopt if the file has none.
   template <typename T>
   std::optional<T> Read(uint64_t address) const {
     const Elf64_Phdr* const segment = Find(address, sizeof(T), 0, /*in_file=*/true);
@@ -95,7 +95,7 @@ class ImageTables {
  public:
   explicit ImageTables(const ImageMemory& memory) : memory_(memory) {}
 
-  // Each of these functions returns whether a table is sound.  ReadDynamic() must be the first.
+  // Each of these functions returns whether a table is sound.  ReadDynamic() must be called first.
   bool ReadDynamic();
   bool AreTextsSound() const;
   bool AreHashesSound() const;
@@ -238,15 +238,18 @@ bool ImageTables::IsRelocationTableSound(int64_t table, int64_t size) const {
   if (!Value(table)) return true;
   const uint64_t begin = *Value(table), bytes = ValueOr0(size);
   if (bytes % sizeof(Elf64_Rela) != 0 || !memory_.Has(begin, bytes)) return false;
-  // If the image has text relocations, the dynamic linker makes all memory writable before.
+  // If the image has text relocations, the dynamic linker first makes all memory of the image
+  // writable.
   const bool may_be_text = Value(DT_TEXTREL) || (ValueOr0(DT_FLAGS) & DF_TEXTREL) != 0;
   const uint32_t flags = may_be_text ? 0 : PF_W;
-  // The number of relocations at the beginning that must be of the type kRelativeRelocation.
+  // The number of relocations at the beginning of the table.  These must be of the type
+  // kRelativeRelocation.
   const uint64_t relative_count = table == DT_RELA ? ValueOr0(DT_RELACOUNT) : 0;
   for (uint64_t at = 0; at < bytes; at += sizeof(Elf64_Rela)) {
     const auto relocation = memory_.Read<Elf64_Rela>(begin + at);
     if (!relocation) return false;
-    // Linkers write relocations of this type in place of those of code that was left out.
+    // Skips relocations without an effect: linkers write this type in place of the relocations of
+    // code that was left out.
     if (ELF64_R_TYPE(relocation->r_info) == kNoRelocation) continue;
     if (!memory_.Has(relocation->r_offset, sizeof(uint64_t), flags) ||
         !IsSymbol(ELF64_R_SYM(relocation->r_info)))

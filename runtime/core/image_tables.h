@@ -13,8 +13,8 @@ namespace openr_host {
 // Otherwise returns the name of the first damaged table, such as "the table of relocations".
 // REQUIRES: the bytes of all segments are in `bytes`.
 //
-// Damage in code and in data is not found, nor damage in the versions that the object defines and
-// in the values of its symbols.
+// Does not find damage in code and in data, in the versions that the object defines, and in the
+// values of its symbols.
 std::string DamagedTableIn(const std::string& bytes);
 
 }  // namespace openr_host

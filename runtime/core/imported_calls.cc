@@ -157,8 +157,8 @@ constexpr std::string_view kVariadic[] = {
 };
 
 // Functions that keep the stack pointer or the return address of their caller, as setjmp() does for
-// longjmp().  They have no thunk (code that changes the stack for a call), because with a thunk
-// they would keep the values of that code and not those of their caller.
+// longjmp().  They have no thunk (code that changes the stack for a call).  Called by a thunk, they
+// would keep the stack pointer or the return address of the thunk.
 constexpr std::string_view kBoundToCaller[] = {
     "__sigsetjmp", "_setjmp", "getcontext", "setjmp", "sigsetjmp", "swapcontext", "vfork",
 };
@@ -211,7 +211,7 @@ struct LoadedImage {
   uint64_t ValueOf(int64_t tag) const;
 
   uint64_t begin, end = 0;
-  uint64_t read_only_begin = 0, read_only_end = 0;  // tables that the loader has made read-only
+  uint64_t read_only_begin = 0, read_only_end = 0;  // the loader has made this range read-only
   const Elf64_Dyn* dynamic = nullptr;
 };
 
@@ -272,8 +272,8 @@ void Redirection::FindImports(int64_t table, int64_t size) {
     const Elf64_Rela& relocation = relocations[i];
     const uint64_t type = ELF64_R_TYPE(relocation.r_info);
     // Skips all relocations (places in the image that the loader fills with an address) except
-    // those that store the address of a symbol, because the address of an imported function is
-    // stored by such a relocation.
+    // those that hold the address of a symbol, because only these can hold the address of an
+    // imported function.
     if (type != R_X86_64_JUMP_SLOT && type != R_X86_64_GLOB_DAT && type != R_X86_64_64) continue;
     const Import import{reinterpret_cast<uint64_t*>(relocation.r_offset),
                         ELF64_R_SYM(relocation.r_info)};
@@ -349,10 +349,10 @@ bool IsStackChange(uintptr_t address) {
 const void* ReturnAddressInImage(const void* own) {
   const auto here = reinterpret_cast<uintptr_t>(__builtin_frame_address(0));
   const uintptr_t offset = here % ObjectAddresses::kStackBytes;
-  // A function F of the SDK has called this function, and `own` is the return address of F.  F runs
-  // on a stack for imported functions if the image has called F through a thunk.  Such a stack is
+  // A function F of the SDK has called this function, and `own` is the return address of F.  If the
+  // image has called F through a thunk, F runs on a stack for imported functions.  Such a stack is
   // below 17 TiB, in the lower part of the memory for the image's stacks.  If `here`, the address
-  // of this function's frame, is not on such a stack, the image has called F directly, so `own` is
+  // of this function's frame, is on any other stack, the image has called F directly, so `own` is
   // the result.
   if (here >> 40 >= 17 || offset >= StackMemory::kImportsTopOffset) return own;
   const uintptr_t top = here - offset + StackMemory::kImportsTopOffset;

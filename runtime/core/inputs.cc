@@ -64,8 +64,8 @@ std::string Inputs::Add(int robot, std::string_view line) {
   Action action;
   std::string problem = Read(robot, line, &action);
   if (!problem.empty()) return problem;
-  // Passes the line of the input to the listeners, such as a recording, even if the input is due
-  // later, because a recording stores the time at which the input was given.
+  // Passes the line of the input to the listeners, such as a recording, when the input is given and
+  // not when it is due, because a recording stores the time at which it was given.
   for (const Listener& listener : listeners_) listener(robot, line);
   const int64_t frame_us = system_->frame_us();
   const int64_t due_us = (system_->now_us() + frame_us - 1) / frame_us * frame_us;
@@ -96,8 +96,8 @@ std::string Inputs::AddAt(int64_t time_us, int robot, std::string_view line) {
 
 void Inputs::DoDue() {
   while (NextUs() <= system_->now_us()) {
-    // Removes the input from the list before its work is done, because the work may add inputs to
-    // this list.
+    // Removes the input from the list before its work is done, because this work may add inputs to
+    // the list.
     const WaitingInput input = std::move(waiting_.front());
     waiting_.pop_front();
     input.action.work();

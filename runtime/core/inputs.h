@@ -36,9 +36,9 @@ class Inputs {
 
     std::function<void()> work;
     // If true, and if the input is due when the robots boot, `work` is called before the boot
-    // (DoBeforeBoot()).  If false, an input that is due at that time takes effect after the
-    // messages of the boot.  REQUIRES for true: `work` adds no input, and it can be called in a
-    // handler of the object manager.
+    // (DoBeforeBoot()).  If false, such an input takes effect after the messages of the boot.
+    // REQUIRES for true: `work` adds no input, and it can be called in a handler of the object
+    // manager.
     bool is_before_boot = false;
   };
 
@@ -67,8 +67,8 @@ class Inputs {
   std::string Check(int robot, std::string_view line) const;
 
   // Adds the input `line` for `robot`.  The input takes effect at the next frame boundary, or at
-  // once if the present time is a frame boundary.  Returns "" if the input was added, otherwise a
-  // text about the error in the line.  REQUIRES: not called in a handler.
+  // once if the clock is at a frame boundary.  Returns "" if the input was added, otherwise a text
+  // about the error in the line.  REQUIRES: not called in a handler.
   std::string Add(int robot, std::string_view line);
 
   // Adds the input `line` for the frame boundary at `time_us`, or the first frame boundary after
@@ -84,7 +84,7 @@ class Inputs {
   int64_t NextUs() const { return waiting_.empty() ? INT64_MAX : waiting_.front().due_us; }
   // Does the work of all inputs whose frame boundary has come.
   void DoDue();
-  // Does the work of those inputs that are due and have Action::is_before_boot.  Called when the
+  // Does the work of the inputs that are due and have Action::is_before_boot set.  Called when the
   // robots begin to boot.
   void DoBeforeBoot();
 

@@ -41,17 +41,17 @@ class HiddenAddress {
   uintptr_t hidden_ = kMask;
 };
 
-// A block or a region that may have leaked.  Its bytes are searched for addresses only if the block
-// or region is reachable itself.
+// A block or a region that may have leaked.  The search reads its bytes only if the block or region
+// is reachable itself.
 struct Node {
   HiddenAddress begin;
   size_t bytes = 0;
-  // Owner of the block or region.  If it is null, this block or region is never reported as a leak.
+  // Owner of the block or region; null if the block or region must never be reported as a leak.
   const Object* object = nullptr;
   bool is_region = false;
-  // The calls that led to the allocation, if this possible leak is a block and not a region.
+  // The calls that led to the allocation of a block; null for a region.
   const std::vector<const void*>* calls = nullptr;
-  const void* made_at = nullptr;  // the instruction that made the region, if this is a region
+  const void* made_at = nullptr;  // the instruction that made the region; null for a block
   bool is_reachable = false;
 };
 
@@ -76,9 +76,9 @@ class LeakSearch {
   void ReadStacks();
   void ReadHost(const char* stack);
   void ReadAround(const char* begin, const char* end);
-  // Searches the words of the memory from `begin` to `end`.  Marks a node (block or region) as
-  // reachable if a word is an address in the node.  With `has_ids`, also marks each region whose id
-  // is in a word.
+  // Searches the words of the memory from `begin` to `end`.  If a word is an address in a node (a
+  // block or region), marks this node as reachable.  With `has_ids`, also marks each region whose
+  // id is in a word.
   void Read(const char* begin, const char* end, bool has_ids);
   void ReadReached();
   void MarkAddress(uintptr_t address);
@@ -104,9 +104,9 @@ void LeakSearch::CollectBlocks() {
       nodes_.push_back(
           {.begin = HiddenAddress(block), .bytes = bytes, .object = object.get(), .calls = &calls});
     });
-    // NewRegion() (MCOOP.h) has given this memory to the object.  Adds the memory to nodes_, the
-    // list of the blocks and regions that the search looks for.  The memory gets no owner, so that
-    // it is never reported as a leak: it belongs to the object until DeleteRegion().
+    // Adds the memory that NewRegion() (MCOOP.h) has given to the object to nodes_, the blocks and
+    // regions that the search looks for.  This memory belongs to the object until DeleteRegion().
+    // So it gets no owner in nodes_, and is never reported as a leak.
     for (void* const region : object->memory().private_regions())
       nodes_.push_back({.begin = HiddenAddress(region), .bytes = Arena::UsableSize(region)});
   }
@@ -200,8 +200,8 @@ bool LeakSearch::HasWaitingHandler() const {
   });
 }
 
-// Searches the stacks of handlers for addresses of blocks and regions.  Does so only if a handler
-// waits, because otherwise the stacks hold only bytes that earlier handlers have left.
+// Searches the stacks of handlers for addresses of blocks and regions, but only if a handler waits.
+// Otherwise the stacks hold only bytes that earlier handlers have left.
 void LeakSearch::ReadStacks() {
   const bool has_waiting = HasWaitingHandler();
   for (const auto& [begin, bytes] : StackMemory::All()) {
@@ -232,15 +232,15 @@ bool IsOfImage(const System& system, const char* address) {
   });
 }
 
-// Returns all ranges of writable memory of this process.  They are collected before the first is
-// searched, because the list needs memory itself, and so changes the ranges while it grows.
+// Returns all ranges of writable memory of this process.  They are collected before the search
+// begins, because the list itself needs memory, and so changes the ranges while it grows.
 std::vector<Range> WritableRanges(const char* stack) {
   std::vector<Range> writable;
   MemoryMap map;
   for (MappedRange range; map.Next(&range);) {
     if (!range.is_private_data) continue;
-    // Leaves out the part of the stack below `stack`, because this search itself uses this part and
-    // may keep addresses of blocks there.
+    // Leaves out the part of the stack below `stack`, because this search itself runs there and may
+    // keep addresses of blocks.
     const uintptr_t begin = range.is_main_stack
                                 ? std::max(range.begin, reinterpret_cast<uintptr_t>(stack))
                                 : range.begin;
@@ -272,8 +272,8 @@ void LeakSearch::Run(const char* stack) {
             [](const Node& a, const Node& b) { return IsLess(a.begin, b.begin); });
   ReadStacks();
   ReadHost(stack);
-  // Marks the memory that NewRegion() (MCOOP.h) has given to objects as reachable, so that blocks
-  // to which it points are no leaks.
+  // Marks the memory that NewRegion() (MCOOP.h) has given to objects as reachable.  So a block
+  // whose address is in this memory is no leak.
   for (const auto& object : system_->objects()) {
     if (object == nullptr || object->memory().arena() == nullptr) continue;
     for (void* const region : object->memory().private_regions())

@@ -7,8 +7,8 @@
 //
 // A block counts as reachable if its address, or an address inside of it, is in the variables of an
 // image, in another reachable block or region, on the stack of a handler that waits, or anywhere in
-// the memory of the runtime.  Any number that looks like such an address counts.  So a leak can be
-// missed, but what is still used is never reported.
+// the memory of the runtime.  Any number that looks like such an address has the same effect.  So a
+// leak can be missed, but memory that is still used is never reported.
 #pragma once
 
 namespace openr_host {

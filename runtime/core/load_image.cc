@@ -85,8 +85,8 @@ Object* LoadImage(System* system, int robot, const std::string& path, const std:
   auto image = OpenImage(system, robot, id, path, where, file, last_box);
   if (image == nullptr) return nullptr;
   Object* const object = system->object_table().Adopt(std::move(image));
-  // Sends the messages that constructors of the image have sent to their own object, which was not
-  // in the table yet.
+  // Sends the messages that constructors of the image have sent to their own object.  They were
+  // kept back, because the object was not in the table of objects yet.
   const CurrentScope scope(system, object);
   PostOutbox(object);
   return object;

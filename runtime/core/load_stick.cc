@@ -84,8 +84,9 @@ std::string StickLoader::NameInImage(const std::string& path) {
 StandIns::const_iterator StickLoader::FindStandIn(const std::string& path) {
   if (stand_ins_.empty()) return stand_ins_.end();
   const auto by_file = stand_ins_.find(std::filesystem::path(path).filename().string());
-  // Looks for the object's name in `stand_ins_`, the functions that replace the loading of images,
-  // only if the file name is not found there, because reading the name from the image takes time.
+  // Looks for the object's name in `stand_ins_` (functions that are called instead of loading an
+  // image) only if the file's name is not there, because reading the object's name from the image
+  // takes time.
   return by_file != stand_ins_.end() ? by_file : stand_ins_.find(NameInImage(path));
 }
 
@@ -184,8 +185,8 @@ void StickLoader::CheckFiles() {
 bool LoadStick(System* system, int robot, StandIns stand_ins,
                const std::vector<SystemImage>& system_images) {
   for (const SystemImage& image : system_images)
-    // If the caller has a stand-in (another function for loading) for the file of this system
-    // image, the caller's stand-in is kept: emplace() then inserts nothing.
+    // If the caller has given a stand-in (another function for loading) for the file of this system
+    // image, keeps the caller's function: emplace() then inserts nothing.
     stand_ins.emplace(image.file, [&image](const std::string&) { image.add(); });
   Robot& dog = system->robot(robot);
   ASSERT(!system->booted() || dog.powered_off, "robot {} is on already", robot);

@@ -67,8 +67,8 @@ uint32_t LocalCalls::AddReplyEvent(const TimeEvents::EventMessage& message, uint
   const uint32_t event = system_->time_events().AddReply(message, box);
   Object* const self = t_current.object;
   self->boxes().NoteEvent(box);
-  // If the reply is in its box already, posts `message` now.  Otherwise `message` would never be
-  // posted, because the reply does not arrive a second time.
+  // If the reply is already in its box, posts `message` now.  Otherwise `message` would never be
+  // posted, because no further reply arrives.
   if (self->boxes().HasReply(box)) system_->time_events().ReplyArrived(self->id, box);
   return event;
 }

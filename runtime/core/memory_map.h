@@ -8,9 +8,10 @@ namespace openr_host {
 
 struct MappedRange {
   uintptr_t begin = 0;
-  uintptr_t end = 0;             // the address behind the last byte
-  bool is_private_data = false;  // may be read and written, holds no code, is shared with nobody
-  bool is_main_stack = false;    // the stack of the process's first thread
+  uintptr_t end = 0;  // the address behind the last byte
+  // Whether the range may be read and written, has no code and is shared with no other process.
+  bool is_private_data = false;
+  bool is_main_stack = false;  // the stack of the process's first thread
 };
 
 // Reads the kernel's list of the ranges of memory of this process (/proc/self/maps, see proc(5)),

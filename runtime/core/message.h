@@ -31,9 +31,9 @@ constexpr size_t kMessageMax = 256;
 // its own way.
 enum class PayloadKind : uint8_t {
   kBytes,   // plain bytes, all initialised
-  kNotify,  // ONotifyMessage, hashed as its counts and the bytes of its regions
-  kReady,   // OReadyMessage, hashed as its command and the number of regions given back
-  kHashed,  // bytes that hold addresses; the sender has set Message::payload_hash instead
+  kNotify,  // ONotifyMessage; its hash covers its data, not its addresses
+  kReady,   // OReadyMessage; its hash covers its command, not its addresses
+  kHashed,  // bytes with addresses; Message::payload_hash is their hash
 };
 
 struct alignas(64) Message {
@@ -70,7 +70,9 @@ static_assert(sizeof(void*) != 8 || offsetof(Message, payload) == 80);
 class FreeMessages {
  public:
   bool empty() const { return first_ == nullptr; }
-  const Message* first() const { return first_; }  // points to the next with Message::next
+  // Returns the newest free message, from which Message::next leads to the others; null if there is
+  // none.
+  const Message* first() const { return first_; }
   // Adds `message`, which is in no list.  The function is small, so that the compiler can inline
   // the many destructors of OwnedMessage, which call it.
   void Add(Message* message) {

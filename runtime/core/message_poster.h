@@ -24,21 +24,22 @@ class MessagePoster {
   MessageQueue& queue() { return queue_; }
   const MessageQueue& queue() const { return queue_; }
 
-  // Queues `message` for its receiver `target` without delay, and returns true; the queue then owns
-  // `message`.  Returns false and does nothing if the message may have to be refused or delayed.
+  // Queues `message` for its receiver `target` without delay and returns true.  The queue then owns
+  // `message`.  If `message` may have to be refused or delayed, does nothing and returns false.
   // REQUIRES: `message` is no reply.
   bool PostAtOnce(Message* message, Object* target);
   // Queues `message` in the queue of this process.  `target` is its receiver; null if no object has
   // the id of the receiver.  Called by LocalCalls::Post().  Returns an sError as System::Post()
   // does.  A refused message stays in `message`.  REQUIRES: delay_us >= 0.
   int32_t Post(OwnedMessage&& message, Object* target, int64_t delay_us);
-  // Handles a message whose receiver is in no table.  If constructors of this receiver run now and
-  // have sent it, keeps the message in the outbox of the receiver until the receiver is in its
-  // place (LoadImage()), and returns sSUCCESS.  Otherwise returns sINVALIDOID.
+  // Handles a message to an object that is not in the table of objects.  If the constructors of
+  // this object run now and have sent the message to their own object, keeps the message in the
+  // object's outbox until the object is in the table (LoadImage()), and returns sSUCCESS.
+  // Otherwise returns sINVALIDOID.
   static int32_t PostToUnknown(OwnedMessage&& message, int64_t delay_us);
   // Puts `message` back into the queue after it was held: by a gate, or because `target` could not
-  // handle it yet or waited for the processor (cpu.h).  The message is due now and comes before all
-  // others of its class and priority.
+  // handle it yet or waited for the processor (cpu.h).  The message is due now, and is delivered
+  // before all others of its class and priority.
   void Readmit(OwnedMessage message, const Object& target);
 
   // Replaces the schedule that the seed has chosen; see System::set_schedule().
@@ -75,9 +76,9 @@ class MessagePoster {
     message->due_us = queue_.now_us() + delay_us + crowding_delay_us_;
   }
 
-  // True if a post can fail only because of the receiver, which has no such entry or has a full
-  // queue.  This is so if handlers post messages directly in this process and not through a master
-  // process, and if there is no schedule and no model of the processor.
+  // True if a message can be queued at once unless its receiver has no such entry or a full queue.
+  // False if other reasons can prevent this: a master process to which messages are sent first, a
+  // schedule, or a model of the processor.
   bool are_posts_free_ = false;
   const bool are_calls_local_;
   bool has_processors_ = false;

@@ -60,9 +60,9 @@ void MessageQueue::PushFront(OwnedMessage message, int priority) {
   Mark(level);
 }
 
-// Returns the first level, beginning with `level`, whose bit in marks_ is 1; kLevels if there is
-// none.  A level is a number for the class and priority of messages; its bit shows that its list
-// may have messages.
+// Returns the first level from `level` on whose bit in marks_ is 1; kLevels if there is none.  A
+// level is a number for the class and priority of messages.  Its bit is 1 if its list may have
+// messages.
 uint32_t MessageQueue::NextMarked(uint32_t level) const {
   uint64_t before = (uint64_t{1} << (level % 64)) - 1;  // bits of the message levels before `level`
   for (uint32_t word = level / 64; word < kLevels / 64; ++word) {
@@ -140,8 +140,8 @@ void MessageQueue::Advance(int64_t time_us) {
 std::vector<OwnedMessage> MessageQueue::TakeIf(const std::function<bool(const Message&)>& matches) {
   std::vector<OwnedMessage> taken;
   for (uint32_t level = 0; level < kLevels; ++level) {
-    // Empties the list of the level (a class and priority of messages), then appends again all
-    // messages for which `matches` returns false, so that they keep their order.
+    // Empties the list of the level (the messages of one class and priority).  Then appends the
+    // messages for which `matches` returns false again, in their old order.
     Message* message = std::exchange(levels_[level].head, nullptr);
     while (message != nullptr) {
       Message* const next = message->next;

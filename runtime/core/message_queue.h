@@ -41,9 +41,9 @@ class MessageQueue {
   // their order.
   void PushFront(OwnedMessage message, int priority);
 
-  // Takes the first message that is due now, or returns null if no message is due.  If there are
-  // other due messages of the same class and priority, `schedule` (schedule.h) chooses one of the
-  // receivers of all these messages.  The first message to this receiver is then taken.
+  // Takes the first message that is due now, or returns null if no message is due.  If several
+  // messages of the first class and priority are due, `schedule` (schedule.h) chooses one of their
+  // receivers, and the first message to this receiver is taken.
   OwnedMessage Pop(Schedule* schedule = nullptr) { return OwnedMessage(TakeDue(schedule)); }
   bool HasDue() const { return First() != nullptr; }
   // Returns the message that Pop() without a schedule would take; null if no message is due.
@@ -86,8 +86,9 @@ class MessageQueue {
     bool operator<(const LaterMessage& other) const;
   };
 
-  // Returns the level of a message: one number for its class, which counts first, and its priority.
-  // Messages of a lower level are delivered first.
+  // Returns the level of a message, a number made of its class and `priority`, the priority of its
+  // receiver.  Messages of a lower level are delivered first.  Any difference of class decides
+  // before priorities do.
   static uint32_t LevelOf(const Message& message, int priority) {
     return static_cast<uint32_t>(message.message_class) * kPriorities + (kPriorities - 1) -
            static_cast<uint32_t>(priority);
@@ -116,7 +117,7 @@ class MessageQueue {
   uint64_t marks_[kLevels / 64] = {};
   uint32_t first_level_ = kLevels;   // the first level whose bit in marks_ is 1; kLevels if none is
   std::vector<LaterMessage> later_;  // messages that are not due yet, as a heap (std::push_heap)
-  FreeMessages free_;                // the messages of the pool that are neither queued nor owned
+  FreeMessages free_;                // the messages of the pool that nobody uses
   // The arrays that hold the messages of the pool, from which new messages are taken.
   std::vector<std::unique_ptr<Message[]>> chunks_;
   // The receivers among which ChooseTarget() lets a schedule choose.  The vector is a member so

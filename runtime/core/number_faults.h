@@ -10,12 +10,13 @@ namespace openr_host {
 
 class NumberFaults {
  public:
-  // Records the instruction that has raised the flag `kind` (FpFlag).  Called in a signal handler.
+  // Records the first instruction that has raised the flag `kind` (FpFlag).  Called in a signal
+  // handler.
   void NoteInstruction(unsigned kind, const void* instruction) {
     instructions_[std::countr_zero(kind)] = instruction;
   }
-  // Returns the instruction that has raised the flag `kind` first.  Null if no instruction has
-  // raised it, or if the instruction is not known.
+  // Returns the instruction that has raised the flag `kind` first; null if there is none, or if the
+  // instruction is not known.
   const void* InstructionOf(unsigned kind) const { return instructions_[std::countr_zero(kind)]; }
 
   // Records an instruction that has divided the smallest integer by -1.  Called in a signal
@@ -25,10 +26,10 @@ class NumberFaults {
     has_too_large_quotient_ = is_too_large_quotient_new_ = true;
     too_large_quotient_ = instruction;
   }
-  // Returns whether such a division was recorded and not reported yet.
+  // Returns whether a division of the smallest integer by -1 was recorded and not reported yet.
   bool HasNewTooLargeQuotient() const { return is_too_large_quotient_new_; }
-  // Returns the first instruction that NoteTooLargeQuotient() has recorded; null if the instruction
-  // is not known.  The division then counts as reported.
+  // Returns the first instruction that has divided the smallest integer by -1; null if it is not
+  // known.  From then on the division counts as reported (HasNewTooLargeQuotient()).
   const void* TakeTooLargeQuotient() {
     is_too_large_quotient_new_ = false;
     return too_large_quotient_;

@@ -40,9 +40,8 @@ void OpenFiles::CloseAll() {
 }
 
 std::string Object::NameService(uint32_t selector, const char* kind) {
-  // Finds the service by `entry`, the selector of its Control or Connect entry, which is running
-  // now.  The object has called this entry itself (self_reply_), or the entry handles a message
-  // (running_).
+  // Finds the service by `entry`, the selector of its Control or Connect entry.  This entry is
+  // running now: the object has called it itself (self_reply_), or it handles a message (running_).
   const uint32_t entry = self_reply_ != nullptr ? self_reply_->selector
                          : running_ != nullptr  ? running_->selector
                                                 : UNDEF;
@@ -120,11 +119,11 @@ void Object::Succeed(const Object& old) {
   message_count_ = old.message_count_;
   statistics_.Succeed(old.statistics_);
   waiting_max_ = old.waiting_max_;
-  // Copies the number of messages that wait for the old object and does not set it to 0, because a
-  // gate (schedule.h) may keep some of these messages, which the new object will receive.
+  // Copies the number of messages that wait for the old object, because the new object may receive
+  // some of them: a gate (schedule.h) may keep messages.
   waiting_ = old.waiting_;
   // A reply to a request of the old object may still come.  It names only the object's id and a
-  // reply box, so a box of the new object must not have the same number.
+  // reply box.  So no box of the new object gets the number of a box of the old object.
   boxes_.set_last(std::max(boxes_.last(), old.boxes_.last()));
 }
 

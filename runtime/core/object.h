@@ -55,13 +55,14 @@ struct StandingReady {
 
 // The result of Object::TakeBack().
 enum class TakenBack {
-  kPending,     // the data of the notification are pending again
+  kPending,     // the data of the notification wait again in the subject
   kNoObserver,  // the subject is not connected with the observer any more
-  kNoSubject,   // the subject cannot be asked, because its process is lost or runs freely
+  kNoSubject,   // the subject's process is lost or runs freely
 };
 
-// Receives the reply when an object calls an entry of its own directly and not by a message.  An
-// object does this to connect one of its subjects with one of its observers, or to disconnect them.
+// The memory for the reply when an object calls an entry of its own directly and not by a message.
+// An object does this to connect one of its subjects with one of its observers, or to disconnect
+// them.
 struct SelfReply {
   void* data;
   size_t size;
@@ -117,8 +118,8 @@ class Object {
   // observers are not ready.
   uint64_t CountPending() const;
 
-  // Takes back a region that a subject of this object had sent to an observer and that the observer
-  // cannot give back with a ready.  Does nothing if this object is being replaced (is_leaving()),
+  // Gives a region back to the subject of this object that has sent it, because the observer cannot
+  // give it back with a ready.  Does nothing if this object is being replaced (is_leaving()),
   // because its regions end with it.
   virtual void ReturnRegion(RCRegion* region);
 
@@ -126,8 +127,8 @@ class Object {
   // `message` is a notification that was refused after NotifyObservers() had returned success.
   virtual TakenBack TakeBack(const Message& message);
 
-  // Counts a `message` to this object that will not be delivered.  If `message` is a notification,
-  // gives the regions of this notification back to the subject.
+  // Counts `message`, a message to this object that will not be delivered.  If it is a
+  // notification, gives its regions back to the subject.
   virtual void HandleUndelivered(const Message& message);
 
   // Puts the messages that the object could not handle yet back at the front of the queue, because
@@ -143,14 +144,14 @@ class Object {
 
   // Gives entry `selector` of this object a name for traces: the name of a service, followed by
   // `kind`, which is "Ready" or "Notify".  Returns the full name of the service.  REQUIRES: the
-  // Control or Connect entry of this service runs now, because the selector of the running entry
-  // tells which service it is.
+  // Control or Connect entry of the service runs now, because this function finds the service by
+  // the running entry.
   std::string NameService(uint32_t selector, const char* kind);
 
   // ---- Parts of the object
 
-  // The ends of connections that the object has made.  Both lists only grow.  Each end belongs to
-  // the object; the functions that add one return its address.
+  // The subjects and observers of the object, which owns them.  Both lists only grow.  AddSubject()
+  // and AddObserver() return the address of the new element.
   const std::vector<std::unique_ptr<SubjectState>>& subjects() const { return subjects_; }
   const std::vector<std::unique_ptr<ObserverState>>& observers() const { return observers_; }
   SubjectState* AddSubject(std::unique_ptr<SubjectState> subject);
@@ -208,7 +209,7 @@ class Object {
   int queue_max() const { return queue_max_; }      // the limit of waiting()
   void set_queue_max(int messages) { queue_max_ = messages; }
   bool IsQueueFull() const { return waiting_ >= queue_max_; }
-  // Counts one more message, no reply, that the object will receive.
+  // Counts one more message (not a reply) that the object will receive.
   void NoteQueued() { waiting_max_ = std::max(waiting_max_, ++waiting_); }
   // Counts messages that wait no longer, because they are delivered now or will never be.
   // REQUIRES: NoteQueued() has counted them.
@@ -224,8 +225,8 @@ class Object {
     passed_us_ = 0;
   }
 
-  // The object has the entries 0 to entry_count() - 1.  For a larger selector, HasEntry() must be
-  // called to find out whether the object has this entry.
+  // The object has all entries from 0 to entry_count() - 1.  For a larger selector, HasEntry() must
+  // be called to find out whether the object has the entry.
   uint32_t entry_count() const { return entry_count_; }
   // Returns the entries of a CodeHost (code_object.h): the entry with selector oentryBASE + i is
   // code_entries()[i].  Null for other objects.
@@ -253,12 +254,13 @@ class Object {
   uint64_t passed_us() const { return passed_us_; }
   // Returns how often the handler has called GetSystemTime().
   uint64_t time_calls() const { return passed_us_ - waited_us_; }
-  // Adds the time of a call of GetSystemTime(), 1 us, or of Wait().
+  // Adds 1 us for a call of GetSystemTime() to the time that has passed in this handler.
+  // NoteWait() adds the time of a call of Wait().
   void NoteTimeCall() { PassTime(1, 0); }
   void NoteWait(uint64_t us) { PassTime(us, us); }
 
-  // Returns what receives the reply of the entry that the object calls itself; null if the object
-  // calls no entry of its own now.
+  // Returns the memory for the reply when the object calls an entry of its own directly; null at
+  // all other times.
   const SelfReply* self_reply() const { return self_reply_; }
   void set_self_reply(SelfReply* reply) { self_reply_ = reply; }
 
@@ -274,9 +276,9 @@ class Object {
   bool is_lost() const { return is_lost_; }
   void set_lost(bool is_lost) { is_lost_ = is_lost; }
 
-  // Returns whether no code is loaded for the object with this id, because the robot was switched
-  // off.  When the robot boots, the new object with the same path gets this id again.  If this
-  // object has no path, the new object with the same name gets the id.
+  // Returns whether this object only stands for an object whose robot was switched off, and so has
+  // no code.  When the robot boots, the object with the same path (or with the same name, if it has
+  // no path) gets this id again.
   bool is_absent() const { return is_absent_; }
 
   // Returns whether another object is about to replace this object.
@@ -284,8 +286,8 @@ class Object {
   // Records that another object is about to replace this object.  REQUIRES: called once.
   void BeginReplacement();
 
-  // Returns the number of the objects that had the id of this object before it.  Traces use this
-  // number to notice that another object has this id now, whose entries may have other names.
+  // Returns the number of objects that had this id before this object.  When the number changes,
+  // traces know that the names of the entries may have changed.
   int predecessors() const { return predecessors_; }
   // Copies the statistics of the object `old`, which this object replaces, because the report
   // counts both objects as one.  Makes the next reply box get a higher number than all reply boxes
@@ -327,7 +329,7 @@ class Object {
   ReplyBoxes boxes_;
   WaitState wait_;
   ProcessorState processor_;
-  ObjectMemory memory_;  // outlives the members below, whose memory may be in its heap
+  ObjectMemory memory_;  // must outlive the members below, which may use its heap
   std::vector<std::unique_ptr<SubjectState>> subjects_;
   std::vector<std::unique_ptr<ObserverState>> observers_;
   bool is_system_ = false;
@@ -342,7 +344,7 @@ class Object {
   EntryNames entry_names_;
   ObjectStatistics statistics_;
   SelfReply* self_reply_ = nullptr;
-  uint64_t waited_us_ = 0;  // has no meaning while passed_us_ is 0, so a delivery need not set it
+  uint64_t waited_us_ = 0;  // no meaning while passed_us_ is 0
   DeliveryState delivery_;
 
   // ---- The members of Object that the delivery of every message reads.  They lie on one cache

@@ -168,7 +168,7 @@ void ObjectManager::RunBoot(int robot, size_t findings_before) {
 void ObjectManager::RunBootAgain(int robot) {
   const size_t findings_before = system().findings().all().size();
   shutting_down_.erase(robot);
-  // Clears unreported_, the unknown services that may still become findings.  Its keys hold
+  // Clears unreported_, the unknown services that may still become findings, because its keys hold
   // addresses of connections, and LoadAgain() makes all connections of the robot anew.  No finding
   // is lost: unreported_ has only services of lost processes, and a robot with objects in other
   // processes does not boot again.
@@ -224,11 +224,11 @@ void ObjectManager::ReplaceAndBoot(std::vector<std::unique_ptr<Object>> fresh) {
   system().dispatcher().CheckDeliveries();
   for (const auto& object : fresh) starting_[object->id] = false;
   ObjectTable::Readies readies = system().object_table().Replace(std::move(fresh));
-  // Sends the readies that observers had asserted to an old object once more, to the new object,
-  // because these observers do not know of the replacement.  Sends them before DoInit, and the
-  // object manager keeps them back until the connections are made.  So if such an observer sends
-  // another ready or a deassert meanwhile, this message comes later and counts.  Leaves out an
-  // observer that is replaced too, because the new observer asserts ready in its own boot.
+  // Some observers have asserted ready to an old object and do not know that it was replaced.
+  // Sends their readies to the new object once more.  Sends them before DoInit; the object manager
+  // keeps them back until the connections are made.  So a ready or deassert that such an observer
+  // sends meanwhile comes later and replaces its old ready.  Leaves out an observer that is
+  // replaced too, because it asserts ready in its own boot.
   for (auto& [id, standing] : readies) {
     std::erase_if(standing, [&](const auto& one) { return readies.contains(one.observer); });
     system().object_table().AssertAgain(id, standing);
@@ -306,12 +306,12 @@ void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
 }
 
 // Returns whether `service` may be unknown only because the process of its object is lost.  The
-// object does not always have the first part of the service's name as its name.  So the object is
+// name of the object may differ from the first part of the service's name.  So the object is
 // searched for in two steps:
 // 1. the object whose name is the first part of the service's name,
 // 2. else the object of a registered service whose name has the same first part.
-// Returns whether this object is lost.  If both steps find no object, returns whether any object of
-// the robot is lost, because the service may belong to that object.
+// If an object is found, returns whether this object is lost.  Otherwise returns whether any object
+// of the robot is lost, because the service may belong to that object.
 bool ObjectManager::MayBeLost(int robot, const std::string& service) const {
   const std::string prefix = service.substr(0, service.find('.') + 1);
   bool has_lost = false;
@@ -338,12 +338,12 @@ void ObjectManager::ReportUnknown(const Connection& connection, const std::strin
       "OBJECT.CFG)";
   std::vector<std::string> known;
   const std::string object = service.substr(0, service.find('.') + 1);
-  std::string cause = object;  // becomes `service` below if the object has registered any service
+  std::string cause = object;  // replaced by `service` below if the object has registered a service
   const auto wanted = ParseServiceName(service, nullptr);
   for (const auto& [name, entry] : system().robot(connection.robot).directory) {
     known.push_back(name);
-    // Makes the service and not the object the cause of the finding, because the object is not
-    // missing: it has registered the service `name`.
+    // The object has registered the service `name`, so the object is not missing.  Makes the
+    // service the cause of the finding, and not the object.
     if (name.starts_with(object)) cause = service;
     const auto registered = ParseServiceName(name, nullptr);
     if (!wanted || !registered || !DifferInDataOnly(*wanted, *registered)) continue;
@@ -368,8 +368,8 @@ void ObjectManager::Connect(const Connection& connection) {
   if (observer == directory.end()) return;
 
   // Makes no connection to or from a lost process now; the connection is made when that process is
-  // back.  If the process of the subject is lost, the observer gets a connect message nevertheless,
-  // so that it keeps its readies for the subject.
+  // back.  If only the process of the subject is lost, sends the observer a connect message
+  // nevertheless, so that the observer keeps its readies for the subject.
   const auto is_subject_lost = [&] {
     return subject == directory.end() ? MayBeLost(connection.robot, connection.subject)
                                       : system().object(subject->second.first)->is_lost();

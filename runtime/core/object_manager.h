@@ -25,10 +25,10 @@ class ObjectManager : public CodeObject {
  public:
   ObjectManager();
 
-  // Each of the next five functions posts a message from the object manager to itself, so that the
-  // work is done in a handler, which can wait for replies.  They are called by System::Boot() and
-  // System::PostTask(), by ObjectTable::Reload(), when a robot shuts down, and when a robot boots
-  // again.
+  // The next five functions each post a message from the object manager to itself, so that the work
+  // is done in a handler, which can wait for replies.  System::Boot(), System::PostTask() and
+  // ObjectTable::Reload() call them.  They are also called when a robot shuts down and when it
+  // boots again.
   void PostBoot();
   void PostShutdown(int robot);
   void PostBootAgain(int robot);
@@ -118,11 +118,12 @@ class ObjectManager : public CodeObject {
   // true if the DoInit of the object has begun; then only readies are kept back.
   std::map<ObjectId, bool> starting_;
   bool are_connected_ = true;  // false while the connections of this boot are not made yet
-  // Each element is a connection and the name of one of its services, which was not registered when
-  // the connection had to be made.  Only services that may belong to a lost worker process are kept
-  // here (MayBeLost()): a restart of the process may register them.  After the restart,
-  // ReplaceAndBoot() reports the services that are still not registered.  The elements contain
-  // addresses, so the code never iterates over this set: the order would differ from run to run.
+  // Pairs of a connection and the name of one of its services, which was not registered when the
+  // connection had to be made.  Only services that may belong to a lost worker process are kept
+  // here (MayBeLost()), because a restart of the process may register them.  After the restart,
+  // ReplaceAndBoot() reports the services that are still not registered.  The order of the pairs
+  // differs from run to run, because it depends on addresses.  So the code never iterates over this
+  // set.
   std::set<std::pair<const struct Connection*, std::string>> unreported_;
 };
 

@@ -29,7 +29,7 @@ class ObjectMemory {
   void* NewPrivateRegion(size_t size);
   // Frees memory that NewPrivateRegion() has returned.  Returns false if `base` is no such memory.
   bool DeletePrivateRegion(void* base);
-  // Frees the memory that is not deleted yet.
+  // Frees all memory of NewPrivateRegion() that is not freed yet.
   void DeletePrivateRegions();
   // Nothing may depend on the order of the set, because addresses differ from run to run.
   const std::set<void*>& private_regions() const { return private_regions_; }

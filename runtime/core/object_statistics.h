@@ -17,8 +17,8 @@ class ObjectStatistics {
   const std::string& state() const { return state_; }
   void set_state(std::string state) { state_ = std::move(state); }
 
-  // Returns the number of data and messages that were lost: data that were dropped, for example
-  // because newer data replaced them, and messages that were refused or could not be delivered.
+  // Returns how many data and messages were lost: data that newer data replaced or that were
+  // dropped for another reason, and messages that were refused or could not be delivered.
   uint64_t dropped_count() const { return dropped_count_; }
   void NoteDropped(uint64_t count = 1) { dropped_count_ += count; }
 

@@ -22,10 +22,10 @@ namespace {
 bool IsOf(const OServiceEntry& entry, ObjectId id) { return ObjectIdOf(entry.GetOID()) == id; }
 
 // Gives up the regions that `observer` has received from the subjects for which `ends` returns
-// true, and calls `release` with the subject's RCRegion of each region.  Normally the observer
-// gives them back with its next ready message.  But the object of the observer or of the subject is
-// being replaced, so such a message never comes.  Keeps the regions that the observer's object
-// still reads.
+// true, and calls `release` with the subject's RCRegion of each region.  Needed if the object of
+// the observer or of a subject is being replaced: the observer's next ready message, which would
+// give the regions back, never comes then.  Keeps the regions that the observer's object still
+// reads.
 void ReleaseHeld(ObserverState* observer, const std::function<bool(const SubjectID&)>& ends,
                  const std::function<void(RCRegion*)>& release) {
   for (ObserverState::Held& held : observer->held) {
@@ -66,8 +66,8 @@ void Disconnect(Object* other, Object* gone) {
   }
 }
 
-// Takes the place in the ObjectTable of an object whose robot was switched off.  It keeps the id,
-// name and path of this object for the next boot.
+// Stands in the ObjectTable for an object whose robot was switched off.  An AbsentObject keeps the
+// id, name and path of this object for the next boot.
 class AbsentObject : public Object {
  public:
   explicit AbsentObject(const Object& gone) : Object(gone.system, gone.id, gone.robot) {
@@ -174,9 +174,9 @@ std::vector<OwnedMessage> ObjectTable::TakeMessagesTo(Object* object) {
   for (OwnedMessage& message : system_->queue().TakeIf(is_to_object)) {
     if (!message->is_reply) messages.push_back(std::move(message));
   }
-  // Subtracts only the messages that were taken so far from the count of waiting messages.  The
-  // messages in outboxes (posted by handlers whose processor time is not over), which are taken
-  // next, were never counted as waiting.
+  // The messages taken so far were counted as waiting, so subtracts their number.  The messages in
+  // outboxes (of handlers whose processor time is not over), which are taken next, were never
+  // counted.
   object->NoteTaken(static_cast<int>(messages.size()));
   for (const auto* const senders : {&objects_, &replaced_running_}) {
     for (const auto& sender : *senders) {
@@ -186,9 +186,9 @@ std::vector<OwnedMessage> ObjectTable::TakeMessagesTo(Object* object) {
   return messages;
 }
 
-// Removes the undelivered messages to `old`, an object that is being replaced (TakeMessagesTo()),
-// because `old` will not receive them.  Returns the readies that observers have sent to `old`: the
-// readies that `old` has received, and the readies among the removed messages.
+// Removes the undelivered messages to `old`, an object that is being replaced, because `old` will
+// not receive them (TakeMessagesTo()).  Returns all readies that observers have sent to `old`:
+// those that `old` has received, and those among the removed messages.
 std::vector<StandingReady> ObjectTable::EndMessagesTo(Object* old) {
   std::vector<StandingReady> readies = old->StandingReadies();
   for (const OwnedMessage& message : TakeMessagesTo(old)) {
@@ -204,10 +204,12 @@ std::vector<StandingReady> ObjectTable::EndMessagesTo(Object* old) {
 }
 
 // Keeps the regions of object `id` that are in undelivered notifications, so that the observers can
-// still read the data.  EndAllOf() deletes all regions that the object owns, so these regions get
-// no owner (kNoObject).  A notification may be undelivered because the observer waits in a handler
-// or for the processor, or because a gate keeps the notification.  The ready that later gives such
-// a region back deletes the region, if the object itself has kept no reference to it.
+// still read the data.  A notification may be undelivered because the observer waits in a handler
+// or for the processor, or because a gate keeps the notification.
+//
+// EndAllOf() deletes all regions that the object owns, so this function removes the owner of the
+// kept regions (kNoObject).  The ready that later gives such a region back deletes it, if the
+// object itself has kept no reference to it.
 void ObjectTable::KeepSentRegions(ObjectId id) {
   RegionTable& regions = system_->regions();
   const auto keep = [&regions, id](const Message& message) {
@@ -246,9 +248,9 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
   DisconnectOthersFrom(id);
   std::erase_if(system_->robot(old->robot).directory,
                 [&](const auto& entry) { return entry.second.first == id; });
-  // Ends everything that the old object still has in the System (EndAllOf()) if the old object is
-  // an image that is replaced or an object of a robot that was switched off.  For all other
-  // objects, whose process was lost, EndAllOf() was called before PostReplacement().
+  // Ends everything that the old object still has in the System, if the old object is an image or
+  // an object of a robot that was switched off.  All other objects have lost their process, and
+  // EndAllOf() was called for them before PostReplacement().
   if (old->is_image() || fresh->is_absent()) {
     KeepSentRegions(id);
     EndAllOf(id);
@@ -269,10 +271,9 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
 
 ObjectTable::Readies ObjectTable::Replace(std::vector<std::unique_ptr<Object>> fresh) {
   Readies readies;
-  // Marks all objects that will be replaced (Object::is_leaving()) before EndMessagesTo() takes the
-  // messages to them out of the queue and gives back the regions of notifications.  If the sender
-  // of a notification is marked, SendDeassert() gives its regions back by a direct call and not by
-  // a message, because a message to the marked sender would be lost.
+  // Marks all objects that will be replaced (Object::is_leaving()) before EndMessagesTo() gives
+  // back the regions of undelivered notifications.  To the sender of a notification that is marked,
+  // SendDeassert() gives the regions back by a direct call, because a message would be lost.
   for (const auto& object : fresh) {
     FlushStreams(Get(object->id));
     Get(object->id)->BeginReplacement();

@@ -18,8 +18,8 @@ class System;
 class ObjectTable {
  public:
   using Listener = std::function<void(ObjectId)>;
-  // The observers that are ready for the subjects of each object that is replaced.  The key is the
-  // id of this object.
+  // For each object that is replaced: the observers that are ready for its subjects.  The key is
+  // the id of the object.
   using Readies = std::map<ObjectId, std::vector<StandingReady>>;
 
   // `system` must outlive the table.
@@ -28,8 +28,8 @@ class ObjectTable {
   ObjectTable(const ObjectTable&) = delete;
   ObjectTable& operator=(const ObjectTable&) = delete;
 
-  // Adds `object` and returns it.  REQUIRES: IdFor() has returned object->id, and no other object
-  // was added with this id since.
+  // Adds `object`, whose id is a result of IdFor(), and returns it.  REQUIRES: no other object was
+  // added with this id since the call of IdFor().
   Object* Adopt(std::unique_ptr<Object> object);
   // Returns the id for a new object of `robot`.  `key` is the path of the object, or its name if it
   // has no path.  If an object with this key existed before the robot was switched off, returns the
@@ -39,7 +39,7 @@ class ObjectTable {
 
   // Returns the object with this id; null if there is no such object.
   Object* Get(ObjectId id) const {
-    const auto index = static_cast<size_t>(id);  // beyond the last object if `id` is negative
+    const auto index = static_cast<size_t>(id);  // a negative `id` becomes a large number
     return index < objects_.size() ? objects_[index].get() : nullptr;
   }
   // Returns the object with this id.  REQUIRES: Get(id) has returned an object at any time before.

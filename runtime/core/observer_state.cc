@@ -34,16 +34,16 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
   message->size = sizeof ready;
   message->kind = PayloadKind::kReady;
   // The number of regions that this ready gives back.  It gives back the regions that this object
-  // no longer uses, that is, to which the object holds no reference of its own.  A ready can give
-  // back MAX_NUM_DATA regions; the next ready gives back the other regions.
+  // no longer uses: those to which the object holds no reference of its own.  A ready can hold
+  // MAX_NUM_DATA regions; further regions are given back by the next ready.
   int count = 0;
   for (RCRegion* region : entry.regions) {
     if (region->NumberOfReference() > 1 || count == MAX_NUM_DATA) continue;
     ready.rcRegion[count++] = RegionAccess::SourceOf(region);
   }
   ready.numOfData = count;
-  // The ready is posted before this object gives up the regions, because the object keeps them if
-  // the ready is refused.
+  // Posts the ready before this object gives up the regions, because the object keeps them if the
+  // ready is refused.
   const sError error = system->PostAtOnce(std::move(message));
   if (error != sSUCCESS) [[unlikely]]
     return ReportRefusedReady(error);
@@ -53,10 +53,10 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
   constexpr int kTimesMax = 8;  // our choice: no program asserts ready more often on purpose
   entry.asserted = command == objcommCMD_ASSERT_READY ? entry.asserted + 1 : 0;
   if (entry.asserted == kTimesMax + 1 && !object->is_system()) ReportRepeatedReady(entry);
-  // Removes the regions that the posted ready gives back from `entry.regions`, the regions that the
-  // observer has received from the subject.  The ready gives back the first `count` regions to
-  // which the object holds no reference of its own.  No reference was added or removed since the
-  // ready was made, so this loop finds the same regions.
+  // Removes from `entry.regions` (regions received from the subject) the regions that the posted
+  // ready gives back: the first `count` regions to which the object holds no reference of its own.
+  // The references have not changed since the ready was made, so these are the same regions as in
+  // the ready.
   auto kept = entry.regions.begin();
   for (RCRegion* const region : entry.regions) {
     if (region->NumberOfReference() > 1 || count == 0) {
@@ -101,7 +101,8 @@ void ObserverState::RemoveSubjects(const std::function<bool(const SubjectID&)>& 
 
 void ObserverState::MissSubject(const std::string& subject_service) {
   for (const Missing& each : missing) {
-    // Keeps an older record of this subject, which may have a command to send to the subject.
+    // Keeps the record of this subject if there is one already, because it may have a command that
+    // must still be sent to the subject.
     if (each.service == subject_service) return;
   }
   missing.push_back({subject_service});

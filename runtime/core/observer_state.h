@@ -41,11 +41,11 @@ struct ObserverState {
     // The regions that this observer has received from the subject and has not given back yet,
     // oldest first.
     std::vector<RCRegion*> regions;
-    // The number of times that the observer has asserted ready to the subject without a deassert,
-    // and without a notification from any subject, in between.  A large number becomes a finding
-    // (ReportRepeatedReady()).  Notifications of other subjects count too, because many programs
-    // call AssertReady() without argument after each notification, which asserts ready to all
-    // subjects.
+    // Number of readies that the observer has asserted to the subject since its last deassert, and
+    // since the last notification from any subject.  A large number becomes a finding
+    // (ReportRepeatedReady()).  Notifications of other subjects set the number to 0, too, because
+    // many programs call AssertReady() without argument after each notification, which asserts
+    // ready to all subjects.
     int asserted = 0;
   };
   std::vector<Held> held;
@@ -61,9 +61,9 @@ struct ObserverState {
   struct Missing {
     std::string service;
     // The last command (ready or not ready) that the program has given for all subjects while this
-    // subject was missing; objcommCMD_UNDEF if the program has given none.  As soon as the subject
-    // is connected, the observer sends this command, because the program does not know that the
-    // subject was missing and so does not repeat the command.
+    // subject was missing; objcommCMD_UNDEF if it has given none.  The program does not know that
+    // the subject was missing, and so does not repeat the command.  So the observer sends the
+    // command as soon as the subject is connected.
     ObjcommCommand command = objcommCMD_UNDEF;
   };
   std::vector<Missing> missing;  // mostly empty

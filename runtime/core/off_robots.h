@@ -28,12 +28,13 @@ class OffRobots {
   // Returns the virtual time at which robot number `robot` boots.  REQUIRES: Contains(robot).
   int64_t BootUs(int robot) const;
 
-  // Each robot that is off has frames of its own; at the end of a frame its body moves (DoDue()).
-  // Returns the virtual time of the earliest such end; INT64_MAX if no frame will end.
+  // Returns the virtual time at which the next frame of a robot that is off ends; INT64_MAX if
+  // there is none.  Each robot that is off has frames of its own, at whose ends its body moves
+  // (DoDue()).
   int64_t NextUs() const;
-  // For each robot that is off and whose frame ends now: moves the robot's body, and posts the
-  // robot's boot if it is due.  The object manager may execute a posted boot later.  So a robot
-  // stays in robots_ until it really boots: RobotTable::LoadAgain() calls Remove().
+  // Moves the body of each robot that is off and whose frame ends now, and posts the robot's boot
+  // if it is due.  The object manager may execute a posted boot later.  So a robot stays in robots_
+  // until it really boots: then RobotTable::LoadAgain() calls Remove().
   void DoDue();
 
   void HashState(Hasher* hasher) const;

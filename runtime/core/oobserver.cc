@@ -45,9 +45,9 @@ void OObserver::SetSkip(size_t skip) { state_->skip = skip; }
 void OObserver::SetBufCtrlParam(size_t skip, size_t min, size_t max) {
   state_->skip = skip;
   state_->min = std::max<size_t>(min, 1);
-  // Raises `max`, the number of notifications that may wait for a ready, to at least `min`.  With a
-  // smaller maximum the subject would drop notifications before `min` of them are collected, and so
-  // never send any.
+  // Raises `max`, the number of notifications that may wait for a ready, to at least `min`, the
+  // number that the subject collects before it sends them.  With a smaller `max` the subject would
+  // drop notifications before it has collected enough, and never send any.
   state_->max = std::max(max, state_->min);
 }
 
@@ -86,17 +86,18 @@ SubjectID OObserver::FindSender(RCRegion* region) const {
 namespace {
 
 // Asks the subject at `entry` to add or remove this observer, as `control` says, and waits for the
-// reply.  Returns the reply, or nullopt if the process of the subject was lost before the subject
-// has answered: the runtime then answers with an empty message.  If the subject belongs to the same
-// object as the observer, calls the entry of the subject directly and sends no message.  The object
-// would handle a message only after this handler has ended, but this handler would wait for the
-// reply for ever.
+// reply.  Returns the reply; nullopt if the process of the subject is lost before the subject
+// answers, because the runtime then answers with an empty message.
+//
+// If subject and observer belong to the same object, calls the entry of the subject directly.  The
+// object could handle a message only after this handler has ended, but this handler would wait for
+// the reply for ever.
 std::optional<OControlReplyMessage> AskSubject(ObserverState* state, const OServiceEntry& entry,
                                                OControlMessage* control) {
   System* const system = state->system;
   OControlReplyMessage reply;
   std::memset(static_cast<void*>(&reply), 0, sizeof reply);
-  // Sets the status of the subject's reply to oFAIL.  If the subject's entry cannot be called, this
+  // Sets the status of the reply to oFAIL first.  If the subject's entry cannot be called, this
   // status remains, and the connection counts as refused.
   reply.status = oFAIL;
   const ObjectId target = ObjectIdOf(entry.GetOID());
@@ -134,9 +135,8 @@ std::optional<OControlReplyMessage> AskSubject(ObserverState* state, const OServ
 OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
   const ApiScope scope;
   const bool connect = msg.command == oconnectcmdCONNECT;
-  // Stores the name of the service, by which findings name this observer.  NameService() takes the
-  // name from the Connect entry that runs now.  The name is stored, because it cannot be found any
-  // more when this entry has returned.
+  // Stores the name of the service, by which findings name this observer.  NameService() finds the
+  // service by the Connect entry that runs now, so it cannot be called later.
   state_->service = state_->object->NameService(state_->id.GetSelector(), "Notify");
   OStatusMessage answer(status);
   if (status == oSUCCESS) {
@@ -154,8 +154,8 @@ OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
     const auto reply = is_lost ? std::nullopt : AskSubject(state_, msg.entry, &control);
     answer.status = reply ? reply->status : oFAIL;
     if (!reply) {
-      // Records a missing subject, because its process is lost and no reply has come.  Prints
-      // nothing, because the runtime itself reports the lost process.
+      // The process of the subject is lost, so no reply has come.  Records the subject as missing.
+      // Prints nothing, because the runtime itself reports the lost process.
       if (connect) state_->MissSubject(msg.subName);
     } else if (reply->status != oSUCCESS) {
       state_->system->Print(fmt::format(
@@ -196,13 +196,13 @@ void CheckUnchanged(ObserverState* state, const ONotifyMessage& notify) {
   // notification as addresses.
   if (!IsRunningMessage(*state->object, PayloadKind::kNotify)) return oUNKNOWN_COMMAND;
   if (state->system->options().guard_regions) CheckUnchanged(state, msg);
-  // Sets the counts of repeated readies to 0.  A count shows how often the observer has asserted
+  // Sets the counts of repeated readies to 0.  A count tells how often the observer has asserted
   // ready to one subject without getting a notification; a large count is probably a mistake in the
   // program.  A notification from one subject resets the counts for all subjects, because
-  // AssertReady() without argument asserts ready to all subjects.
+  // AssertReady() without argument asserts ready to all of them.
   for (ObserverState::Held& each : state->held) each.asserted = 0;
-  // Records from which subject the regions of this notification came, because the next ready to
-  // that subject gives them back.
+  // Records from which subject each region of this notification came, because the next ready to
+  // that subject gives the region back.
   ObserverState::Held& held = state->HeldOf(msg.subjectID);
   const int count = msg.numOfData;
   for (int i = 0; i < count; ++i) {

@@ -48,9 +48,9 @@ OStatus WithCopyOf(const void* bytes, size_t size, Set set) {
     std::memcpy(region->Base(), bytes, size);
     status = set(region);
   }
-  // Gives back the reference that the constructor of RCRegion took.  By now each ObserverLink (the
-  // subject's record of one observer) that got the data holds a reference of its own.  So the
-  // region lives until the last observer has given the region back.
+  // Gives back the reference that the constructor of RCRegion took.  Each ObserverLink (the
+  // subject's record of one observer) that got the data holds a reference of its own by now.  So
+  // the region lives until the last observer has given it back.
   region->RemoveReference();
   return status;
 }
@@ -248,8 +248,9 @@ OStatus OSubject::ControlHandler(const OControlMessage& msg, OStatus status) {
     case objcommCMD_ADDOBSERVER:
     case objcommCMD_ADDOBSERVER_SELF:
     case objcommCMD_ADDOBSERVER_V22: {
-      // Adds no ObserverLink (the subject's record of one observer) if the program refuses the
-      // observer or the observer is known already.  The reply then has the program's status.
+      // Adds no ObserverLink (the subject's record of one observer) if the program has refused the
+      // observer, or if there is one for this observer already.  The reply has the program's
+      // status.
       if (status != oSUCCESS || state_->Find(msg.observerID) != nullptr) break;
       ObserverLink& link = state_->links.emplace_back();
       link.observer = msg.observerID;
@@ -334,8 +335,8 @@ ObserverConstIterator OSubject::FindObserver(const ObserverID& id) const {
 }
 
 int OSubject::IsAnyReady() const {
-  // Returns the number of ready observers and not only 1, because Sony's library does so
-  // (measured.md 1.16).
+  // Counts all ready observers and does not stop at the first, because Sony's library returns their
+  // number (measured.md 1.16).
   int count = 0;
   for (const ObserverLink& link : state_->links) count += link.ready > 0;
   return count;

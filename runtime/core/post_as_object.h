@@ -22,8 +22,8 @@ struct ServiceEnd {
 };
 enum class ServiceSide { kSubject, kObserver };
 
-// Returns whether `name` names a service with the full name `service`.  `name` may be this full
-// name or its beginning up to a dot, such as "Blinker.Blink" for "Blinker.Blink.int.S".
+// Returns whether `name` names the service `service`, which is a full name.  `name` may be this
+// full name or its beginning up to a dot, such as "Blinker.Blink" for "Blinker.Blink.int.S".
 bool NamesService(std::string_view name, std::string_view service);
 
 // Returns the object and the entry of the service `name` of `robot`.  `side` says whether to search
@@ -34,12 +34,12 @@ std::optional<ServiceEnd> FindService(const System& system, int robot, std::stri
 // Returns the names of all subjects that are connected with `observer`, the name of an observer.
 std::vector<std::string> SubjectsOf(const System& system, int robot, std::string_view observer);
 
-// Posts a notification with one datum to `observer`, as if `subject` had sent it.  The notification
-// arrives even if the observer is not ready.  Returns "", or the reason why nothing was posted:
-// subject and observer are not connected, or the queue is full.
+// Posts a notification with the data `datum` to `observer`, as if `subject` had sent it.  The
+// notification arrives even if the observer is not ready.  Returns "", or the reason why nothing
+// was posted: subject and observer are not connected, or the queue is full.
 std::string PostNotification(System* system, const ServiceEnd& subject, const ServiceEnd& observer,
                              std::string_view datum);
-// If `is_ready`, posts a ready to `subject`, otherwise a deassert, as if `observer` had sent it.
+// Posts a ready, or a deassert if `is_ready` is false, to `subject`, as if `observer` had sent it.
 // Returns "", or the reason why nothing was posted: subject and observer are not connected, or the
 // queue is full.
 std::string PostReady(System* system, const ServiceEnd& observer, const ServiceEnd& subject,

@@ -33,7 +33,7 @@ struct Conversion {
   char type = '\0';
 };
 
-// Reads the conversion of a printf format that stands behind a '%', at `*at`, and moves `*at`
+// Reads the conversion that begins at `*at`, behind a '%' of a printf format, and moves `*at`
 // behind it.  The type is '\0' if the format ends before the type.
 Conversion ReadConversion(const char** at) {
   Conversion conversion;
@@ -47,8 +47,8 @@ Conversion ReadConversion(const char** at) {
   return conversion;
 }
 
-// Holds the list of arguments of a printf().  A function cannot take a va_list itself by pointer on
-// all processors, because a va_list may be an array; it can take a pointer to this struct.
+// Holds the list of arguments of a printf(), so that functions can take a pointer to it.  On some
+// processors a va_list is an array, so the address of a va_list parameter cannot be passed on.
 struct Arguments {
   va_list list;
 };
@@ -103,9 +103,9 @@ void ReportPrintedNaN(const char* format, va_list arguments) {
       const ApiScope scope;
       what = fmt::format("a NaN was printed{} (exception 15)", AtCaller());
     }
-    // StopAsTheRobotDoes() crashes, as the robot does at a NaN.  Sets Current::image_code, which
-    // the ApiScope in the SDK's function osysprint() has cleared, so that this crash counts as a
-    // crash of the object's code.
+    // StopAsTheRobotDoes() crashes, as the robot does at a NaN.  This crash must count as a crash
+    // of the object's code.  So sets Current::image_code again, which the ApiScope in the SDK's
+    // function osysprint() has cleared.
     t_current.image_code = true;
     StopAsTheRobotDoes(what);
   }

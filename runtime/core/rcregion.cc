@@ -110,9 +110,9 @@ void RCRegion::RemoveReference() {
   if (--count_ > 0) return;
   const ApiScope scope;
   // A received region is an RCRegion with a source_, the RCRegion of the subject.  The runtime
-  // holds one reference to a received region until the observer's next ready gives the region back.
-  // So if no reference is left here, the object has removed one too many.  The RCRegion is not
-  // deleted then, because the runtime still uses it.
+  // itself holds one reference to it until the observer's next ready gives the region back.  So if
+  // no reference is left here, the object has removed the runtime's reference.  The RCRegion is not
+  // deleted, because the runtime still uses it.
   const bool received = source_ != nullptr;
   if ((received || count_ < 0) && t_current.system != nullptr) {
     t_current.system->AddFinding(

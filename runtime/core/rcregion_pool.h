@@ -28,8 +28,8 @@ class RCRegionPool {
     block->next = t_free;
     t_free = block;
   }
-  // Calls `memory` for each piece of memory that belongs to the pool, and `used` for every RCRegion
-  // of the pool that was made and has not been deleted.
+  // Calls `memory` for each piece of memory that belongs to the pool, and `used` for each RCRegion
+  // in the pool that is in use.
   static void Visit(const std::function<void(const void* begin, size_t bytes)>& memory,
                     const std::function<void(const RCRegion* region)>& used);
 
@@ -44,9 +44,9 @@ class RCRegionPool {
   static void AddChunk();
 
   static thread_local constinit Block* t_free;  // the first free block of the pool
-  // The addresses of all chunks, the arrays of memory for RCRegions.  With this list, a leak
-  // checker finds that the chunks are reachable.  Otherwise it would report a chunk when an object
-  // has not deleted its regions.
+  // The addresses of all chunks, the arrays of memory for RCRegions.  By this list a leak checker
+  // sees that the chunks are still in use.  Without the list it would report a chunk in which an
+  // object has not deleted its regions.
   static thread_local constinit std::vector<Block*>* t_chunks;
 };
 

@@ -39,8 +39,8 @@ void RegionAccess::Complete(RCRegion* region) {
 void RegionAccess::GiveBack(System* system, RCRegion* received) {
   if (GuardPages* const guard = system->guard_pages()) [[unlikely]]
     guard->Retire(received->base_);
-  // Does the same as `delete received`, but without the destructor's test whether the region is a
-  // received region, because the caller knows that it is.
+  // Does the same as `delete received`, but without the destructor's test for a received region:
+  // the caller knows that `received` is one.
   system->UnpinRegion(received->id_);
   RCRegionPool::Give(received);
 }

@@ -21,8 +21,8 @@ struct RegionAccess {
   static RCRegion* Receive(System* system, const TransferedData& data);
   // Deletes `received`, an RCRegion that Receive() has made for an observer of `system`.
   static void GiveBack(System* system, RCRegion* received);
-  // Completes a new RCRegion that was made from a region id without its address or without its
-  // size: sets the missing values from the RegionTable.
+  // Sets the values that a new RCRegion lacks, because the program gave a region id without the
+  // address or without the size.  Takes these values from the RegionTable.
   static void Complete(RCRegion* region);
   // The next two functions do what the functions of RCRegion with these names do.  They are inline,
   // because they run for every notification.

@@ -20,13 +20,13 @@ constexpr size_t kMapBytes = 64 << 10;
 constexpr size_t kKeepBytes = 256 << 10;
 // The largest sum of bytes of the free cells that stay mapped (RegionMemory::kept_bytes_).  A cell
 // is the memory for one region; each slot (index of a region) of the RegionTable has its own cells.
-// After a reboot of the robot the same regions get other slots, and so other cells.  Without a
-// limit each reboot would leave the cells of the old slots mapped.  Cells smaller than kMapBytes
-// are always kept and do not count.
+// After a reboot of the robot the same regions get other slots, and so other cells.  So without a
+// limit, each reboot would leave more unused cells mapped.  Cells smaller than kMapBytes are always
+// kept and do not count.
 constexpr size_t kKeptBytesMax = 1 << 20;
 
 // Sets flag `index` (of a slot or a piece of memory) of the list `flags` to `value`.  Flags beyond
-// the end of the list are false.  So the list grows only when needed: most runs use few of the
+// the end of the list are false, so the list is only as long as needed: most runs use few of the
 // 65,536 slots.
 void Set(std::vector<bool>* flags, size_t index, bool value) {
   if (index >= flags->size()) flags->resize(index + 1);

@@ -51,7 +51,7 @@ class RegionMemory {
   void RemoveFromKept(const Cell& cell);
 
   struct Cells {
-    std::vector<bool> in_use;  // by slot: whether the slot's cell of this class is in use
+    std::vector<bool> in_use;  // whether the cell of each slot is in use
     // Tells for each piece of memory whether the piece is mapped.  A piece has kMapBytes and holds
     // several cells (a cell is the memory for one region).  If a cell of this size class has
     // kMapBytes or more, each cell is a piece.

@@ -25,9 +25,9 @@ int32_t RegionShares::Check(ObjectId self, uint32_t region, MemoryProtectionInfo
 }
 
 // Returns the record of the rights of `object` to `region`, and adds this record if there is none.
-// Before that, removes the records of deleted regions if shares_ has grown to cleanup_size_.  The
-// deletion of a region does not remove its records, because regions are deleted for many messages,
-// and few programs use rights.
+// If shares_ has grown to cleanup_size_, first removes the records of deleted regions.  The
+// deletion of a region does not remove them, because regions are deleted for many messages, and few
+// programs use rights.
 RegionShares::Share& RegionShares::ShareOf(uint32_t region, ObjectId object) {
   if (const auto found = shares_.find({region, object}); found != shares_.end())
     return found->second;
@@ -55,8 +55,8 @@ int32_t RegionShares::Allow(ObjectId self, uint32_t region, MemoryProtectionInfo
   if (other == kNoObject) return sINVALIDOID;
   ShareOf(region, other).allowed = info;
   if (giving_ownership) {
-    // The old owner, which gives the region to `other`, may still read and write the region, and
-    // counts as attached (AttachMemoryRegion()).
+    // The old owner (`self`), which gives the region to `other`, may still read and write the
+    // region.  It counts as attached (AttachMemoryRegion()).
     ShareOf(region, self) = {MEMPROTINFO_RW, true};
     regions_->SetOwner(region, other);
   }

@@ -173,17 +173,16 @@ bool RegionTable::WasDeleted(uint32_t id) const {
   if (index >= slots_.size()) return false;
   const Slot& slot = slots_[index];
   const uint32_t generation = id >> 16;
-  // The generation of a slot counts the regions that the slot has had.  So an id with a smaller
-  // generation than that of its slot names an earlier region, which was deleted.
+  // The generation of a slot counts the regions that the slot has had.  An id with a smaller
+  // generation than that of its slot names an earlier region of the slot, which was deleted.
   return slot.is_reusable && generation > 0 &&
          (generation < slot.generation || (generation == slot.generation && !slot.live));
 }
 
 std::pair<const void*, int> RegionTable::MostCommonPlace() const {
-  // Counts how many regions each instruction has made.  The counts are in the order in which the
-  // slots name the instructions, and not in the order of the instructions' addresses.  The order of
-  // addresses would differ from run to run, so the choice between two equal counts would differ,
-  // too.
+  // Counts how many regions each instruction has made.  The order of the counts is that in which
+  // the slots name the instructions.  The order of the instructions' addresses would differ from
+  // run to run, and so would the choice between two equal counts.
   std::vector<std::pair<const void*, int>> counts;
   for (const Slot& slot : slots_) {
     if (!slot.live || slot.made_at == nullptr) continue;

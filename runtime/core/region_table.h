@@ -32,16 +32,18 @@ class RegionTable {
   RegionTable& operator=(const RegionTable&) = delete;
 
   static constexpr uint32_t kNoRegion = 0;
-  static constexpr uint16_t kGenerationMax = 0xffff;  // the id of a region has 16 bits for it
+  static constexpr uint16_t kGenerationMax = 0xffff;  // the generation has 16 bits of an id
 
   // Makes region `id` for an object in this process.  Used only in the table of a worker process,
   // for which the table of the master process has chosen the id.  Returns null if there is no
   // memory.
   char* AdoptOwn(uint32_t id, size_t size, ObjectId owner);
   // Returns memory for a copy of region `id` of another process; the caller puts the bytes into it.
-  // Used only in the table of a worker process.  The caller must at once keep the memory with
-  // KeepCopy().  After the last DropCopy() the memory is free.  At first the memory holds zeros, or
-  // the bytes of an earlier copy of the same region.  Returns null if there is no memory.
+  // Used only in the table of a worker process.  At first the memory holds zeros, or the bytes of
+  // an earlier copy of the same region.  Returns null if there is no memory.
+  //
+  // The caller must call KeepCopy() at once.  After the last DropCopy() the memory may be used
+  // again.
   char* AdoptCopy(uint32_t id, size_t size);
   void KeepCopy(uint32_t id) { Pin(id); }
   void DropCopy(uint32_t id) { Unpin(id); }
@@ -91,15 +93,15 @@ class RegionTable {
   ObjectId OwnerOf(uint32_t id) const;
   // Returns the object that made the region, even if another object owns it now.  In a run with
   // several processes, the bytes of the region are in the process of this object.  Returns
-  // kNoObject if the region was deleted or its maker has ended.  Also returns kNoObject for a
-  // region of EarlyWork, which a new image has made before the object that it
-  // replaces ends: both have the same id, so this end removes the maker of the region.
+  // kNoObject if the region was deleted, or if its maker has ended.  Also returns kNoObject for a
+  // region that the constructors of a new image have made before the old object with the same id
+  // has ended (EarlyWork), because this end is taken for the end of the maker.
   ObjectId MakerOf(uint32_t id) const;
   void SetOwner(uint32_t id, ObjectId owner);
 
-  // Changes the size of a region.  If `size` is 0 or more than the size with which the region was
-  // made, returns false and changes nothing.  A region keeps its address, so it cannot grow beyond
-  // its memory.
+  // Changes the size of a region.  A region keeps its address, so it cannot grow beyond its memory:
+  // if `size` is more than the size with which the region was made, or 0, returns false and changes
+  // nothing.
   bool Resize(uint32_t id, size_t size);
 
   // Returns whether a program has written beyond the end of region `id`, that is, whether the bytes
@@ -107,7 +109,7 @@ class RegionTable {
   // which reports such a write itself.
   bool WrittenBeyond(uint32_t id) const;
 
-  // Pin() keeps the memory of a region that is still being read, until Unpin().  Both functions
+  // Pin() keeps the memory of a region that is still being read; Unpin() ends this.  Both functions
   // return false for an unknown id.  An unknown id is no error, because an RCRegion may refer to
   // memory that is not in this table.
   bool Pin(uint32_t id) {
@@ -126,8 +128,8 @@ class RegionTable {
   // Returns the number of live regions that `owner` owns.
   int CountOf(ObjectId owner) const;
   int live_count() const { return live_count_; }
-  // Returns the number of slots with memory: slots of live regions, of pinned regions, and of
-  // copies of data from another process that nobody reads at present (Slot::is_idle).
+  // Returns the number of slots with memory: those of live regions, of pinned regions, and of
+  // copies of data from another process that nobody reads now (Slot::is_idle).
   int used_count() const;
 
   // Calls `visit` for every live region of `owner`.
@@ -141,9 +143,10 @@ class RegionTable {
   // A slot, the table's record of one region, fills one cache line, so that finding a region reads
   // memory once.
   struct alignas(64) Slot {
-    // The id by which RegionTable::Find() finds the region in this slot.  kNoRegion if the slot has
-    // no memory.  Also kNoRegion if the slot has only a copy of a region of another process that no
-    // observer reads at present (`is_idle`), because the bytes of such a copy may be out of date.
+    // The id of the region in this slot; kNoRegion if the slot has no memory.  Also kNoRegion if
+    // the slot has only a copy of a region of another process that no observer reads now
+    // (`is_idle`).  Then RegionTable::Find() must not find the copy, because its bytes may be out
+    // of date.
     uint32_t id = kNoRegion;
     int pins = 0;
     char* base = nullptr;
@@ -189,16 +192,15 @@ class RegionTable {
 
   RegionMemory memory_;
   std::vector<Slot> slots_;
-  // Memory of copies of regions of another process that could not be freed: when another region got
-  // the slot of such a copy, an observer still read the copy (it was pinned).  This happens only if
-  // a subject is replaced while an observer in this process still reads its data.  The memory is
-  // freed when the table is destroyed.
+  // Memory of copies of regions of another process that an observer still read when another region
+  // got the slot of the copy.  This happens only if a subject is replaced while an observer in this
+  // process still reads its data.  The memory is freed when the table is destroyed.
   std::vector<char*> pinned_deleted_;
   const uint16_t generation_max_;
   std::vector<uint32_t> free_;  // indices of the slots that New() may use again
-  // Indices of the slots whose ids were all given, the first one first.  New() uses such a slot
-  // again only if no other slot is left, because its ids then name other regions than before.  A
-  // program, or RegionShares, may still have an id of a deleted region.
+  // Indices of the slots that have used up all their ids, in the order in which this happened.
+  // New() uses such a slot again only if no other slot is left: its ids then name other regions
+  // than before, but a program, or RegionShares, may still have an id of a deleted region.
   std::deque<uint32_t> used_up_;
   int live_count_ = 0;  // number of live regions
 };

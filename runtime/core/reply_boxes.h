@@ -23,8 +23,8 @@ class ReplyBoxes {
     ASSERT(box != 0 && is_new, "box {} is opened again", box);
     last_ = std::max(last_, box);
   }
-  // Opens a box without a change of last(), because its number does not follow the numbers of the
-  // other boxes.
+  // Opens a box whose number does not follow the numbers of the other boxes.  So last() does not
+  // change.
   void OpenApart(uint64_t box) { open_.insert(box); }
   bool IsOpen(uint64_t box) const { return open_.contains(box); }
   // Closes a box and drops its reply.  Returns true if the object has ordered reply events for the

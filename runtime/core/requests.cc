@@ -42,18 +42,18 @@ OwnedMessage Requests::Await(uint64_t box, int64_t timeout_us, std::string_view 
   *timed_out = message->kind == PayloadKind::kHashed && message->sender == self->id;
   if (*timed_out) {
     // The wait has ended without a reply: at the time-out by the message `wake`, or by another
-    // message because the request was refused (cpu.h).  In the second case `wake` is still queued,
-    // and is removed here.  The box stays open, because the reply may still come after a time-out.
+    // message because the request was refused (cpu.h).  In the second case `wake` is still in the
+    // queue, so removes it.  The box stays open, because the reply may still come after a time-out.
     if (wake != nullptr && wake != message.get())
       system_->queue().TakeIf([wake](const Message& m) { return &m == wake; });
     return message;
   }
-  // Removes `wake`, the message that would end the wait at the time-out, because the reply came
-  // before.
+  // The reply came before the time-out.  Removes `wake`, the message that would have ended the
+  // wait.
   if (wake != nullptr) system_->queue().TakeIf([wake](const Message& m) { return &m == wake; });
-  // Closes the box and removes the reply events that the object has ordered for this reply and that
-  // were not posted: the reply has ended the wait of the handler instead.  These events can never
-  // be posted any more, but would count among the events of the object.
+  // Closes the box, because the reply has ended the wait of the handler.  Reply events (messages
+  // that the object has ordered for this reply) can never be posted any more.  Removes them,
+  // because they would still count among the events of the object.
   if (self->boxes().Close(box)) system_->time_events().ForgetBox(self->id, box);
   return message;
 }
@@ -81,12 +81,12 @@ int32_t Requests::Call(ObjectId target, uint32_t selector, const void* data, siz
   const std::string why =
       fmt::format("the answer of {} ({})", callee->name, callee->EntryName(selector));
   // Waits again after a time-out if the receiver of the request (`target`) itself waits for
-  // something that takes wall time (is_untimed).  The time-out is in virtual time, so in this case
-  // it does not tell that the receiver takes too long.
+  // something that takes wall time (is_untimed).  The time-out is in virtual time, so it does not
+  // show then that the receiver takes too long.
   for (;;) {
     const int32_t result = Wait(box, reply, reply_size, nullptr, timeout_us, why);
-    // Does not repeat a wait without a limit (timeout_us < 0), because such a wait ends with
-    // sTIMEOUT only if the request was refused (cpu.h).
+    // Does not wait again after a wait without a limit (timeout_us < 0), because such a wait ends
+    // with sTIMEOUT only if the request was refused (cpu.h).
     const bool may_repeat = timeout_us >= 0 && system_->object(target)->wait().is_untimed();
     if (result != sTIMEOUT || !may_repeat) return result;
   }
@@ -125,8 +125,8 @@ int32_t ReplyToRequest(const void* data, size_t size) {
   if (object == nullptr) return sFAIL;
   if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;
   // If an observer and a subject of the same object are connected, the object calls the entry of
-  // its subject directly and sends no request.  The reply is then copied to the memory that this
-  // call has given (self_reply).
+  // its subject directly and sends no request.  The caller has given memory for the reply
+  // (self_reply), so copies the reply there.
   if (object->self_reply() != nullptr) {
     std::memcpy(object->self_reply()->data, data, std::min(size, object->self_reply()->size));
     return sSUCCESS;

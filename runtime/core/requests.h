@@ -56,8 +56,8 @@ class Requests {
   ReplyTicket TakeTicket();
 
   // Sends a reply with the `size` bytes at `data`.  If these bytes hold addresses, the caller gives
-  // a `payload_hash`, which the trace of the run then has in place of a hash of the bytes.  If
-  // `payload_hash` is 0, the bytes themselves are hashed.
+  // a `payload_hash`, which the trace then has in place of a hash of the bytes.  With a
+  // `payload_hash` of 0 the bytes are hashed.
   int32_t Reply(const ReplyTicket& ticket, const void* data, size_t size,
                 uint64_t payload_hash = 0);
 

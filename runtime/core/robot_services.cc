@@ -5,8 +5,8 @@
 namespace openr_host {
 namespace {
 
-// Does nothing with the parameters of a function.  The compiler warns of parameters that a function
-// never uses, and most functions of a robot without devices use none.
+// Uses the parameters of a function and does nothing.  The compiler warns of parameters that are
+// never used, and most functions of a robot without devices use none.
 template <typename... Parameters>
 void UseNothing(const Parameters&...) {}
 
