@@ -74,10 +74,10 @@ class Marshaller {
   struct ExportedRegion {
     RCRegion* region;
     size_t size;
-    int32_t subject;             // the object that has the sending subject
-    uint32_t subject_selector;   // the selector of the subject in this object
-    int32_t observer;            // the object that has the receiving observer
-    uint32_t observer_selector;  // the selector of the observer in this object
+    int32_t subject;             // id of the object whose subject has sent the region
+    uint32_t subject_selector;   // selector of this subject in its object
+    int32_t observer;            // id of the object whose observer receives the region
+    uint32_t observer_selector;  // selector of the receiving observer in its object
   };
   // Returns all regions that were sent to the peer and not given back, and forgets them.  Called
   // when the peer is lost, because a lost peer gives no region back.

@@ -88,8 +88,8 @@ void ProcessSlot::Abandon() {
 }
 
 // Tells abandoned workers (which the master has given up) that the run goes on without them.  A
-// worker that was unreachable only for a short time does not take the master for dead.  Without
-// this notice, such a worker would wait for work for ever.
+// worker that was unreachable only for a short time does not know that it was given up.  Without
+// this notice, it would wait for work for ever.
 void ProcessSlot::NotifyAbandoned() {
   std::erase_if(abandoned_, [](const AbandonedWorker& abandoned) {
     return abandoned.is_notified && !abandoned.channel->IsConnected();

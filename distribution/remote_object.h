@@ -34,8 +34,8 @@ class RemoteObject : public Object {
 
   RemoteProcess* process() const { return process_; }
   void set_selectors(std::set<uint32_t> selectors) { selectors_ = std::move(selectors); }
-  // Copies the properties (limits, entries and their names) that the worker reports after it has
-  // loaded the object.
+  // Stores what the worker reports about the object after it has loaded the object: its priority,
+  // its memory sizes, and its entries with their names.
   void SetDescription(const openr_wire_LoadedObject& loaded);
 
   // Number of messages that came for the object after its worker was lost.  No handler ran for

@@ -146,7 +146,7 @@ std::string SeenMessage::Text() const {
                   ShortName(from()), ShortName(to()), entry(), size_);
   if (number_ != 0) text = fmt::format("#{} {}", number_, text);
   if (cause_ != 0) text += fmt::format(", caused by #{}", cause_);
-  // Adds no data of a ready, because the word "ready" or "not ready" is in the text already.
+  // The text about a ready ends here: it already says "ready" or "not ready".
   if (kind_ == MessageKind::kReady || kind_ == MessageKind::kNotReady) return text;
   const std::string content = openr_host::OneLineOf(openr_host::DecodeReceived(
       *system_, target_, kind_ == MessageKind::kReply ? UNDEF : selector_, Content()));

@@ -110,7 +110,7 @@ class McapReader {
 
   void ReadChunk(RecordFields* record) {
     if (depth_ > 0) Refuse("has a chunk within a chunk, which the format forbids");
-    record->ReadBytes(8 + 8 + 8);  // skips two times and a size of the chunk, which are not needed
+    record->ReadBytes(8 + 8 + 8);  // skips the start time, end time and size of the chunk
     const uint32_t crc = record->U32();
     const std::string_view compression = record->Text();
     if (!compression.empty()) {

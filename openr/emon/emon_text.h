@@ -30,8 +30,8 @@ struct CrashExplanation {
   // return address.  Some of these calls may be left from functions that had already returned.
   std::vector<CodePlace> calls;
   bool has_more_calls = false;  // true: more calls were found, and left out of `calls`
-  // Reason why the instruction that failed, its function or its line is not known; "": nothing is
-  // missing.
+  // Reason why the explanation lacks the instruction that failed, its function or its line; "" if
+  // it lacks nothing.
   std::string problem;
 };
 

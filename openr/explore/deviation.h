@@ -38,7 +38,7 @@ struct Deviation {
   // meant.  For kFault, the fault comes at this time.  For kDelay and kCost, the time is only for
   // people.  For kStart and kFrame, it is not used.
   int64_t time_us = 0;
-  uint64_t nth = 0;  // number that is called nth in the comments of Kind; counted from 0
+  uint64_t nth = 0;  // the n of "the nth call" in the comments of Kind, counted from 0
   ObjectId object = kNoObject;
   ObjectId sender = kNoObject;
   uint32_t selector = 0;

@@ -12,8 +12,8 @@ constexpr size_t kSamplesMin = 10;
 // misfit is 0 if the follower repeats the leader's movement exactly.  A larger misfit means that
 // the follower does not follow the leader.
 constexpr double kMisfitMax = 0.25;
-// Misfits of the movements of two robots count as equally good if they are above the smallest
-// misfit by at most this much.
+// A misfit (difference between the movements of two robots) counts as equally good as the smallest
+// one if it is at most this much larger.
 constexpr double kNearBest = 0.05;
 
 }  // namespace

@@ -216,8 +216,8 @@ void Runner::RunFreely(int64_t stop_us, Pacer* pacer) {
 }
 
 // If the run is paused, makes the step that a user has asked for, or waits a moment for such a
-// request.  Returns false if the run is not paused.  After the pause button of the robot was
-// pressed, the run is never paused, because the user wants it to end.
+// request.  Returns false if the run is not paused.  Also returns false after the robot's pause
+// button was pressed: this button shuts the robot down, so the user wants the run to end.
 bool Runner::WaitWhilePaused(Pacer* pacer) {
   if (plan_.clock == nullptr || !plan_.clock->paused() || pause_pressed_us_ >= 0) return false;
   constexpr int kWaitMs = 50;  // longest time for which Ctrl-C and typed text may go unnoticed
