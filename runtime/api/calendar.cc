@@ -8,7 +8,7 @@ namespace {
 constexpr int64_t kDaysIn400Years = 146097;
 constexpr int kSaturday = 6;
 
-// Divides and rounds down, also if `dividend` is negative.  The operator / would round such a
+// Divides and rounds down, also if `dividend` is negative.  The operator / would round a negative
 // quotient up.
 int64_t FloorDiv(int64_t dividend, int64_t divisor) {
   const int64_t quotient = dividend / divisor;

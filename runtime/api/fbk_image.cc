@@ -39,9 +39,9 @@ BandPlace PlaceOf(ODataType type, OFbkImageBand band) {
 
 // The size of the tag in bytes.  The tag is information about the image, which the camera writes
 // over the first 16 pixels of the last row (robot.md, 11.2).  Bytes 0 and 1 are the field counter,
-// the camera's count of its pictures.  Bytes 4 to 7 are for channels 4 to 7 of colour detection,
-// bytes 8 to 11 for channels 0 to 3: the number of pixels that a channel has detected, divided by
-// 16.
+// the camera's count of its pictures.  Each byte from 4 on tells how many pixels one channel of
+// colour detection has detected, divided by 16: bytes 4 to 7 for channels 4 to 7, bytes 8 to 11 for
+// channels 0 to 3.
 constexpr int kTagSize = 16;
 constexpr int kFrequencies4To7 = 4;
 constexpr int kFrequencies0To3 = 8;

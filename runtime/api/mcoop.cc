@@ -162,9 +162,9 @@ sError Reply(void* msg, size_t size) {
   return ReplyToRequest(msg, size);
 }
 
-// Passes to object `oid` the request that the running handler has received.  Object `oid` then
-// replies in place of this object.  The reply goes directly to the object that sent the request,
-// because the new message carries the sender and the reply box of the request.
+// Passes the request that the running handler has received to object `oid`, which then replies in
+// place of this object.  The reply goes directly to the object that sent the request, because the
+// new message carries the sender and the reply box of the request.
 sError Delegate(OID oid, Selector selector, void* msg, size_t size) {
   const ApiScope scope;
   if (t_current.object == nullptr) return sFAIL;

@@ -111,8 +111,7 @@ sError GetPageSize(size_t* size) {
   return sSUCCESS;
 }
 
-// Sets `*size` to the free part of the robot's memory.  Only the heaps of the robot's objects count
-// as used.
+// Sets `*size` to the robot's memory minus the heaps of its objects.
 sError GetFreeMemorySize(size_t* size) {
   if (t_current.object == nullptr || size == nullptr) return sINVALIDARG;
   const size_t used = t_current.system->robot(t_current.object->robot).memory.used_bytes;

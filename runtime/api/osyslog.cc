@@ -66,8 +66,8 @@ OStatus osyslog(OSyslogPriority priority, const char* format, ...) {
   openr_host::Object* const object = t_current.object;
   NoteState(object, priority, text);
   if (system == nullptr) return oFAIL;
-  // Prints no error, warning or info message whose priority number is above the user's log level.
-  // Debug messages, whose priorities are the largest numbers, are always printed.
+  // Does not print a message whose priority number is above the user's log level.  Debug messages,
+  // whose priorities are the largest numbers, are always printed.
   if (priority > system->options().log_level && priority <= osyslogINFO) return oSUCCESS;
   char line[osyslogMAX_SIZE + 40];
   std::snprintf(line, sizeof line, "[oid:%08x,prio:%d] %s%s",

@@ -24,8 +24,8 @@ inline char* NewSharedMemory(size_t bytes, MemoryRegionID* id) {
 }
 
 // Deletes the region `id` for the current object.  Returns false if there is no such region.  If
-// the region was deleted before, also adds a finding, because the robot only returns an error and
-// programs seldom check it.
+// this region was deleted before, also adds a finding, because on the robot programs only get an
+// error, which they seldom check.
 inline bool DeleteSharedMemory(MemoryRegionID id) {
   if (t_current.system->calls().DeleteRegion(id)) return true;
   if (t_current.system->regions().WasDeleted(id))

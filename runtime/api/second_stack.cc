@@ -23,8 +23,9 @@ using openr_host::t_current;
 // an ApiScope the function `body` would count as code of the runtime, and would use the heap and
 // files of the host.
 struct OpenrSecondStack {
-  // Like the stack of handlers, this stack lies at addresses that are planned for the object
-  // (core/address_plan.h).  It is cleared after use, so that its content is the same in every run.
+  // The second stack lies at addresses that are planned for the object (core/address_plan.h), as
+  // the stack of handlers does.  It is cleared after use, so that its content is the same in every
+  // run.
   openr_host::HandlerStack stack{Address()};
   openr_host::Fiber fiber;        // calls the function `body` on `stack`
   openr_host::MainFiber handler;  // the handler that switched to `stack`

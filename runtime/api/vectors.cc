@@ -77,8 +77,8 @@ OStatus NewVector(ODataType type, size_t info_size, size_t bytes, size_t count, 
   return oSUCCESS;
 }
 
-// Deletes the vector in region `id`.  If the region is no vector of type `type`, returns the error
-// `unknown`, because each OPENR::Delete... function has an error of its own for this case.
+// Deletes the vector in region `id`.  If the region is no vector of type `type`, returns `unknown`,
+// the error that the calling OPENR::Delete... function has for this case.
 OStatus DeleteVector(MemoryRegionID id, ODataType type, OStatus unknown) {
   const RegionTable& regions = t_current.system->regions();
   // If the region was deleted before, calls DeleteSharedMemory(), which then only adds a finding

@@ -38,7 +38,8 @@ class Hasher {
   // hashes.
   void AddText(std::string_view text);
 
-  // Returns the 64-bit hash of all bytes added so far; more may be added afterwards.
+  // Returns the 64-bit hash of all bytes that were added until now.  More bytes may be added
+  // afterwards.
   uint64_t Digest() const;
 
  private:

@@ -52,8 +52,8 @@ int Lock(const std::string& path) {
   return -1;
 }
 
-// Returns whether other computers may use the file system of `folder`, too.  This computer may not
-// see the locks of other computers, so a folder without a lock may still be in use.
+// Returns whether other computers may use the file system of `folder`, too.  Locks of other
+// computers may be invisible here, so a folder without a lock may still be in use.
 bool IsOnNetwork(const fs::path& folder) {
   constexpr uint32_t kCifs = 0xff534d42;  // not in linux/magic.h
   struct statfs facts {};

@@ -30,7 +30,7 @@
 // Replacements for the operators a <? b (minimum) and a >? b (maximum) of g++ 3.3, and for a <?= b
 // and a >?= b, which assign the result to a.  Today's compilers do not know these operators, so
 // `openr build` replaces, for example, a <? b by a <openr_old::minimum> b.  The operators < and >
-// below give the new expression the value of the old expression.
+// that are defined below compute the result of this expression.
 namespace openr_old {
 
 enum Minimum { minimum };

@@ -32,7 +32,8 @@ struct AddressConfig {
 // Returns an address as text, such as "10.0.1.2" for 0x0a000102.
 std::string AddressText(uint32_t ip);
 
-// Parses a pair such as "10.0.1.2=127.0.0.1".  Returns "" or the reason why `text` is invalid.
+// Parses a pair of addresses such as "10.0.1.2=127.0.0.1" into `*pair`.  Returns "" or the reason
+// why `text` is invalid.
 std::string ParseAddressPair(std::string_view text, AddressPair* pair);
 
 // Appends `pair` to `pairs` and returns "".  If the robot address of `pair` is in `pairs` already,

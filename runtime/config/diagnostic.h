@@ -13,9 +13,9 @@ enum class Severity {
   kNote,     // a note: nothing is wrong
 };
 
-// A position in a text file.  The results of parsers, such as the name of a service, contain the
-// positions from which they were read.  So a later message about the service ("no such service")
-// can name the right line and show a caret.
+// A position in a text file.  The results of parsers, such as the name of a service, keep the
+// position where they were read.  So a later message about the service ("no such service") can name
+// the right line and show a caret.
 struct FilePosition {
   std::string file;  // the name of the file, as the caller gave it
   int line = 0;      // counted from 1; 0 means the file as a whole
@@ -23,7 +23,7 @@ struct FilePosition {
   std::string text;  // the line, without its end
 };
 
-// Returns the position of column `column` in the same line of the file as `place`.
+// Returns a position in the same line as `place`, but at column `column`.
 FilePosition AtColumn(FilePosition place, int column);
 
 struct Diagnostic {

@@ -13,7 +13,7 @@ namespace openr_host {
 namespace {
 
 // The port of the robot's wireless console (Installation Guide 3.2.1).  A service of the gateway on
-// this port causes a warning, because the console already uses the port.
+// this port gets a warning, because the console already uses the port.
 constexpr int kConsolePort = 59000;
 
 // Returns true if `text` is an IPv4 address, but not 0.0.0.0, which is the address of no computer.

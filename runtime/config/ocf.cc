@@ -137,9 +137,9 @@ bool FieldReader::ReadChoice(const char* what, const char* yes, const char* no) 
   return field.text == yes;
 }
 
-// Reads the field of the .ocf file that must be "cache" or "nocache".  Any other word counts as
-// "nocache" and only gets a warning, because gensnap, a tool of the SDK, accepts every word and
-// silently treats it as "nocache".
+// Reads the field of the .ocf file that must be "cache" or "nocache".  Any other word is taken for
+// "nocache" and gets a warning, but no error, because gensnap, a tool of the SDK, silently takes it
+// for "nocache", too.
 bool FieldReader::ReadCache() {
   const Field& field = ReadField();
   if (field.text != "cache" && field.text != "nocache") {

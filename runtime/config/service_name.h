@@ -16,7 +16,7 @@ struct ServiceName {
   // Name of the object in a service name, used only to find the service.  It may differ from
   // ObjectName in stub.cfg.
   std::string object;
-  // Second part of the name.  For the service Move, def.h has the constant sbjMove or obsMove.
+  // Second part of the name, such as Move.  For Move, def.h has the constant sbjMove or obsMove.
   std::string short_name;
   std::string data;      // data type: any text without a dot, equal at both ends of a connection
   char direction = 'S';  // 'S': subject, 'O': observer

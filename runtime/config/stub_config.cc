@@ -96,8 +96,8 @@ void StubParser::ReadLine(const FilePosition& place) {
   }
 }
 
-// Tracks whether the lines of the stub.cfg are between /* and */.  Only Sony's stub generator for
-// PCs treats these lines as a comment; the generator for the robot reads them.  So this parser
+// Tracks whether the lines of the stub.cfg are between /* and */. Sony's stub generator for PCs
+// ignores these lines as a comment, but the generator for the robot reads them.  So this parser
 // reads them too, with a warning.
 void StubParser::FollowBlockComment(const FilePosition& place) {
   const size_t open = place.text.rfind("/*");

@@ -150,8 +150,8 @@ std::optional<ServiceName> ParseQuotedName(Piece* rest, Reporter* reporter) {
     reporter->Error(column, fmt::format("service name of {} characters, the limit is {}",
                                         text.size(), kServiceNameBytesMax));
   }
-  // Allows only characters of C++ names in the second part of a service name, because the generated
-  // def.h has a constant that is named after this part: sbjMove for the part Move.
+  // Allows only characters of C++ names in the second part of a service name.  The generated def.h
+  // names a constant after this part: sbjMove for the part Move.
   const bool makes_names =
       std::all_of(name->short_name.begin(), name->short_name.end(), IsNameCharacter);
   if (!makes_names) {
@@ -176,8 +176,8 @@ struct Fault {
   size_t offset = 0;
 };
 
-// Finds the fault of `rest`, the text after the function name `name` in a line of stub.cfg.  The
-// text should be "()".
+// Finds the fault in `rest`, the text after the function name `name` in a line of stub.cfg.
+// The text should be "()".
 Fault FindBracketFault(std::string_view rest, std::string_view name) {
   if (rest == "()") return {};
   if (rest.empty()) {

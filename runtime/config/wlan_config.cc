@@ -17,7 +17,8 @@ namespace {
 constexpr size_t kHostNameMax = 8;
 constexpr size_t kEssidMax = 32;
 
-// Parses a number without a sign; returns -1 if `text` is no such number or is greater than `max`.
+// Parses a number without a sign.  Returns -1 if `text` is not a number without a sign, or if the
+// number is greater than `max`.
 int ParseSmallNumber(std::string_view text, int max) {
   int value = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -39,8 +39,8 @@ static_assert(kStacks + ObjectAddresses::kPlaces * 2 * ObjectAddresses::kStackBy
 static_assert(kRegions + kRegionAreas * kRegionAreaBytes <= kCopies);
 static_assert(kCopies + ObjectAddresses::kPlaces * ObjectAddresses::kCopyBytes <= kAreaBytes);
 
-// The address plan of this process: its first address, and which places of objects and which areas
-// for regions are taken.  It has no lock, because only the thread that makes Systems uses it.
+// The address plan of this process: its first address, and the places of objects and areas for
+// regions that are taken.  It has no lock, because only the thread that makes Systems uses it.
 struct Plan {
   uintptr_t area = 0;  // first address of the address plan; 0 if addresses are not planned
   std::array<bool, ObjectAddresses::kPlaces> taken = {};
@@ -78,7 +78,7 @@ bool IsReachable(uintptr_t area) {
 }
 
 // A copy of Plan::area, the first address of the address plan; 0 until the first System is made.
-// The copy is a plain variable because free() reads it for every block, so the access must be fast.
+// The copy is a plain variable, because free() reads it for every block and must not take long.
 constinit uintptr_t g_area = 0;
 
 // Returns the address plan of this process.  The plan is never deleted, because a static object of
@@ -135,8 +135,9 @@ char* ObjectAddresses::stack(int number) const {
 }
 
 int ObjectAddresses::OfHeap(const void* address) {
-  // An address below g_area, the first address of the plan and of the heaps, becomes a very large
-  // offset, so one comparison finds addresses below the heaps and addresses above them.
+  // If `address` is below g_area, the first address of the plan and of the heaps, `offset` becomes
+  // a very large number.  So one comparison finds addresses below the heaps and addresses above
+  // them.
   const uintptr_t offset = reinterpret_cast<uintptr_t>(address) - g_area;
   if (g_area == 0 || offset >= kPlaces * kHeapBytes) return -1;
   return static_cast<int>(offset / kHeapBytes);
@@ -166,7 +167,7 @@ bool MapAt(char* address, size_t bytes) {
            MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_FIXED_NOREPLACE, -1, 0);
   if (mapped == address) return true;
   // A kernel before Linux 4.17 takes `address` only for a hint and may map the memory elsewhere.
-  // Such memory is unmapped again, and this function fails.
+  // Then unmaps this memory again and fails.
   if (mapped != MAP_FAILED) munmap(mapped, bytes);
   return false;
 }

@@ -65,9 +65,9 @@ class ObjectAddresses {
   // or null if addresses are not planned.
   char* copies() const;
 
-  // Returns the number of the place (the part of the plan for one object) in whose heap area
-  // `address` lies, or -1 if `address` is in no heap area.  Arena::OwnerOf() uses this to find the
-  // heap of a block.
+  // Returns the number of the place (the part of the plan for one object) whose heap area contains
+  // `address`, or -1 if no heap area does.  Arena::OwnerOf() uses this function to find the heap of
+  // a block.
   static int OfHeap(const void* address);
 
  private:

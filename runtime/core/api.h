@@ -9,9 +9,9 @@
 
 namespace openr_host {
 
-// The OID of object 0.  The number is chosen so that programs see OIDs as on a real robot: in lists
-// of the objects of real robots, which users have published, the first objects of an application
-// have such OIDs (field-notes.md, 1.5).
+// The OID of object 0.  With this number, programs see OIDs as on a real robot: in the published
+// lists of the objects of real robots, the first objects of an application have OIDs from this
+// number on (field-notes.md, 1.5).
 constexpr uintptr_t kFirstOid = 0x80000042;
 
 inline uintptr_t OidValue(ObjectId id) { return kFirstOid + static_cast<uintptr_t>(id); }

@@ -28,10 +28,10 @@ class ArithmeticWatch {
   void Begin(unsigned kinds);
   bool has_begun() const { return has_begun_; }
 
-  // Records that operations that set the flag `kind` (FpFlag) raise no SIGFPE for the rest of the
-  // handler, because each kind of operation is reported only once.  Called by the signal handler of
-  // SIGFPE after it has recorded the instruction.  The signal handler itself disables the exception
-  // in the interrupted code's register MXCSR, so that the instruction does not raise SIGFPE again.
+  // Makes operations that set the flag `kind` (FpFlag) raise no SIGFPE for the rest of the handler,
+  // because each kind of operation is reported only once.  Called by the signal handler of SIGFPE
+  // after it has recorded the instruction.  For the interrupted code, the signal handler itself
+  // changes the register MXCSR, so that the instruction does not raise SIGFPE again.
   void DisableTrap(unsigned kind) { kinds_ &= ~kind; }
 
   // Pauses the watch for floating-point faults.  Called at the beginning of a function of the SDK
@@ -49,8 +49,8 @@ class ArithmeticWatch {
  private:
   bool has_begun_ = false;
   unsigned kinds_ = 0;  // the flags that raise SIGFPE
-  // The number of nested calls of functions of the SDK and the C library that the watched handler
-  // has made and that have not returned yet.  While it is not 0, floating-point operations raise no
+  // The number of functions of the SDK and the C library that the watched handler has called and
+  // that have not returned yet.  While the number is not 0, floating-point operations raise no
   // SIGFPE, because they are not operations of the handler's own code.
   int calls_ = 0;
   // The image's value of MXCSR, the register that enables SIGFPE, kept while a function of the SDK

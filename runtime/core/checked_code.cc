@@ -28,8 +28,8 @@ struct SourcePlace {
   const char* file;
   uint32_t line;
   // The column of the source code at which the image checks for a fault, such as a division by
-  // zero.  As soon as a fault at this place was reported, kSaid stands here instead of the column,
-  // so that each place is reported only once.
+  // zero.  When a fault at this place was reported, the column is replaced by kSaid, so that each
+  // place is reported only once.
   uint32_t column;
 };
 constexpr uint32_t kSaid = UINT32_MAX;
@@ -93,8 +93,8 @@ void Report(SourcePlace* place, const std::string& what, const char* exception) 
                                                                what, Render(*place), exception));
 }
 
-// Adds a finding about `what`, an operation that is undefined in C++, once for each place in the
-// source.  Only images of openr build --sanitize have checks for such operations.
+// Adds a finding about `what`, an operation whose result C++ does not define, once for each place
+// in the source.  Only images of openr build --sanitize have checks for these operations.
 void ReportUndefined(SourcePlace* place, const std::string& what) {
   if (t_current.system == nullptr || t_current.object == nullptr) return;
   if (std::exchange(place->column, kSaid) == kSaid) return;
@@ -121,8 +121,8 @@ void ReportOverflow(ArithmeticData* data, uintptr_t left, const char* sign, uint
                               TextOf(*data->type, right), NameOf(data->type)));
 }
 
-// Reports an access to `address` if C++ does not define it: if the address is null, or if the
-// object at this address is smaller than the type of the access.  REQUIRES: `address` has the
+// Reports an access to `address` that C++ does not define, because the address is null, or because
+// the object at this address is smaller than the type of the access.  REQUIRES: `address` has the
 // alignment that the robot needs.
 void ReportAccess(AccessData* data, uintptr_t address) {
   if (address == 0) {
@@ -218,7 +218,7 @@ void __ubsan_handle_builtin_unreachable(const SourcePlace* place) {
   StopAsTheRobotDoes(fmt::format("code that cannot be reached was, at {}", Render(*place)));
 }
 
-// This function and the functions after it are called only by images of openr build --sanitize.
+// Only images of openr build --sanitize call this function and the functions after it.
 void __ubsan_handle_add_overflow(ArithmeticData* data, uintptr_t left, uintptr_t right) {
   ReportOverflow(data, left, "+", right);
 }

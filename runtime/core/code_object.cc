@@ -22,8 +22,8 @@ void CodeObject::AddSubjectEntries(const std::string& service, OSubject* subject
   const Selector control = AddExtra(service + " (Control)", [subject](void* message) {
     subject->ControlHandler(*static_cast<OControlMessage*>(message));
   });
-  // The last element of host_->subjects() is the SubjectState of `subject`, because `subject` was
-  // made together with `entry`, immediately before this call.
+  // The last element of host_->subjects() is the SubjectState of `subject`, because the caller has
+  // made `subject` immediately before this call.
   ASSERT(!host_->subjects().empty(), "{} has no subject", service);
   entry->subject_state = host_->subjects().back().get();
   const Selector ready = AddEntry(service + " (Ready)", std::move(entry));

@@ -27,7 +27,7 @@ const void* CallerInImage();
 
 // Returns the calls on the stack that were made by code of the current object's image, the
 // innermost first, at most kCallsMax.  Returns an empty list if the image is not at its planned
-// address, because only this address shows which code belongs to the image.
+// address, because code of the image is recognized by this address.
 std::vector<const void*> CallsInImage();
 constexpr size_t kCallsMax = 8;
 

@@ -1,6 +1,6 @@
-// Handles the messages between subjects (OSubject, the sending end of connections) and observers
-// (OObserver, the receiving end) that neither end handles itself: messages with wrong bytes,
-// refused messages, and messages that the runtime sends in place of an observer.
+// Handles messages between subjects (OSubject, the sending end of connections) and observers
+// (OObserver, the receiving end) that neither end handles itself.  These are messages with wrong
+// bytes, refused messages, and messages that the runtime sends in place of an observer.
 #pragma once
 
 #include <OPENR/ObjcommMessages.h>
@@ -19,11 +19,11 @@ void ReportForeignBytes(const Object& object);
 
 // Returns whether the message that `object` handles is of this `kind` (a notification or a ready),
 // and so was sent by an OSubject or OObserver.  If an object has sent other bytes to the entry of a
-// subject or observer, adds an error finding and returns false.  Such bytes must not be read as a
-// notification or a ready.
+// subject or observer, adds an error finding and returns false.  The caller must not read these
+// bytes as a notification or a ready.
 inline bool IsRunningMessage(const Object& object, PayloadKind kind) {
-  // Returns true if `object` handles no message now, because there is no message whose kind can be
-  // wrong.  This occurs only if a test calls the function of the entry directly.
+  // If `object` handles no message now, returns true, because no message has a wrong kind.  This
+  // occurs only if a test calls the function of the entry directly.
   if (object.running() == nullptr || object.running()->kind == kind) [[likely]]
     return true;
   ReportForeignBytes(object);

@@ -77,8 +77,8 @@ size_t ConsoleInput::Read(char* buffer, size_t size, const std::function<bool()>
   ASSERT(self != nullptr, "only a handler reads the console");
   Terminal& terminal = terminals_[self->robot];
   terminal.has_reader = true;
-  // Repeats the wait until the terminal has text, because another reader may take the line after
-  // this reader was woken and before it runs.
+  // Waits again until the terminal has text, because another reader may take the line after this
+  // reader was woken and before it runs.
   while (terminal.text.empty()) {
     const uint64_t box = system_->requests().OpenBox();
     terminal.readers.emplace_back(self->id, box);

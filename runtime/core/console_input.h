@@ -82,9 +82,9 @@ class ConsoleInput {
 
   System* const system_;
   std::map<int, Terminal> terminals_;  // the key is the number of the robot
-  // The number of bytes for which Reserve() keeps room; the key is the number of the robot.  Not
-  // part of HashState(), because the inputs that wait are part of Inputs::HashState().  The numbers
-  // are shared with the results of Reserve(), which may be destroyed after this object.
+  // The number of bytes for which Reserve() keeps room; the key is the number of the robot.  Each
+  // number is shared with the results of Reserve(), which may be destroyed after this object.  Not
+  // part of HashState(), because the inputs that wait are part of Inputs::HashState().
   std::map<int, std::shared_ptr<size_t>> reserved_;
   bool echo_ = true;
 };

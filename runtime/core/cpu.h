@@ -2,10 +2,10 @@
 //
 // Without a CostModel, handlers take no time.  With a CostModel, one handler at a time has the
 // processor; a handler of higher priority interrupts it, a handler of equal or lower priority
-// waits.  The code of a handler runs at the moment when the handler gets the processor.  After that
-// its object is busy until the cost of the handler has passed: messages that the handler posts
-// leave at that time, and messages to the object are held until then.  Objects that are parts of
-// the robot (Object::is_system()) take no processor time.
+// waits.  The code of a handler runs at the moment when the handler gets the processor.  From then
+// on the object of the handler is busy until the cost of the handler has passed.  Only then the
+// messages leave that the handler has posted, and only then the object can handle its next message.
+// Objects that are parts of the robot (Object::is_system()) take no processor time.
 #pragma once
 
 #include <cstdint>

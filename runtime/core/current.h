@@ -20,8 +20,8 @@ struct Current {
   // runtime runs that this code has called.  While true, malloc() takes memory from the object's
   // heap and fopen() opens files of the Memory Stick.
   bool image_code = false;
-  // Finds floating-point faults of the running handler.  Null if no handler runs, or if faults of
-  // this handler are not looked for.
+  // Finds floating-point faults of the running handler; null if no handler runs, or if this handler
+  // is not watched for faults.
   ArithmeticWatch* watch = nullptr;
 };
 

@@ -1,6 +1,7 @@
-// The locators of the primitives, for the pretty printers of gdb (tools/gdb/openr_printers.py).
-// gdb reads them from memory and does not call a function to get them, because gdb 13 cannot call
-// functions on processors with AMX, and no version of gdb can call functions in a core file.
+// The locators of the primitives, for the pretty printers of gdb (tools/gdb/openr_printers.py). gdb
+// reads them from memory and does not call a function to get them.  The reason is that gdb 13
+// cannot call functions on processors with AMX, and no version of gdb can call functions in a core
+// file.
 #pragma once
 
 #include <string>

@@ -1,9 +1,8 @@
-// DeferredEnd: marks a section of code.  A signal handler must not end the process while this
-// thread is in such a section.
+// DeferredEnd: marks a section of code in which a signal handler must not end the process.
 //
 // The code in the section may hold a lock that is also needed to end the process.  If a signal
-// handler ended the process in the middle of the section, the handler would wait for this lock for
-// ever.
+// handler ended the process in the middle of the section, the signal handler would wait for this
+// lock for ever.
 #pragma once
 
 namespace openr_host {

@@ -26,11 +26,13 @@ namespace openr_host {
 
 // Loads into the cache what the next deliveries need: the deliveries of the messages after
 // `message` in its list of the MessageQueue.  Without this, a run with thousands of objects spends
-// most of its time waiting for memory.  A delivery reads a chain of five records: the message, its
-// receiver, the receiver's table of entries, the entry, the state of the subject or observer.  The
-// address of each record is known only when the record before it has been read.  So each call loads
-// only one record for each of the next five messages: for the fifth message the message itself, for
-// the fourth its receiver, and so on, up to the state for the first message.
+// most of its time waiting for memory.
+//
+// A delivery reads a chain of five records: the message, its receiver, the receiver's table of
+// entries, the entry, the state of the subject or observer.  The address of each record is known
+// only when the record before it has been read.  So each call loads one record for each of the next
+// five messages: for the fifth message the first record, for the fourth the second record, and so
+// on.
 //
 // Does nothing if fewer than four messages follow, because a run with few messages uses few
 // objects, which are in the cache already.

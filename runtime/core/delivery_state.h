@@ -27,11 +27,11 @@ class DeliveryState {
     bool is_plain_;
   };
 
-  // `flag` is the PlainFlag that this DeliveryState sets.  This constructor does not set the flag,
-  // because the Object makes the flag after this DeliveryState.  `is_image` tells whether the
-  // object was loaded from a file.  The flag of such an object is never true, because its messages
-  // need more than a call of the handler: the dispatcher looks for floating-point faults of each
-  // handler and may measure the use of the stack.
+  // `flag` is the PlainFlag that this DeliveryState sets, but not in this constructor, because the
+  // Object makes the flag after this DeliveryState.  `is_image` tells whether the object was loaded
+  // from a file.  The flag of an image is never true, because a message to an image needs more than
+  // a call of the handler: the dispatcher looks for floating-point faults, and may measure the use
+  // of the stack.
   DeliveryState(PlainFlag* flag, bool is_image) : flag_(flag), is_image_(is_image) {}
   DeliveryState(const DeliveryState&) = delete;
   DeliveryState& operator=(const DeliveryState&) = delete;

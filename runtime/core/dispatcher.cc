@@ -330,9 +330,10 @@ void Dispatcher::Loop() {
 }
 
 // Returns the time of the next event that is no message: the end of a handler's processor time, a
-// time event, an input, or the end of a frame of a robot that is off.  NextInstant() and
-// DoDueWork() are not inline, because they run only when no message is due.  If they were inline,
-// Loop(), through which every message passes, would be larger.
+// time event, an input, or the end of a frame of a robot that is off.
+//
+// NextInstant() and DoDueWork() run only when no message is due.  So they are not inline: Loop(),
+// through which every message passes, stays small.
 [[gnu::noinline]] int64_t Dispatcher::NextInstant() const {
   int64_t end_us = std::min({system_->time_events().NextUs(), system_->inputs().NextUs(),
                              system_->robot_table().off_robots().NextUs()});
@@ -406,9 +407,8 @@ OwnedMessage Dispatcher::WaitFor(uint64_t box) {
     Fiber* const next = TakeIdleFiber();
     // Saves the current object, because Loop() must run without a current object.  While this
     // handler waits on its fiber, Loop() delivers messages on another fiber, until DeliverReply()
-    // switches back to this fiber.  If `object` were still current in Loop(), a time event that is
-    // due during the wait would count as posted by this handler, and could be kept in the outbox of
-    // `object`.
+    // switches back to this fiber.  If `object` stayed current, Loop() could take a time event that
+    // is due meanwhile for a message of this handler, and keep it in the outbox of `object`.
     const Current saved = t_current;
     t_current = {system_, nullptr};
     object->delivery().set_blocked(running_);

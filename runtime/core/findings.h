@@ -37,8 +37,8 @@ struct Finding {
 // finding's text, or "" if `finding` was added only once.
 std::string RepetitionText(const Finding& finding);
 
-// A list of findings in the order in which they were first added.  Findings about one object with
-// the same text, or with the same cause, are kept as one finding and counted.
+// A list of findings in the order in which they were first added.  Findings about one object are
+// kept as one finding, with a count, if they have the same text or the same cause.
 class Findings {
  public:
   // The largest number of different findings that are kept; further findings are only counted.  The

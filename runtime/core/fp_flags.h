@@ -1,8 +1,8 @@
 // Reads the floating-point flags, which tell what kinds of operations happened since the flags were
 // last cleared.
 //
-// On x86-64 only the flags of SSE2 are read, with one instruction.  fetestexcept() is not used,
-// because it also reads the flags of the old coprocessor, which takes longer than a short handler.
+// On x86-64 only the flags of SSE2 are read, with one instruction. fetestexcept() would also read
+// the flags of the old coprocessor, which takes longer than a short handler.
 #pragma once
 
 #if defined(__SSE2__)
@@ -43,9 +43,8 @@ inline unsigned FpState() { return _mm_getcsr(); }
 // Sets the register MXCSR (the floating-point flags and their mask bits) to `state`, which
 // FpState() has returned.
 inline void SetFpState(unsigned state) { _mm_setcsr(state); }
-// Clears the flags `kinds`.  From now on a floating-point operation that sets one of them raises
-// SIGFPE, and an operation that sets other flags does not.  Results that would be denormal numbers
-// become 0.
+// Clears the flags `kinds`.  From now on, floating-point operations that set one of these flags
+// raise SIGFPE, other operations do not, and results that would be denormal numbers become 0.
 inline void SetFpTraps(unsigned kinds) {
   constexpr unsigned kSet = kFpAll << kFpMaskShift | kFpFlushToZero;
   _mm_setcsr((_mm_getcsr() | kSet) & ~(kinds << kFpMaskShift | kinds));

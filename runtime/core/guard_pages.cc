@@ -49,8 +49,8 @@ char* GuardPages::MapPages(char* area, size_t bytes) {
 }
 
 // Returns writable pages for a new read-only copy of received data.  With GivenBack::kReused, uses
-// pages of a copy that was given back, if there are such pages of the same size.  In all other
-// cases, maps new pages.
+// the pages of a copy that was given back, if one of the same size exists.  Otherwise maps new
+// pages.
 char* GuardPages::AllocatePages(char* area, size_t bytes) {
   std::vector<char*>& unused = unused_[{area, bytes}];
   if (unused.empty()) return MapPages(area, bytes);
@@ -102,9 +102,9 @@ const char* GuardPages::FaultText(const void* address) const {
   });
   if (!is_ours) return "";
   // Looks for `address`, to which an access was a fault, in the pages of the read-only copies that
-  // are in use.  These pages can be read, so an access that is a fault was a write.  All other
-  // pages of the area may belong to copies that were given back; the text about such an access is
-  // returned after this loop.
+  // are in use.  These pages can be read, so the access was a write.  All other pages of the area
+  // may belong to copies that were given back; after this loop the function returns the text about
+  // an access to them.
   for (const auto& [copy, pages] : copies_) {
     const char* const page = PageOf(copy);
     if (at >= page && at < page + pages.bytes)

@@ -36,7 +36,8 @@ class GuardPages {
 
   // Returns a read-only copy of the `size` bytes at `data`, or null if there is no memory.  The
   // copy lies in the memory area of `place` (address_plan.h), the place of the object that receives
-  // the data.  `place` is null for an object without a place; such objects share one area.
+  // the data.  If the object has no place, `place` is null; all objects without a place share one
+  // area.
   char* NewCopy(const ObjectAddresses* place, const char* data, size_t size);
 
   // Ends the use of `copy`, a read-only copy that the observer has given back.  With

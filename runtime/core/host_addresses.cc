@@ -22,9 +22,9 @@ namespace {
 constexpr uint64_t kLowest = uint64_t{0x1100} << 32;
 constexpr uint64_t kEnd = uint64_t{1} << 47;
 
-// Messages are not searched for addresses of the host's memory in a build with AddressSanitizer or
-// ThreadSanitizer.  These tools reserve so much memory that many numbers look like addresses in it.
-// The memory of objects has no planned addresses in such a build either, so the objects' own
+// In a build with AddressSanitizer or ThreadSanitizer, messages are not searched for addresses of
+// the host's memory.  These tools reserve so much memory that many numbers look like addresses in
+// it.  And with these tools, the memory of objects has no planned addresses, so the objects' own
 // addresses would be taken for host addresses.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kIsSearched = false;

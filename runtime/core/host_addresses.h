@@ -18,8 +18,8 @@ namespace openr_host {
 
 class HostAddresses {
  public:
-  // Reports `message` if the current object (t_current), which posts the message, is an image and
-  // if the message holds an address of this process.
+  // Reports `message` if it holds a host address and the current object (t_current), which posts
+  // the message, is an image.
   void Check(const Message& message) {
     const Object* const sender = t_current.object;
     if (sender != nullptr && sender->is_image()) [[unlikely]]
@@ -30,10 +30,10 @@ class HostAddresses {
   // if there is no such address, and always with AddressSanitizer or ThreadSanitizer.  REQUIRES:
   // `data` is aligned to 8.
   //
-  // A number counts as a host address if it is in the range of host addresses and memory is mapped
-  // there.  Numbers that are no addresses can be in this range by chance.  So after 64 numbers (our
-  // choice) that are in the range but without mapped memory, the function assumes that the program
-  // sends such numbers, and returns -1 for the rest of the run.
+  // A number is taken for a host address if it is in the range of host addresses and memory is
+  // mapped there.  Other numbers can be in this range by chance.  After 64 numbers (our choice) in
+  // the range where no memory is mapped, the function assumes that the program sends numbers of
+  // this size, and returns -1 for the rest of the run.
   int64_t FindIn(const void* data, size_t size);
 
  private:

@@ -21,8 +21,8 @@ struct ImageFile {
 // it is an image, is for this machine, and is complete.
 ImageFile ReadImageFile(const std::string& path);
 
-// Does the same checks as ReadImageFile() for a file that the caller has already read: whether
-// `bytes`, the content of the file, is an image, is for this machine, and is complete.
+// Does the checks of ReadImageFile() for `bytes`, the content of a file that the caller has already
+// read: whether it is an image, is for this machine, and is complete.
 ImageFile CheckImage(std::string bytes);
 
 // Returns the .ocf text (name, priority and memory sizes of the object) in the bytes of a host

@@ -104,8 +104,8 @@ std::string ImageObject::CheckVersions() {
         "was built for version {} of the image format, this is version {}; build it again",
         info_->version, kImageVersion);
   }
-  // Accepts version 0 of the SDK headers, the version in images of builds that did not yet write a
-  // version into images.  Such an image may fit.
+  // Accepts version 0 of the SDK headers: old builds did not write a version into images, and these
+  // images may fit.
   const uint32_t headers = info_->headers_version;
   if (headers == 0 || headers == kHeadersVersion) return "";
   return fmt::format(
@@ -140,9 +140,9 @@ std::string ImageObject::RedirectOwnImports() {
 
 std::string ImageObject::RunConstructors() {
   // While the constructors run, results that would be denormal numbers become 0, as on the robot.
-  // Otherwise a handler that uses such a number would be reported, although the robot would not
-  // stop.  Not done with AddressSanitizer or under Valgrind, where handlers have no ArithmeticWatch
-  // either.
+  // Otherwise the constructors could store denormal numbers, and a handler that uses them would be
+  // reported, although the robot would not stop.  Not done with AddressSanitizer or under Valgrind,
+  // where handlers have no ArithmeticWatch either.
   std::optional<FlushScope> flush;
   if (!IsStackWatched()) flush.emplace();
   for (void (*const constructor)() : HeldConstructors(handle_)) {
@@ -226,9 +226,8 @@ bool ImageObject::Dispatch(uint32_t selector, void* payload) {
 // (field-notes.md, 4.4).  Each kind of operation is reported once per object.
 void ImageObject::ReportFpFlags(uint32_t selector) {
   const ApiScope scope;
-  // Does not report kFpInvalid (an operation without a valid result) again after a conversion to an
-  // integer that checked_code.cc has reported, because such a conversion sets the flag kFpInvalid,
-  // too.
+  // A conversion to an integer that checked_code.cc has reported sets the flag kFpInvalid (an
+  // operation without a valid result).  Does not report this conversion a second time.
   const unsigned reported = number_faults().has_reported_cast() ? unsigned{kFpInvalid} : 0u;
   const unsigned fresh = FpFlags() & ~fp_seen_ & ~reported;
   const bool makes_denormals = ((fp_seen_ | fresh) & kFpUnderflow) != 0;

@@ -1,9 +1,9 @@
-// ImageObject: an object of the robot whose code is loaded from a file, the image.  Each object has
-// static variables of its own, even if two objects are loaded from one file.
+// ImageObject: an object of the robot whose code is loaded from a file, the image.  On the host an
+// image is a shared object, built from the object's sources and its stub (cmake/OpenrObject.cmake).
 //
-// On the host an image is a shared object, built from the object's sources and its stub
-// (cmake/OpenrObject.cmake).  Every object is loaded from a copy of the image in the run folder,
-// because the loader would give two loads of one file the same static variables.
+// Each object has static variables of its own, even if two objects are loaded from one file.  The
+// loader would give two loads of one file the same static variables.  So every object is loaded
+// from a copy of the image in the run folder.
 #pragma once
 
 #include <ObjectEntryTable.h>

@@ -135,10 +135,10 @@ void AddressWords::FindInSegments(const Elf64_Ehdr& header) {
 }
 
 // Finds the values of the dynamic symbols, which are addresses of functions and variables of the
-// image.  Symbols of other libraries, of constants and of thread-local variables are left out,
-// because their values are no addresses in the image.  All other tables of symbols are left out,
-// because the loader does not read them.  The header of the section with the dynamic symbols tells
-// their number.
+// image.  Leaves out symbols of other libraries, of constants and of thread-local variables,
+// because their values are no addresses in the image.  Leaves out all other tables of symbols,
+// because the loader does not read them.  The number of the dynamic symbols is in the header of
+// their section.
 void AddressWords::FindInSymbols(const Elf64_Ehdr& header) {
   const auto* const sections = At<Elf64_Shdr>(header.e_shoff, header.e_shnum);
   bool has_symbols = false;

@@ -119,7 +119,7 @@ class ImageTables {
 };
 
 std::optional<uint64_t> ImageTables::Value(int64_t tag) const {
-  // The dynamic linker uses the last of several entries with the same tag.
+  // Takes the last of several entries with the same tag, as the dynamic linker does.
   const auto found = std::find_if(dynamic_.rbegin(), dynamic_.rend(),
                                   [tag](const Elf64_Dyn& entry) { return entry.d_tag == tag; });
   if (found == dynamic_.rend()) return std::nullopt;
@@ -206,7 +206,7 @@ bool ImageTables::AreHashesSound() const {
   return true;
 }
 
-// Checks the versions of one library that the image needs.
+// Checks the list of the versions that the image needs of one library.
 bool ImageTables::IsNeededVersionSound(const Elf64_Verneed& needed, uint64_t address) const {
   uint64_t at = address + needed.vn_aux;
   for (int i = 0; i < needed.vn_cnt; ++i) {
@@ -271,7 +271,7 @@ bool ImageTables::IsArraySound(int64_t array, int64_t size) const {
          (ValueOr0(size) % sizeof(uint64_t) == 0 && memory_.Has(*Value(array), ValueOr0(size)));
 }
 
-// Checks the functions that the dynamic linker calls when the object is loaded and unloaded.
+// Checks the lists of functions that the dynamic linker calls when it loads and unloads the object.
 bool ImageTables::AreFunctionsSound() const {
   for (const int64_t tag : {DT_INIT, DT_FINI}) {
     if (Value(tag) && !memory_.Has(*Value(tag), 1, PF_X)) return false;

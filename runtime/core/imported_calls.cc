@@ -220,8 +220,8 @@ LoadedImage::LoadedImage(char* image) : begin(reinterpret_cast<uint64_t>(image))
   const auto* const segments = reinterpret_cast<const Elf64_Phdr*>(image + header->e_phoff);
   for (int i = 0; i < header->e_phnum; ++i) {
     const Elf64_Phdr& segment = segments[i];
-    // Uses p_vaddr, the address of the segment in the image file, as the address of the segment in
-    // memory, because the image was loaded at the address that its file names.
+    // Takes p_vaddr, the address of the segment in the image file, for its address in memory,
+    // because the image was loaded at the address that its file names.
     if (segment.p_type == PT_LOAD) end = std::max(end, segment.p_vaddr + segment.p_memsz);
     if (segment.p_type == PT_DYNAMIC) dynamic = reinterpret_cast<const Elf64_Dyn*>(segment.p_vaddr);
     if (segment.p_type == PT_GNU_RELRO) {
@@ -278,7 +278,7 @@ void Redirection::FindImports(int64_t table, int64_t size) {
     const Import import{reinterpret_cast<uint64_t*>(relocation.r_offset),
                         ELF64_R_SYM(relocation.r_info)};
     const uint64_t function = *import.slot;
-    // Makes no thunks for functions of the image itself, which run on the image's own stack.
+    // Makes no thunks for functions of the image itself, because they run on the image's own stack.
     if (function >= image_.begin && function < image_.end) continue;
     if (!code_.Contain(function)) continue;  // leaves out variables, which need no thunk
     if (std::ranges::count(kBoundToCaller, NameOf(import.symbol)) > 0) continue;
@@ -319,8 +319,8 @@ std::string Redirection::Run(size_t bytes_max) {
   const std::array<void (*)(), 2> targets = {&openr_call_import, &openr_call_variadic_import};
   std::memcpy(thunks_, targets.data(), sizeof targets);
   // Makes only one thunk (code that changes the stack for a call) for each imported function, even
-  // if several tables of the image name the function.  A program may compare addresses of
-  // functions, so a function must have the same address in all tables.
+  // if several tables of the image name the function.  Programs may compare addresses of functions,
+  // so all tables must have the same address for it.
   std::vector<uint64_t> thunks(imports_.size());
   for (size_t i = 0; i < imports_.size(); ++i) {
     const auto same = std::ranges::find(imports_, imports_[i].symbol, &Import::symbol);

@@ -25,7 +25,8 @@ class System;
 
 class Inputs {
  public:
-  // The work of one input.  `work` is called at the input's frame boundary, outside all handlers.
+  // The work of an input.  `work` is called at the frame boundary at which the input takes effect,
+  // outside all handlers.
   struct Action {
     Action() = default;
     // The constructor is not explicit, so that Kind::read can assign a lambda to an Action:
@@ -80,9 +81,10 @@ class Inputs {
   using Listener = std::function<void(int robot, std::string_view line)>;
   void OnAdd(Listener listener) { listeners_.push_back(std::move(listener)); }
 
-  // Returns the frame boundary of the next input; INT64_MAX if no input waits.
+  // Returns the time at which the next input takes effect, a frame boundary; INT64_MAX if no input
+  // waits.
   int64_t NextUs() const { return waiting_.empty() ? INT64_MAX : waiting_.front().due_us; }
-  // Does the work of all inputs whose frame boundary has come.
+  // Does the work of all inputs that are due now.
   void DoDue();
   // Does the work of the inputs that are due and have Action::is_before_boot set.  Called when the
   // robots begin to boot.

@@ -70,8 +70,8 @@ std::unique_ptr<ImageObject> OpenImage(System* system, int robot, ObjectId id,
   };
   if (!problem.empty()) return refuse_loaded(problem);
   const Object* const namesake = system->FindObject(robot, image->name);
-  // Refuses the image if another object of the robot has the same name.  The object `id` may have
-  // the same name, because the new image is loaded to replace this object.
+  // Refuses the image if another object of the robot has the same name.  The name may be that of
+  // object `id`, because the new image is loaded to replace this object.
   if (namesake != nullptr && namesake->id != id) {
     return refuse_loaded(fmt::format(
         "is named '{}' like another object; names in .ocf files must differ", image->name));

@@ -60,8 +60,9 @@ class StickLoader {
   const StandIns& stand_ins_;
 };
 
-// Returns the reason why the configuration file `name` was not read, as a text for users: the path
-// of the file, and then kMissing if there is no such file, otherwise the error of the read.
+// Returns the reason why the configuration file `name` was not read, as a text for users.  The text
+// is the path of the file, and then kMissing if there is no such file, otherwise the error of the
+// read.
 std::string StickLoader::ConfigProblem(const char* name) {
   const int error = stick_ == nullptr ? ENOENT : stick_->ReadError(kConfFolder + std::string(name));
   const std::string why =
@@ -100,10 +101,9 @@ bool StickLoader::LoadObject(const ObjectRecord& record) {
          LoadKept(record.path, where);
 }
 
-// Loads the image that was at `path` before an upload replaced it: the file of the same name with
-// the ending .OLD, which the upload gives to the old image.  The robot does not load such a file;
-// its boot ends without the image.  Returns false if the file does not exist or cannot be loaded,
-// and always with SystemOptions::strict.
+// Loads the image that was at `path` before an upload replaced it.  The upload has given it the
+// ending .OLD.  The robot does not load this file; its boot ends without the image.  Returns false
+// if the file does not exist or cannot be loaded, and always with SystemOptions::strict.
 bool StickLoader::LoadKept(const std::string& path, const std::string& where) {
   if (stick_ == nullptr || system_.options().strict) return false;
   const std::string kept = std::filesystem::path(path).replace_extension(".OLD");

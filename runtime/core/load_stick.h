@@ -31,8 +31,9 @@ struct SystemImage {
 // of DESIGNDB.CFG to the system.  Each problem becomes a finding with file:line.
 //
 // If `stand_ins` has a function for an image, calls this function in place of loading the image.
-// For a system image without a function for its file, calls SystemImage::add.  If an image cannot
-// be loaded, loads the file of the same name with the ending .OLD, but not with
+// For a system image without such a function, calls SystemImage::add.
+//
+// If an image cannot be loaded, loads the file of the same name with the ending .OLD, but not with
 // SystemOptions::strict.  RCServer gives this ending to the old image when an upload replaces it.
 // Returns false if OBJECT.CFG cannot be read, or if neither an image nor its .OLD file can be
 // loaded.  REQUIRES: before System::Boot(), or in Robot::load_again.

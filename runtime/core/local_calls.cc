@@ -45,7 +45,7 @@ const Message* LocalCalls::BeginWait(uint64_t box, int64_t timeout_us, std::stri
   wake->is_reply = true;
   wake->reply_box = box;
   // The sender of a message of kind kHashed must set its payload hash.  This reply has no bytes, so
-  // its payload hash is a constant.
+  // any constant will do.
   wake->payload_hash = 1;
   wake->kind = PayloadKind::kHashed;
   system_->Post(std::move(message), timeout_us);

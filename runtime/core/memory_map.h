@@ -11,7 +11,7 @@ struct MappedRange {
   uintptr_t end = 0;  // the address behind the last byte
   // Whether the range may be read and written, has no code and is shared with no other process.
   bool is_private_data = false;
-  bool is_main_stack = false;  // the stack of the process's first thread
+  bool is_main_stack = false;  // whether the range is the stack of the first thread
 };
 
 // Reads the kernel's list of the ranges of memory of this process (/proc/self/maps, see proc(5)),

@@ -97,8 +97,9 @@ struct ReturnToPool {
 };
 
 // Owns a message that is in no queue, and gives the message back to its pool.  The pool must
-// outlive the OwnedMessage.  The message that a handler runs for is owned by HandlerState::running
-// and by no local variable, because destructors on the stack of an abandoned handler never run.
+// outlive the OwnedMessage.  The OwnedMessage of the message that a handler handles is a member of
+// the Object and no local variable, because destructors on the stack of an abandoned handler never
+// run.
 using OwnedMessage = std::unique_ptr<Message, ReturnToPool>;
 
 }  // namespace openr_host

@@ -23,9 +23,9 @@ void MessagePoster::CheckPosts() {
   are_posts_free_ = are_calls_local_ && schedule_ == nullptr && !has_processors_;
 }
 
-// Refuses a message to an entry that the target does not have.  The usual cause is that the stub
-// (the generated code with the entries of an object) of the sender or of the target was made from a
-// stub.cfg that does not fit the sources of that object.
+// Refuses a message to an entry that the target does not have.  The usual cause: the stub (the
+// generated code with the entries of an object) of the sender or of the target was made from
+// another stub.cfg than its sources need.
 int32_t MessagePoster::RefuseSelector(const Message& message, const Object& target) {
   target.system->AddFindingAbout(
       &target, Severity::kError,
@@ -75,8 +75,8 @@ int32_t MessagePoster::Post(OwnedMessage&& message, Object* target, int64_t dela
     if (message->selector >= target->entry_count() && !target->HasEntry(message->selector))
       return RefuseSelector(*message, *target);
     // Returns whether the message makes a system object (a part of the robot) go on with its own
-    // work: the system object has posted the message to itself, or the System has posted it.  A
-    // schedule must not refuse such a message, because the system object would then stop working.
+    // work, because this object has posted the message to itself, or the System has posted it.  A
+    // schedule must not refuse this message, because the system object would then stop working.
     const auto is_own_work = [&] {
       return target->is_system() && (message->sender == target->id || message->sender == kNoObject);
     };

@@ -112,8 +112,8 @@ ObjectId MessageQueue::ChooseTarget(const List& list, Schedule* schedule) {
   return candidates_[chosen];
 }
 
-// Takes the first message for `target` from the list of the messages that are due now and have the
-// class and priority of `level`.  REQUIRES: the list has such a message.
+// Takes the first message for `target` from the list of `level`: the messages that are due now and
+// have one class and priority.  REQUIRES: the list has a message for `target`.
 Message* MessageQueue::TakeFirst(uint32_t level, ObjectId target) {
   List& list = levels_[level];
   Message* before = nullptr;

@@ -1,7 +1,6 @@
 // MessageQueue, which delivers messages in a total order, so that a run can be repeated exactly.
-//
-// Messages are ordered by due time; then by class; then by the receiver's priority from its .ocf
-// file, higher first; then by the numbers that they got when they were posted
+// The order has four steps: the due time; then the class; then the receiver's priority from its
+// .ocf file, higher first; then the number that the message got when it was posted
 // (docs/architecture.md, "The determinism contract").
 #pragma once
 
@@ -110,10 +109,10 @@ class MessageQueue {
 
   int64_t now_us_ = 0;
   std::vector<List> levels_;  // messages that are due now, by level (LevelOf())
-  // Bit i is 1 if the list of level i has a message.  A level stands for a class and a priority of
-  // messages (LevelOf()).  The bit stays 1 when the last message of the list is taken, because most
-  // often the handler of this message posts another message to the same level.  TakeDue() clears
-  // the bit when it finds the list empty.
+  // Bit i is 1 if the list of level i may have a message.  A level stands for a class and a
+  // priority of messages (LevelOf()).  The bit stays 1 when the last message of the list is taken,
+  // because most often the handler of this message posts another message to the same level.
+  // TakeDue() clears the bit when it finds the list empty.
   uint64_t marks_[kLevels / 64] = {};
   uint32_t first_level_ = kLevels;   // the first level whose bit in marks_ is 1; kLevels if none is
   std::vector<LaterMessage> later_;  // messages that are not due yet, as a heap (std::push_heap)

@@ -290,8 +290,8 @@ class Object {
   // traces know that the names of the entries may have changed.
   int predecessors() const { return predecessors_; }
   // Copies the statistics of the object `old`, which this object replaces, because the report
-  // counts both objects as one.  Makes the next reply box get a higher number than all reply boxes
-  // of `old`.  REQUIRES: `old` has the same id; called once.
+  // counts both objects as one.  Gives the next reply box a higher number than all reply boxes of
+  // `old` have.  REQUIRES: `old` has the same id; called once.
   void Succeed(const Object& old);
 
   // Keeps what the constructors of this image did while the image was loaded to replace an object

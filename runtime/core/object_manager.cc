@@ -106,9 +106,8 @@ void ObjectManager::PostWith(Selector selector, int value) {
 }
 
 // Returns whether the object manager itself has posted the message with this selector and value (a
-// robot or an object id), and removes the message from due_, because it is handled now.  Every
-// object can send a message with this selector, so a message that is not in due_ becomes an error
-// finding.
+// robot or an object id).  If so, removes the message from due_, because it is handled now.
+// Otherwise adds an error finding, because every object can send a message with this selector.
 bool ObjectManager::IsDue(Selector selector, int value) {
   const auto found = due_.find({selector, value});
   if (found != due_.end()) {
@@ -327,8 +326,8 @@ bool ObjectManager::MayBeLost(int robot, const std::string& service) const {
 }
 
 void ObjectManager::ReportUnknown(const Connection& connection, const std::string& service) {
-  // Keeps a service of a lost process in unreported_, the services that may be reported later,
-  // because the loss of the process has been reported and the process may come back.
+  // Keeps the unknown service of a lost process in unreported_ and does not report it now: the loss
+  // of the process has been reported, and the process may come back.
   if (MayBeLost(connection.robot, service)) {
     unreported_.emplace(&connection, service);
     return;

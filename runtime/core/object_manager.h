@@ -43,11 +43,11 @@ class ObjectManager : public CodeObject {
   bool has_booted() const { return has_booted_; }
 
   // Returns whether `message` must be kept back because its receiver is still in its boot:
-  // - Any message is kept back until the DoInit of the receiver begins, because DoInit must be the
+  // - Until the DoInit of the receiver begins, any message is kept back, because DoInit must be the
   //   first message.  On the robot DoInit is in the mailbox of the new object before any other
   //   object knows the new object (core.md, 1.5).
-  // - A ready is kept back until the connections are made, because before that the subject does
-  //   not know the observer.
+  // - Until the connections are made, a ready is kept back, because the subject does not know the
+  //   observer before.
   bool IsTooEarly(const Message& message) const {
     if (starting_.empty() || message.sender == host().id) return false;
     const auto found = starting_.find(message.target);
@@ -57,10 +57,9 @@ class ObjectManager : public CodeObject {
   }
   // Returns whether IsTooEarly() keeps messages back, that is, whether an object is in its boot.
   bool HoldsMessages() const { return !starting_.empty(); }
-  // Returns whether `message` is a request from an object that is itself in its boot.  Such a
-  // message must not be kept back, or the boot would not go on: the sender waits for the reply in
-  // its DoInit, and the receiver gets its own DoInit only after the DoInit of the sender has
-  // returned.
+  // Returns whether `message` is a request from an object that is itself in its boot.  If this
+  // message were kept back, the boot would not go on: the sender waits for the reply in its DoInit,
+  // and the receiver gets its own DoInit only after the DoInit of the sender has returned.
   bool WouldBlockBoot(const Message& message) const {
     return message.reply_box != 0 && starting_.contains(message.sender);
   }
@@ -103,9 +102,9 @@ class ObjectManager : public CodeObject {
   Selector shutdown_;
   Selector reload_;
   Selector task_;
-  // The messages that the object manager has posted to itself and has not handled yet, each as its
-  // selector and the value in its payload (a robot or an object id).  IsDue() refuses a message
-  // that is not in this set, because the object manager has not posted it.
+  // The messages that the object manager has posted to itself and has not handled yet.  Each is
+  // stored as its selector and the value in its payload (a robot or an object id).  IsDue() refuses
+  // a message that is not in this set.
   std::multiset<std::pair<Selector, int>> due_;
   // The tasks of PostTask() that were not called yet, oldest first.
   std::deque<std::function<void()>> tasks_;

@@ -155,10 +155,10 @@ void ObjectTable::PostReplacement(std::vector<std::unique_ptr<Object>> fresh) {
   system_->PostTask([this, kept] { system_->manager().ReplaceAndBoot(std::move(*kept)); });
 }
 
-// Takes and returns all messages to `object` that were not delivered yet: messages that the object
-// could not handle yet, messages that wait for the processor, messages in the queue and messages in
-// outboxes.  Replies in the queue are released and not returned, because the handler that waits for
-// them ends with its object.
+// Takes and returns all messages to `object` that were not delivered yet.  They are in four places:
+// held for the object, waiting for the processor, in the queue, and in outboxes.  Replies in the
+// queue are released and not returned, because the handler that waits for them ends with its
+// object.
 std::vector<OwnedMessage> ObjectTable::TakeMessagesTo(Object* object) {
   std::vector<OwnedMessage> messages;
   while (!object->delivery().held().empty())

@@ -56,9 +56,8 @@ class ObjectTable {
   // regions.  Must be called in a task (System::PostTask()), which runs only when no message is
   // due, because a message that is due may point into these regions.
   void EndAllOf(ObjectId id);
-  // Registers `listener`.  When EndAllOf() ends everything that belongs to an object, it calls
-  // `listener` with the id of this object, so that another part of the system also ends its work
-  // for the object.
+  // Registers `listener`, which EndAllOf() calls with the id of the object whose work it ends.  So
+  // another part of the system can also end its work for the object.
   void OnEnd(Listener listener) { end_listeners_.push_back(std::move(listener)); }
 
   // Removes all objects of `robot`, which is off, except the object manager.  An absent object

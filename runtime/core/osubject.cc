@@ -344,9 +344,9 @@ int OSubject::IsAnyReady() const {
 
 int OSubject::IsAllReady() const {
   for (const ObserverLink& link : state_->links) {
-    // link.ready is 0 if the observer has not asserted ready since the last notification; then not
-    // all observers are ready.  link.ready is -1 if the observer has deasserted ready: such an
-    // observer wants no data and does not count (core.md 2.2).
+    // If link.ready is 0, the observer has not asserted ready since the last notification, so not
+    // all observers are ready.  If link.ready is -1, the observer has deasserted ready.  It wants
+    // no data, so it is left out here (core.md 2.2).
     if (link.ready == 0) return 0;
   }
   return IsAnyReady();

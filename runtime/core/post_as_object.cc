@@ -64,7 +64,8 @@ std::vector<std::string> SubjectsOf(const System& system, int robot, std::string
 std::string PostNotification(System* system, const ServiceEnd& subject, const ServiceEnd& observer,
                              std::string_view datum) {
   if (std::string why = NotConnectedText(*system, subject, observer); !why.empty()) return why;
-  // Makes the subject's object current, so that the notification counts as sent by this object.
+  // Makes the subject's object the current object, so that this object is the sender of the
+  // notification.
   const CurrentScope scope(system, system->object(subject.object));
   RCRegion* const region = new RCRegion(datum.size());
   std::memcpy(region->Base(), datum.data(), datum.size());
@@ -90,7 +91,7 @@ std::string PostNotification(System* system, const ServiceEnd& subject, const Se
 std::string PostReady(System* system, const ServiceEnd& observer, const ServiceEnd& subject,
                       bool is_ready) {
   if (std::string why = NotConnectedText(*system, subject, observer); !why.empty()) return why;
-  // Makes the observer's object current, so that the ready counts as sent by this object.
+  // Makes the observer's object the current object, so that this object is the sender of the ready.
   const CurrentScope scope(system, system->object(observer.object));
   OwnedMessage message = system->NewMessage(subject.object, subject.selector);
   auto& ready = *new (message->payload) OReadyMessage;

@@ -16,8 +16,7 @@ namespace openr_host {
 namespace {
 
 // Returns whether `number` is a NaN.  Compares bits, because an operation on a signaling NaN would
-// set a flag of the processor, and the runtime would report this flag as a fault of the object that
-// prints the number.
+// set a flag of the processor, and the runtime would report this flag as a fault of the object.
 bool IsNaNOfBits(double number) {
   uint64_t bits = 0;
   std::memcpy(&bits, &number, sizeof bits);

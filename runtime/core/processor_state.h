@@ -23,7 +23,7 @@ class ProcessorState {
   void NoteStarving(int64_t now_us) {
     if (starving_since_us_ < 0) starving_since_us_ = now_us;
   }
-  // Ends the wait for the processor.  Returns the value of starving_since_us() before.
+  // Ends the wait for the processor.  Returns when the wait began (starving_since_us()).
   int64_t EndStarving() { return std::exchange(starving_since_us_, -1); }
 
   // Messages that the handler has posted.  They leave when the handler's processor time is over.

@@ -35,8 +35,8 @@ class RCRegionPool {
 
  private:
   // The memory of one RCRegion in the pool.  The link to the next free block lies behind the
-  // RCRegion, because a program may by mistake read a region that it has given back, and must then
-  // find the old content, as on the robot.
+  // RCRegion and not in its place.  So a program that by mistake reads a region that it has given
+  // back finds the old content, as on the robot.
   struct Block {
     alignas(RCRegion) std::byte region[sizeof(RCRegion)];
     Block* next;

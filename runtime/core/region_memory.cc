@@ -125,8 +125,8 @@ void RegionMemory::RemoveFromKept(const Cell& cell) {
   kept_bytes_ -= std::erase(kept_, cell) * CellBytes(cell.size_class);
 }
 
-// Unmaps `cell`, the memory for one region.  REQUIRES: the cell has kMapBytes or more.  Such a cell
-// was mapped as one piece, so no other cell loses its memory.
+// Unmaps `cell`, the memory for one region.  REQUIRES: the cell has kMapBytes or more, so that it
+// was mapped as one piece and no other cell loses its memory.
 void RegionMemory::Unmap(const Cell& cell) {
   const size_t bytes = CellBytes(cell.size_class);
   munmap(area_ + OffsetOf(cell.size_class) + cell.slot * bytes, bytes);

@@ -21,11 +21,13 @@ class RegionMemory {
 
   static constexpr uint32_t kSlots = 1 << 16;
 
-  // Returns memory of `bytes` zeros for the region in `slot`, or null if there is no memory.  The
-  // memory has a planned address, except in four cases: it is larger than 16 MiB (half of the
-  // robot's memory), the memory of an earlier region of this slot and size is still in use, the
+  // Returns memory of `bytes` zeros for the region in `slot`, or null if there is no memory.
+  // REQUIRES: slot < kSlots.
+  //
+  // The memory has a planned address, except in four cases: more than 16 MiB (half of the robot's
+  // memory) are wanted, the memory of an earlier region of this slot and size is still in use, the
   // planned memory cannot be mapped, or addresses are not planned.  In these cases the memory comes
-  // from the host's heap.  REQUIRES: slot < kSlots.
+  // from the host's heap.
   char* New(uint32_t slot, size_t bytes);
 
   // Frees `block`, the memory of a region that New() returned.  Does nothing if `block` is null.

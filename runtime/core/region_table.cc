@@ -11,13 +11,13 @@
 namespace openr_host {
 namespace {
 
-// The number of bytes with the known value kGuard behind each region, by which a write beyond the
-// end of the region is found.  With AddressSanitizer there are no such bytes, because
-// AddressSanitizer itself reports such a write.
+// The number of guard bytes behind each region.  They have the known value kGuard, so a write
+// beyond the end of the region is found.  With AddressSanitizer there are none, because
+// AddressSanitizer itself reports the write.
 const size_t kGuardBytes = IsAddressSanitized() ? 0 : 16;
-// With AddressSanitizer, the memory of a copy of a region of another process is freed as soon as no
-// observer reads the copy, and not kept for the next copy.  Then AddressSanitizer reports reads of
-// the old copy.
+// With AddressSanitizer, a copy of a region of another process is freed as soon as no observer
+// reads it, so that AddressSanitizer reports later reads of the copy.  Otherwise its memory is kept
+// for the next copy.
 const bool kReusesCopies = !IsAddressSanitized();
 constexpr char kGuard = 0x5a;
 
@@ -109,7 +109,7 @@ char* RegionTable::AdoptCopy(uint32_t id, size_t size) {
     slot->is_idle = false;
     slot->id = id;
     slot->size = size;
-    // Writes the bytes with the known value kGuard behind the region again, because a program that
+    // Writes the guard bytes (with the known value kGuard) behind the region again.  A program that
     // wrote beyond the end of the last copy in this memory may have changed them.
     std::memset(slot->base + size, kGuard, kGuardBytes);
     return slot->base;

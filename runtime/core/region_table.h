@@ -104,9 +104,9 @@ class RegionTable {
   // nothing.
   bool Resize(uint32_t id, size_t size);
 
-  // Returns whether a program has written beyond the end of region `id`, that is, whether the bytes
-  // with a known value that follow the region were changed.  Always false with AddressSanitizer,
-  // which reports such a write itself.
+  // Returns whether a program has written beyond the end of region `id`: whether the guard bytes
+  // behind the region have changed.  Always false with AddressSanitizer, which reports the write
+  // itself.
   bool WrittenBeyond(uint32_t id) const;
 
   // Pin() keeps the memory of a region that is still being read; Unpin() ends this.  Both functions
@@ -162,18 +162,18 @@ class RegionTable {
     bool is_idle = false;      // true for a copy that nobody reads; its memory is kept for reuse
   };
 
-  // Returns the slot that has memory for region `id`; null if there is no such slot.  Unlike
-  // Find(), finds also an idle copy (is_idle): a copy of a region of another process that no
-  // observer reads at present.  AdoptCopy() uses the memory of such a copy again.
+  // Returns the slot that has memory for region `id`; null if there is none.  Unlike Find(), finds
+  // also an idle copy (is_idle), that is, a copy of a region of another process that no observer
+  // reads now, because AdoptCopy() uses its memory again.
   Slot* FindMemory(uint32_t id) {
     const uint32_t index = (id & 0xffff) - 1;
     if (index >= slots_.size()) return nullptr;
     Slot& slot = slots_[index];
     return slot.generation == id >> 16 && slot.base != nullptr ? &slot : nullptr;
   }
-  // Returns the slot of region `id`; null if there is no such region.  Also returns null for a
-  // region that AdoptCopy() has made and that no observer reads at present (is_idle): its bytes may
-  // be out of date, and only its memory is kept for the next copy.
+  // Returns the slot of region `id`; null if there is no such region.  Does not find a copy of a
+  // region of another process that no observer reads now (is_idle): its bytes may be out of date,
+  // and only its memory is kept for the next copy.
   Slot* Find(uint32_t id) {
     const uint32_t index = (id & 0xffff) - 1;
     if (index >= slots_.size() || slots_[index].id != id) return nullptr;

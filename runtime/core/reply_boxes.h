@@ -28,7 +28,7 @@ class ReplyBoxes {
   void OpenApart(uint64_t box) { open_.insert(box); }
   bool IsOpen(uint64_t box) const { return open_.contains(box); }
   // Closes a box and drops its reply.  Returns true if the object has ordered reply events for the
-  // box.  Such events may still wait in TimeEvents, and the caller must remove them there.
+  // box.  The caller must then remove these events from TimeEvents, where they may still wait.
   bool Close(uint64_t box) {
     open_.erase(box);
     arrived_.erase(box);
