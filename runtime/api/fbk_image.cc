@@ -26,8 +26,8 @@ BandPlace PlaceOf(ODataType type, OFbkImageBand band) {
     case odataFBK_YCrCb_HPF:
       if (band <= ofbkimageBAND_Cb) return {static_cast<int>(band), 6};
       // In an image, the bands LH, HL and HH follow the band Cb.  In OFbkImageBand, the constant of
-      // CDT lies between the constant of Cb and theirs.  So the index of one of these bands in the
-      // image is its constant minus 1.
+      // CDT comes between the constants of Cb and LH.  So the index of each of these three bands in
+      // the image is its constant minus 1.
       if (band >= ofbkimageBAND_Y_LH && band <= ofbkimageBAND_Y_HH) {
         return {static_cast<int>(band) - 1, 6};
       }

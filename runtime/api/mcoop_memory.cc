@@ -17,7 +17,7 @@ namespace {
 // this size (Programmer's Guide, 4.1.2).
 constexpr size_t kPageBytes = 4096;
 
-// Changes the size of a region that the current object owns to `size`.  If `grows` is true
+// Gives region `id`, which the current object must own, the new size `size`.  If `grows` is true
 // (GrowMemoryRegion()), the new size must not be smaller than the old size.  Otherwise
 // (ShrinkMemoryRegion()), the new size must be smaller.
 sError Resize(MemoryRegionID id, size_t size, bool grows) {

@@ -19,9 +19,10 @@ using openr_host::t_current;
 
 // A second stack, on which an object runs the function `body`.  The function may leave the stack
 // before its end and continue later, as the endless loop of a controller does (kit/controller).
-// The functions that switch stacks make no ApiScope (current.h), although programs call them.  With
-// an ApiScope the function `body` would count as code of the runtime, and would use the heap and
-// files of the host.
+//
+// The functions that switch stacks make no ApiScope (current.h), although programs call them.  An
+// ApiScope would mark `body` as code of the runtime, so that `body` would use the heap and files of
+// the host.
 struct OpenrSecondStack {
   // The second stack lies at addresses that are planned for the object (core/address_plan.h), as
   // the stack of handlers does.  It is cleared after use, so that its content is the same in every

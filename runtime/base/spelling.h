@@ -18,8 +18,7 @@ std::optional<std::string> MatchIgnoringCase(std::string_view word,
                                              const std::vector<std::string>& candidates);
 
 // Returns the smallest number of insertions, deletions, replacements and swaps of neighbouring
-// characters that turn `a` into `b` (optimal string alignment).  The case of ASCII letters does not
-// count.
+// characters that turn `a` into `b` (optimal string alignment).  Ignores the case of ASCII letters.
 int EditDistance(std::string_view a, std::string_view b);
 
 // Returns the candidate nearest to `word`, the first of several equally near candidates.  Returns

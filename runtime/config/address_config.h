@@ -1,7 +1,7 @@
 // Replaces fixed IP addresses in old programs by addresses of today's network.
 //
 // A program for the robot often contains fixed addresses that no longer exist, such as 10.0.1.2 for
-// a PC.  A pair of addresses is such an old address and the address that the host uses in its
+// a PC.  A pair of addresses consists of an old address and the address that the host uses in its
 // place.  Pairs come from the command line (openr run --ip ROBOT=HOST) and from the file
 // HOSTADDR.CFG beside CONNECT.CFG, which has one pair per line.  The robot ignores HOSTADDR.CFG.
 #pragma once

@@ -45,7 +45,7 @@ struct StubConfig {
 };
 
 struct StubConfigResult {
-  StubConfig config;  // valid for GenerateStub() exactly if !HasErrors(diagnostics)
+  StubConfig config;  // may be given to GenerateStub() if !HasErrors(diagnostics)
   std::vector<Diagnostic> diagnostics;
 };
 

@@ -90,7 +90,7 @@ constexpr size_t kRegionAreaBytes = size_t{3} << 39;  // 1.5 TiB in bytes
 // memory or the addresses are in use.
 bool MapAt(char* address, size_t bytes);
 
-// Returns whether `address` lies in the addresses of the address plan, so that it is the same in
+// Returns whether `address` belongs to the address plan.  The addresses of the plan are the same in
 // every process.
 bool IsPlanned(const void* address);
 

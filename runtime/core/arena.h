@@ -34,8 +34,8 @@ struct MemoryBudget {
 class Arena {
  public:
   // Makes an empty heap in the heap area of `place` (address_plan.h), which no other arena may use.
-  // If `budget`, the memory that all objects of the robot share, is null, the size of the area is
-  // the only limit; otherwise `budget` must outlive the arena.  REQUIRES: place.heap() is not null.
+  // `budget` is the memory that all objects of the robot share; it must outlive the arena.  If
+  // `budget` is null, the size of the area is the only limit.  REQUIRES: place.heap() is not null.
   explicit Arena(const ObjectAddresses& place, MemoryBudget* budget = nullptr);
   ~Arena();  // frees all blocks
   Arena(const Arena&) = delete;

@@ -48,7 +48,7 @@ class ArithmeticWatch {
 
  private:
   bool has_begun_ = false;
-  unsigned kinds_ = 0;  // the flags that raise SIGFPE
+  unsigned kinds_ = 0;  // flags (FpFlag) whose operations raise SIGFPE
   // The number of functions of the SDK and the C library that the watched handler has called and
   // that have not returned yet.  While the number is not 0, floating-point operations raise no
   // SIGFPE, because they are not operations of the handler's own code.

@@ -1,5 +1,5 @@
 // CodeObject: the base class of objects that are C++ classes of this program and are not loaded
-// from files.  Such objects are parts of the robot, probes of tests and load generators.
+// from files.  They are parts of the robot, probes of tests, or load generators.
 //
 // A CodeObject sends and receives messages like an object from a file (an image).  Only the table
 // of entries, the functions that are called for messages, is different: an image has a table in its
@@ -143,7 +143,8 @@ class CodeObject : public OObject {
                           std::unique_ptr<CodeEntry> entry);
 
   Object* const host_;
-  std::vector<std::unique_ptr<CodeEntry>> entries_;  // the index is selector - oentryBASE
+  // Index of an entry: its selector minus oentryBASE.
+  std::vector<std::unique_ptr<CodeEntry>> entries_;
   int subject_count_ = 0;
   int observer_count_ = 0;
 };

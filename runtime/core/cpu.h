@@ -26,8 +26,8 @@ class CostModel {
   // Returns the processor time of one call of entry `selector`, >= 0.  Called once per delivery and
   // in order of delivery, so a model may draw random numbers from its own generator.
   virtual int64_t CostUs(const Object& object, uint32_t selector) = 0;
-  // Returns the virtual time in us that a frame takes: the step in which the robot's sensors and
-  // joints work, 8 ms on a robot.  A model may set another length.
+  // Returns the virtual time in us that a frame (the step in which the robot's sensors and joints
+  // work) takes: 8 ms on a robot.  A model may set another length.
   virtual int64_t FrameUs() const;
   // Adds to the state hash all state of this model that can change what handlers cost later in the
   // run.
@@ -44,8 +44,8 @@ class Cpu {
   // handler of lower priority.  REQUIRES: `object` belongs to this robot.
   bool IsFreeFor(const Object& object) const;
 
-  // The longest wait of an object for the processor that is normal; a longer wait becomes a
-  // finding.  The value is our choice.
+  // The longest normal wait of an object for the processor; a longer wait becomes a finding.  The
+  // value is our choice.
   static constexpr int64_t kStarvedUs = 1'000'000;
 
   // The longest time that a handler normally takes.  A longer handler becomes a finding, because it

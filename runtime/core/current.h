@@ -16,9 +16,9 @@ class System;
 struct Current {
   System* system = nullptr;
   Object* object = nullptr;
-  // True while code of an image (a program of the robot) runs, but false while a function of the
-  // runtime runs that this code has called.  While true, malloc() takes memory from the object's
-  // heap and fopen() opens files of the Memory Stick.
+  // True while code of an image (a program of the robot) runs.  False while this code calls a
+  // function of the runtime.  While true, malloc() takes memory from the object's heap and fopen()
+  // opens files of the Memory Stick.
   bool image_code = false;
   // Finds floating-point faults of the running handler; null if no handler runs, or if this handler
   // is not watched for faults.

@@ -80,7 +80,7 @@ class DeliveryState {
     return !is_image_ && !is_off_ && !is_busy_ && blocked_ == nullptr && held_.empty();
   }
   // Sets the PlainFlag, which is true if a message to the object needs nothing but a call of its
-  // handler.  Every function that changes a member calls this function at its end.
+  // handler.  Every function that changes a member of this class calls this function at its end.
   void SetFlag() { flag_->is_plain_ = IsPlain(); }
 
   PlainFlag* const flag_;

@@ -53,7 +53,7 @@ class Findings {
   Finding* Add(Finding finding);
   const std::vector<Finding>& all() const { return all_; }
   // Returns whether there is an error among the findings from index `first` of all() on.  If
-  // `robot` has a value, only findings about the robot with this number count.
+  // `robot` has a value, looks only at findings about the robot with this number.
   bool HasError(size_t first = 0, std::optional<int> robot = {}) const;
   uint64_t not_kept() const { return not_kept_; }
 

@@ -58,8 +58,8 @@ class AddressWords {
  public:
   explicit AddressWords(std::string* bytes) : bytes_(*bytes) {}
 
-  // Returns whether the words are found.  They are not found if `bytes` are no shared object for
-  // this processor that was linked for address 0, or if it needs more than `size_max` bytes of
+  // Returns whether the words are found.  Fails if `bytes` are not a shared object for this
+  // processor, if it was not linked for address 0, or if it needs more than `size_max` bytes of
   // memory.
   bool Find(uint64_t size_max);
 
@@ -112,7 +112,7 @@ uint64_t AddressWords::ValueOf(int64_t tag) const {
   return found == dynamic_.end() ? 0 : found->d_un.d_val;
 }
 
-// Sets segments_ and dynamic_, and finds the words in both.
+// Sets segments_ and dynamic_, and finds the words with addresses in both.
 void AddressWords::FindInSegments(const Elf64_Ehdr& header) {
   auto* const segments = At<Elf64_Phdr>(header.e_phoff, header.e_phnum);
   if (segments == nullptr) return;

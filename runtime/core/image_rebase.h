@@ -14,12 +14,12 @@
 namespace openr_host {
 
 // Moves the shared object `bytes`, which was linked for address 0, to `address`.  Returns false and
-// changes nothing if `bytes` are not such a shared object or need more than `size_max` bytes of
-// memory.  REQUIRES: `address` is a multiple of 64 KiB.
+// changes nothing if `bytes` are not a shared object that was linked for address 0, or need more
+// than `size_max` bytes of memory.  REQUIRES: `address` is a multiple of 64 KiB.
 //
-// Section headers, the table of all symbols and debug information keep the old addresses.  gdb can
-// still use them: it adds the distance by which the image was moved, which it computes from the
-// address of the dynamic section.
+// Section headers, the table of all symbols and debug information keep the old addresses. gdb can
+// still use them: it finds the distance by which the image was moved from the address of the
+// dynamic section, and adds this distance.
 bool RebaseImage(std::string* bytes, uint64_t address, uint64_t size_max);
 
 // Changes the shared object `bytes` so that the loader does not run the constructors of its global

@@ -90,7 +90,7 @@ const Elf64_Phdr* ImageMemory::Find(uint64_t address, uint64_t size, uint32_t fl
   return nullptr;
 }
 
-// The tables to which the dynamic section of a shared object leads.
+// The tables that the dynamic section of a shared object names.
 class ImageTables {
  public:
   explicit ImageTables(const ImageMemory& memory) : memory_(memory) {}

@@ -249,8 +249,8 @@ std::vector<Range> WritableRanges(const char* stack) {
   return writable;
 }
 
-// Searches all writable memory of this process for addresses of heap blocks and regions.  This
-// memory is that of the runtime and the variables of images.
+// Searches all writable memory of this process for addresses of heap blocks and regions: the memory
+// of the runtime and the variables of images.
 void LeakSearch::ReadHost(const char* stack) {
   std::sort(holes_.begin(), holes_.end(),
             [](const Range& a, const Range& b) { return IsLess(a.begin, b.begin); });

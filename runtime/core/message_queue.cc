@@ -60,9 +60,9 @@ void MessageQueue::PushFront(OwnedMessage message, int priority) {
   Mark(level);
 }
 
-// Returns the first level from `level` on whose bit in marks_ is 1; kLevels if there is none.  A
-// level is a number for the class and priority of messages.  Its bit is 1 if its list may have
-// messages.
+// Searches marks_ from `level` on, and returns the first level whose bit is 1; kLevels if there is
+// none.  A level is a number for the class and priority of messages.  Its bit is 1 if its list may
+// have messages.
 uint32_t MessageQueue::NextMarked(uint32_t level) const {
   uint64_t before = (uint64_t{1} << (level % 64)) - 1;  // bits of the message levels before `level`
   for (uint32_t word = level / 64; word < kLevels / 64; ++word) {

@@ -25,7 +25,7 @@ class MessageQueue {
   MessageQueue& operator=(const MessageQueue&) = delete;
 
   // Returns a message from the pool.  The caller must set payload, target, selector and due time;
-  // the other fields have the values given here or their default values.
+  // the other fields have the values of the parameters or their default values.
   OwnedMessage Allocate(ObjectId sender = kNoObject, uint64_t cause = 0,
                         MessageClass message_class = MessageClass::kObject) {
     return OwnedMessage(TakeFree(sender, cause, message_class));
@@ -126,7 +126,8 @@ class MessageQueue {
 
 // ---- Functions that are called for every message of a run; therefore they are inline.
 
-// Takes a message from the pool and gives its fields the values given or their default values.
+// Takes a message from the pool.  Sets its fields to the values of the parameters, and all other
+// fields to their default values.
 inline Message* MessageQueue::TakeFree(ObjectId sender, uint64_t cause,
                                        MessageClass message_class) {
   if (free_.empty()) [[unlikely]]

@@ -1,5 +1,5 @@
-// NumberFaults: what is known about the faults of an object's handlers in calculations, for the
-// findings that ImageObject adds after a handler.
+// NumberFaults: the arithmetic faults of an object's handlers, recorded for the findings that
+// ImageObject adds after a handler.
 #pragma once
 
 #include <bit>

@@ -76,7 +76,7 @@ class OpenFiles {
     std::string path;  // path of the open file on the host
     bool writes = false;
     std::string name = {};  // path of the file on the stick, as the object has given it
-    bool has_lost = false;  // whether a finding says that a write to the file has failed
+    bool has_lost = false;  // whether there is a finding about a failed write
   };
 
   void CloseAll();
@@ -195,7 +195,7 @@ class Object {
   // The reasons why a message may not be passed to the handler at once.
   const DeliveryState& delivery() const { return delivery_; }
   DeliveryState& delivery() { return delivery_; }
-  // Returns whether delivery needs only a call of the handler.
+  // Returns whether the delivery of a message needs only a call of its handler (PlainFlag).
   bool is_plain() const { return static_cast<bool>(is_plain_); }
 
   // Returns the class of the messages that the object posts.  The order of delivery compares the

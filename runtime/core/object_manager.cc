@@ -278,7 +278,8 @@ void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
   if (entry == oentryINIT) uninitialised_.erase(object->id);
   if (uninitialised_.contains(object->id))
     return;  // sends nothing more: without DoInit the object has no subjects or observers
-  if (object->delivery().is_off()) return;  // the robot of `object` was switched off meanwhile
+  // The robot of `object` has been switched off before this call.
+  if (object->delivery().is_off()) return;
   OReasonMessage message = MessageOf(*object, reason);
   OStatusMessage reply;
   const sError error = system().requests().Call(object->id, entry, &message, sizeof message, &reply,

@@ -13,8 +13,8 @@ namespace openr_host {
 
 class ObjectMemory {
  public:
-  // Gives the object its part of the address plan and a heap there, whose bytes count in `budget`.
-  // `budget` must outlive the heap.  REQUIRES: called once.
+  // Gives the object its part of the address plan and a heap there.  `budget` counts the bytes of
+  // the heap, and must outlive the heap.  REQUIRES: called once.
   void Plan(std::unique_ptr<ObjectAddresses> addresses, MemoryBudget* budget);
 
   // Returns the object's part of the address plan.  Null for objects that are no images, and where

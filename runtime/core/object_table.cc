@@ -259,8 +259,8 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
   fresh->Succeed(*old);
   fresh->delivery().set_off(old->delivery().is_off());
   // Keeps an old object whose handler waits or still has the processor, because that handler needs
-  // its object until it ends.  The heap of the old object does not count as memory of the robot any
-  // more, because on the robot the object would be gone.
+  // its object until it ends.  The memory of the robot no longer includes the heap of the old
+  // object, because on the robot the object would be gone.
   if (old->running() != nullptr || old->delivery().is_busy()) {
     if (old->memory().arena() != nullptr) old->memory().arena()->LeaveBudget();
     replaced_running_.push_back(std::move(objects_[static_cast<size_t>(id)]));
@@ -272,8 +272,9 @@ void ObjectTable::Place(std::unique_ptr<Object> fresh) {
 ObjectTable::Readies ObjectTable::Replace(std::vector<std::unique_ptr<Object>> fresh) {
   Readies readies;
   // Marks all objects that will be replaced (Object::is_leaving()) before EndMessagesTo() gives
-  // back the regions of undelivered notifications.  To the sender of a notification that is marked,
-  // SendDeassert() gives the regions back by a direct call, because a message would be lost.
+  // back the regions of undelivered notifications.  If the sender of a notification is marked,
+  // SendDeassert() gives the regions back by a direct call, because the sender would not receive a
+  // message.
   for (const auto& object : fresh) {
     FlushStreams(Get(object->id));
     Get(object->id)->BeginReplacement();

@@ -1,7 +1,7 @@
 // ObserverState: the runtime's record of an observer (OObserver, the receiving end of connections).
 //
-// The record lies on the host's heap and not on the object's heap, so it does not count as memory
-// of the robot.  Only handlers of the object change it.
+// The record lies on the host's heap and not on the object's heap, so it takes no memory of the
+// robot.  Only handlers of the object change it.
 #pragma once
 
 #include <OPENR/OObserver.h>

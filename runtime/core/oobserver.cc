@@ -112,9 +112,9 @@ std::optional<OControlReplyMessage> AskSubject(ObserverState* state, const OServ
                          : objcommCMD_REMOVEOBSERVER_SELF;
   SelfReply self{&reply, sizeof reply, entry.GetSelector()};
   state->object->set_self_reply(&self);
-  // A destructor ends the direct call, so that the call also ends if the program's function for
-  // Control throws an exception.  Otherwise the object would write later replies to `self`, which
-  // no longer exists then.
+  // Ends the direct call of the subject's entry in a destructor, so also if the program's function
+  // for Control throws an exception.  Otherwise the object would write later replies to `self`,
+  // which no longer exists then.
   struct CallEnd {
     openr_host::Object* object;
     ~CallEnd() {

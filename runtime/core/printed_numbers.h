@@ -1,5 +1,6 @@
 // Finds NaNs that an object prints.  The robot's processor stops when a program uses a NaN, also in
-// printf().  The host's processor does not stop, so the runtime searches for such NaNs.
+// printf().  The host's processor does not stop, so the runtime itself looks for NaNs in printed
+// numbers.
 #pragma once
 
 #include <cstdarg>

@@ -19,7 +19,8 @@ class ProcessorState {
   // Returns the virtual time at which the object, which has a message to handle, began to wait for
   // the processor; -1 if the object does not wait for the processor.
   int64_t starving_since_us() const { return starving_since_us_; }
-  // Records that the object waits for the processor, from now on if it did not wait before.
+  // Records that the object waits for the processor.  If it did not wait before, the wait begins at
+  // `now_us`.
   void NoteStarving(int64_t now_us) {
     if (starving_since_us_ < 0) starving_since_us_ = now_us;
   }

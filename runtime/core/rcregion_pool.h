@@ -9,9 +9,9 @@
 
 namespace openr_host {
 
-// RCRegions are small, many and short-lived, so single allocations would take long.  The pool is
-// never deleted, because a static object of the program may still delete regions when the program
-// ends.
+// RCRegions are small, many and short-lived, so a separate allocation for each of them would take
+// long.  The pool is never deleted, because a static object of the program may still delete regions
+// when the program ends.
 class RCRegionPool {
  public:
   // Returns the memory for one RCRegion.

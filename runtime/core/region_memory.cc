@@ -22,7 +22,7 @@ constexpr size_t kKeepBytes = 256 << 10;
 // is the memory for one region; each slot (index of a region) of the RegionTable has its own cells.
 // After a reboot of the robot the same regions get other slots, and so other cells.  So without a
 // limit, each reboot would leave more unused cells mapped.  Cells smaller than kMapBytes are always
-// kept and do not count.
+// kept, and are not part of the sum.
 constexpr size_t kKeptBytesMax = 1 << 20;
 
 // Sets flag `index` (of a slot or a piece of memory) of the list `flags` to `value`.  Flags beyond

@@ -36,8 +36,8 @@ RegionShares::Share& RegionShares::ShareOf(uint32_t region, ObjectId object) {
     std::erase_if(shares_, [this](const auto& entry) {
       return !entry.second.attached && regions_->BaseOf(entry.first.first) == nullptr;
     });
-    // Raises cleanup_size_ to at least twice the number of the remaining rights.  So the search for
-    // rights to deleted regions runs only rarely.
+    // Raises cleanup_size_ to at least twice the number of the remaining records.  So the search
+    // for records of deleted regions is rare.
     cleanup_size_ = std::max(cleanup_size_, 2 * shares_.size());
   }
   return shares_[{region, object}];

@@ -40,7 +40,7 @@ class RegionShares {
   bool MayWrite(ObjectId self, uint32_t region) const;
 
   // Returns the number of records of rights and attached objects.  Records about deleted regions
-  // are removed only from time to time (ShareOf()), so this number may include such records.
+  // are removed only from time to time (ShareOf()), so some of them may be included.
   size_t count() const { return shares_.size(); }
 
  private:

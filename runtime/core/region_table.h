@@ -69,8 +69,8 @@ class RegionTable {
   const void* PlaceOf(uint32_t id) const;
   // Returns whether `id` named a region that was deleted.
   bool WasDeleted(uint32_t id) const;
-  // Returns the memory of the table itself.  The search for leaks leaves this memory out, because
-  // it has the address of every region: otherwise no region would count as leaked.
+  // Returns the memory of the table itself.  The search for leaks leaves this memory out: it has
+  // the address of every region, so every region would seem to be in use.
   std::pair<const void*, size_t> own_memory() const {
     return {slots_.data(), slots_.capacity() * sizeof(Slot)};
   }
