@@ -12,6 +12,29 @@
 namespace openr_host {
 namespace {
 
+// Returns `text`, which is JSON, with escape sequences in place of the characters U+007F to U+009F.
+// JSON allows these characters in strings, but terminals obey them.  JSON has escape sequences in
+// place of all other control characters already.
+std::string WithEscapes(std::string text) {
+  constexpr char kDelete = 0x7f, kFirstByte = static_cast<char>(0xc2);
+  const bool may_have_one =
+      text.find(kDelete) != std::string::npos || text.find(kFirstByte) != std::string::npos;
+  if (!may_have_one) return text;
+  std::string escaped;
+  for (size_t i = 0; i < text.size(); ++i) {
+    const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : 0);
+    if (text[i] == kDelete) {
+      escaped += "\\u007f";
+    } else if (text[i] == kFirstByte && next >= 0x80 && next <= 0x9f) {
+      escaped += fmt::format("\\u{:04x}", next);
+      ++i;
+    } else {
+      escaped += text[i];
+    }
+  }
+  return escaped;
+}
+
 // Throws std::runtime_error if `fractions` does not allow `number`, which has a fraction or an
 // exponent.
 template <typename Json>
@@ -30,7 +53,7 @@ JsonTooDeep::JsonTooDeep()
 
 template <typename Json>
 std::string JsonText(const Json& json, int indent) {
-  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+  return WithEscapes(json.dump(indent, ' ', false, Json::error_handler_t::replace));
 }
 
 template <typename Json>

@@ -6,9 +6,9 @@
 
 namespace openr_host {
 
-// Returns `text` with '?' in place of each control byte except newlines and tabs.  The control
-// characters U+0080 to U+009F, two bytes each in UTF-8, count as control bytes, because terminals
-// obey them, too.
+// Returns `text` with '?' in place of each control byte except newlines, tabs, and the carriage
+// return of a line that ends as on the robot ("\r\n").  The control characters U+0080 to U+009F,
+// two bytes each in UTF-8, count as control bytes, because terminals obey them, too.
 std::string TerminalText(std::string text);
 
 // Returns what TerminalText() returns, but with '?' also in place of newlines, for text that is

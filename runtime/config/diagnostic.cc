@@ -25,10 +25,10 @@ std::string Indent(const std::string& text, int column) {
 }
 
 std::string RenderAs(const Diagnostic& d, const char* kind) {
-  const std::string message = TerminalLine(d.message);
-  if (d.line == 0) return fmt::format("{}: {}{}", d.file, kind, message);
+  const std::string file = TerminalLine(d.file), message = TerminalLine(d.message);
+  if (d.line == 0) return fmt::format("{}: {}{}", file, kind, message);
   std::string result =
-      fmt::format("{}:{}: {}{}\n{}", d.file, d.line, kind, message, TerminalLine(d.text));
+      fmt::format("{}:{}: {}{}\n{}", file, d.line, kind, message, TerminalLine(d.text));
   if (d.column > 0) result += fmt::format("\n{}^", Indent(d.text, d.column));
   return result;
 }

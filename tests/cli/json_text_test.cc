@@ -64,6 +64,13 @@ TEST(JsonTextTest, DeeplyNestedJsonIsRefused) {
   EXPECT_THROW(ParseJson<Json>(objects), JsonTooDeep);
 }
 
+TEST(JsonTextTest, CharactersThatATerminalObeysAreEscaped) {
+  const Json json = "\x1b a\x7f\xc2\x9b\xc2\xb0\xc3\xa9";
+  const std::string text = JsonText(json);
+  EXPECT_EQ(text, "\"\\u001b a\\u007f\\u009b\xc2\xb0\xc3\xa9\"");
+  EXPECT_EQ(ParseJson<Json>(text), json);
+}
+
 TEST(JsonTextTest, BracketsInTextsAreNotNested) {
   const std::string brackets(1000, '[');
   for (const std::string& text : {"\"" + brackets + "\"", "[\"\\\"" + brackets + "\",\"\\\\\"]"})

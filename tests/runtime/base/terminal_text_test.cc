@@ -14,6 +14,8 @@ TEST(TerminalTextTest, ControlBytesAreShownAsQuestionMarks) {
 
 TEST(TerminalTextTest, NewlinesAndTabsStay) {
   EXPECT_EQ(TerminalText("a\tb\nc\n"), "a\tb\nc\n");
+  EXPECT_EQ(TerminalText("a\r\nb\rc\r"), "a\r\nb?c?");
+  EXPECT_EQ(TerminalLine("a\r\nb"), "a??b");
   EXPECT_EQ(TerminalLine("a\tb\nc\n"), "a\tb?c?");
 }
 

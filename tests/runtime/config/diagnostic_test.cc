@@ -57,6 +57,11 @@ TEST(DiagnosticTest, ControlBytesOfAWordInTheMessageDoNotEither) {
   EXPECT_EQ(Render(ErrorAt(FilePosition{"A.CFG", 0, 0, ""}, "no key '\x1b'")), "A.CFG: no key '?'");
 }
 
+TEST(DiagnosticTest, ControlBytesOfTheNameOfTheFileDoNotEither) {
+  EXPECT_EQ(Render(ErrorAt(FilePosition{"a\x1b[2Jb", 0, 0, ""}, "m")), "a?[2Jb: m");
+  EXPECT_EQ(Render(ErrorAt(FilePosition{"a\x1b[2Jb", 1, 0, "x"}, "m")), "a?[2Jb:1: m\nx");
+}
+
 TEST(DiagnosticTest, WithoutLineOnlyTheFileIsNamed) {
   EXPECT_EQ(Render(ErrorAt(FilePosition{"A.CFG", 0, 0, ""}, "is empty")), "A.CFG: is empty");
 }
