@@ -14,6 +14,7 @@
 
 #include "cli/standard_streams.h"
 #include "runtime/base/lazy_library.h"
+#include "runtime/base/terminal_text.h"
 
 namespace openr_host {
 namespace {
@@ -171,7 +172,7 @@ class LineEdit {
     for (size_t i = 0; i < words.size(); ++i) {
       std::fputs(i % in_line == 0 ? "\n" : "", stdout);
       const bool is_last = i % in_line == in_line - 1 || i + 1 == words.size();
-      std::printf("%-*s", is_last ? 0 : static_cast<int>(width), words[i].c_str());
+      std::printf("%-*s", is_last ? 0 : static_cast<int>(width), TerminalLine(words[i]).c_str());
     }
     std::fputc('\n', stdout);
   }

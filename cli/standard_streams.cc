@@ -8,11 +8,13 @@
 #include <cerrno>
 #include <iostream>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "cli/exit_code.h"
 #include "cli/output_file.h"
 #include "cli/progress_line.h"
+#include "runtime/base/terminal_text.h"
 
 namespace openr_host {
 namespace {
@@ -92,6 +94,14 @@ void NoteLostAnswer(int error) {
 }
 
 void PrintAnswer(std::string_view text) {
+  const std::string harmless = TerminalText(std::string(text));
+  // Asks for the terminal only if the two texts differ, because a system call for each part of a
+  // long answer would take time.
+  const bool is_shown = harmless != text && isatty(g_standard_output) == 1;
+  PrintAnswerWithCodes(is_shown ? std::string_view(harmless) : text);
+}
+
+void PrintAnswerWithCodes(std::string_view text) {
   // Writes past stdio if a run has given descriptor 1 to the robot's console.  Then the answer of
   // the command goes to the descriptor that was standard output before.
   if (g_standard_output != STDOUT_FILENO) {

@@ -34,8 +34,15 @@ void SetStandardOutput(int descriptor);
 
 // Prints a part of the command's answer on standard output.  Throws std::runtime_error "standard
 // output: cannot be written: why", or ReaderGone.  So a command with an endless answer stops when
-// its reader is gone.
+// its reader is gone.  A file or a pipe gets `text` byte for byte, because the answer may be data
+// for a program.  A terminal gets '?' in place of control bytes, which it would obey
+// (runtime/base/terminal_text.h).
 void PrintAnswer(std::string_view text);
+
+// Prints what PrintAnswer() prints, but a terminal gets all control bytes, too.  For text with
+// colours, or with codes that move the cursor, to which the caller has added no other control
+// bytes.
+void PrintAnswerWithCodes(std::string_view text);
 
 // Writes out at once the parts of the command's answer that PrintAnswer() has left in a buffer.
 // Throws as PrintAnswer() does.

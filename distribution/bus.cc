@@ -13,6 +13,7 @@
 
 #include "distribution/dds_check.h"
 #include "runtime/base/assert.h"
+#include "runtime/base/terminal_text.h"
 
 namespace openr_host {
 namespace {
@@ -70,7 +71,7 @@ void Log(void*, const dds_log_data_t* data) {
   std::string_view text(data->message, data->size);
   while (text.ends_with('\n')) text.remove_suffix(1);
   if (text.find("conn_write") != std::string_view::npos && told.exchange(true)) return;
-  fmt::print(stderr, "openr: Cyclone DDS: {}\n", text);
+  fmt::print(stderr, "openr: Cyclone DDS: {}\n", TerminalText(std::string(text)));
 }
 
 // Returns the lease: the seconds without a sign of life after which other processes take this

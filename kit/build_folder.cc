@@ -16,6 +16,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "cli/print_plain.h"
 #include "kit/build_progress.h"
 #include "kit/build_report.h"
 #include "kit/compile_database.h"
@@ -364,7 +365,7 @@ void FolderBuild::Deliver() {
     good += has_own;
     outcome_.sticks.push_back(target.lexically_normal());
     for (const PlacedImage& image : completed.images)
-      fmt::print("{:12} {:24} {}\n", image.name, image.object, image.from);
+      PrintPlain("{:12} {:24} {}\n", image.name, image.object, image.from);
     outcome_.notes.insert(outcome_.notes.end(), completed.notes.begin(), completed.notes.end());
     outcome_.missing.insert(outcome_.missing.end(), completed.problems.begin(),
                             completed.problems.end());

@@ -10,9 +10,11 @@
 #include "cli/colour.h"
 #include "cli/exit_code.h"
 #include "cli/install_paths.h"
+#include "cli/print_plain.h"
 #include "kit/shell_words.h"
 #include "kit/source_copies.h"
 #include "kit/text_files.h"
+#include "runtime/base/terminal_text.h"
 
 namespace openr_host {
 namespace {
@@ -127,12 +129,13 @@ int PrintOutcome(const BuildOutcome& outcome) {
   const bool has_colours = HasColours(STDERR_FILENO);
   const std::string note_begin = Coloured(Colour::kNote, "openr build: note:", has_colours);
   const std::string problem_begin = Coloured(Colour::kError, "openr build:", has_colours);
-  for (const std::string& note : outcome.notes) fmt::print(stderr, "{} {}\n", note_begin, note);
+  for (const std::string& note : outcome.notes)
+    fmt::print(stderr, "{} {}\n", note_begin, TerminalText(note));
   for (const std::string& problem : outcome.problems)
-    fmt::print(stderr, "{} {}\n", problem_begin, problem);
+    fmt::print(stderr, "{} {}\n", problem_begin, TerminalText(problem));
   if (!outcome.problems.empty()) return kExitWrong;
   for (const std::string& stick : outcome.sticks)
-    fmt::print("{} run --stick {}\n", ShellWord(ProgramCall()), ShellWord(stick));
+    PrintPlain("{} run --stick {}\n", ShellWord(ProgramCall()), ShellWord(stick));
   return kExitGood;
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "cli/print_plain.h"
 #include "cli/process.h"
 #include "kit/build_variant.h"
 #include "kit/compile_command.h"
@@ -199,7 +200,7 @@ int CompileRun::Run() {
   }
   if (!result.good() || !command_.is_quiet)
     std::fputs(InTermsOfOriginals(WithoutFlagNotes(result.output), SourceCopies()).c_str(), stderr);
-  if (!result.start_error.empty()) std::fprintf(stderr, "%s\n", result.start_error.c_str());
+  if (!result.start_error.empty()) PrintPlain(stderr, "{}\n", result.start_error);
   Log(result.good());
   return result.status;
 }

@@ -12,6 +12,7 @@
 #include "cli/exit_code.h"
 #include "cli/install_paths.h"
 #include "cli/output_file.h"
+#include "cli/print_plain.h"
 #include "cli/process.h"
 #include "kit/controller_objects.h"
 #include "kit/controller_sources.h"
@@ -51,10 +52,10 @@ class ControllerBuild {
     const auto objects = CompileController(sources.files, folder_, scratch_.path());
     if (!objects || !HasGoodFiles() || !Link(*objects)) return kExitWrong;
     Deliver();
-    fmt::print("{}  {}\n", kImage,
+    PrintPlain("{}  {}\n", kImage,
                sources.files.empty() ? "empty: Makefile.sources names no source"
                                      : folder_.filename().string());
-    fmt::print("{} run --stick {}\n", ShellWord(ProgramCall()),
+    PrintPlain("{} run --stick {}\n", ShellWord(ProgramCall()),
                ShellWord(stick_.lexically_normal()));
     return kExitGood;
   }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "cli/output_file.h"
+#include "cli/print_plain.h"
 #include "cli/process.h"
 #include "kit/controller_objects.h"
 #include "kit/controller_sources.h"
@@ -71,7 +72,7 @@ bool BuildControllerLibrary(const ControllerLibraryOptions& options) {
   link.insert(link.end(),
               {object, options.device_library, "-lm", "-Wl,-Bsymbolic", "-Wl,--no-undefined"});
   const ProcessResult linked = RunProcess(link);
-  if (!linked.start_error.empty()) fmt::print(stderr, "{}: {}\n", link[0], linked.start_error);
+  if (!linked.start_error.empty()) PrintPlain(stderr, "{}: {}\n", link[0], linked.start_error);
   return linked.good();
 }
 

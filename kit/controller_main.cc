@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <sstream>
 
+#include "cli/print_plain.h"
 #include "cli/process.h"
 #include "kit/sdk_tools.h"
 #include "kit/text_files.h"
@@ -92,7 +93,7 @@ int RunControllerMain(const Arguments& arguments) {
       FindControllerMain(arguments[0], {arguments.begin() + 2, arguments.end()});
   const std::string problem =
       found.problem.empty() ? WriteText(arguments[1], found.source) : found.problem;
-  if (!problem.empty()) std::fprintf(stderr, "controller-main: %s\n", problem.c_str());
+  if (!problem.empty()) PrintPlain(stderr, "controller-main: {}\n", problem);
   return problem.empty() ? 0 : 1;
 }
 

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "cli/print_plain.h"
 #include "kit/controller_main.h"
 #include "kit/sdk_paths.h"
 #include "kit/text_files.h"
@@ -24,7 +25,7 @@ std::string CompileCallOfMain(const Arguments& objects, const fs::path& folder,
                               const fs::path& scratch, const Arguments& flags) {
   const ControllerMain main = FindControllerMain("nm", {objects.begin(), objects.end()});
   if (!main.problem.empty()) {
-    fmt::print(stderr, "{}: {}\n", folder.string(), main.problem);
+    PrintPlain(stderr, "{}: {}\n", folder.string(), main.problem);
     return "";
   }
   const std::string source = scratch / "ControllerMain.cc", object = source + ".o";

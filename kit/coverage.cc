@@ -18,6 +18,7 @@
 #include "kit/shell_words.h"
 #include "kit/text_files.h"
 #include "kit/work_copy.h"
+#include "runtime/base/terminal_text.h"
 
 namespace openr_host {
 namespace {
@@ -188,7 +189,8 @@ int ShowCoverage(const CoverageOptions& options) {
     const std::string problem = WriteFile(options.lcov, AsLcov(counts));
     if (!problem.empty()) throw std::runtime_error(problem);
   }
-  PrintAnswer(options.is_json ? JsonText(AsJson(counts, folder)) + "\n" : AsTable(counts, folder));
+  PrintAnswer(options.is_json ? JsonText(AsJson(counts, folder)) + "\n"
+                              : TerminalText(AsTable(counts, folder)));
   return kExitGood;
 }
 

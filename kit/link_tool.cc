@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "cli/output_file.h"
+#include "cli/print_plain.h"
 #include "cli/process.h"
 #include "kit/build_variant.h"
 #include "kit/foreign_code.h"
@@ -27,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 int Refuse(const std::string& why) {
-  std::fprintf(stderr, "mkbin: %s\n", why.c_str());
+  PrintPlain(stderr, "mkbin: {}\n", why);
   return 1;
 }
 
@@ -175,8 +176,7 @@ int RunMkbin(const Arguments& arguments) {
   const std::string image_info = CompileImageInfo(command, *ocf_text);
   if (image_info.empty()) return 1;
   const Arguments link = LinkArguments(command, image_info);
-  if (command.is_verbose)
-    std::fprintf(stderr, "%s\n", fmt::format("{}", fmt::join(link, " ")).c_str());
+  if (command.is_verbose) PrintPlain(stderr, "{}\n", fmt::join(link, " "));
   // Sets the language of messages to English, because the linker's output is parsed.
   const ProcessResult result =
       RunProcess(link, {.environment = {{"LC_ALL", "C"}}, .captures_error = true});
@@ -205,7 +205,7 @@ int RunImageInfo(const Arguments& arguments) {
   }
   const std::optional<std::string> text = ReadFile(arguments[0]);
   if (!text) {
-    std::fprintf(stderr, "%s: cannot be read: %s\n", arguments[0].c_str(), std::strerror(errno));
+    PrintPlain(stderr, "{}: cannot be read: {}\n", arguments[0], std::strerror(errno));
     return 1;
   }
   const OcfResult ocf = ParseOcf(arguments[0], *text);
@@ -213,7 +213,7 @@ int RunImageInfo(const Arguments& arguments) {
   if (!ocf.ocf) return 1;
   const std::string problem = WriteFile(arguments[1], MakeImageSource(*text));
   if (problem.empty()) return 0;
-  std::fprintf(stderr, "%s\n", problem.c_str());
+  PrintPlain(stderr, "{}\n", problem);
   return 1;
 }
 

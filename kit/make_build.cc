@@ -9,6 +9,7 @@
 #include <regex>
 #include <sstream>
 
+#include "cli/print_plain.h"
 #include "cli/process.h"
 #include "kit/dry_run.h"
 #include "kit/kit_log.h"
@@ -303,7 +304,7 @@ MakeOutcome RunMakeIn(const fs::path& folder, const std::vector<std::string>& ar
   }
   const ProcessResult result = Make(folder, arguments, 1, true, options);
   if (!result.start_error.empty())
-    std::fprintf(stderr, "openr build: %s (Debian package make)\n", result.start_error.c_str());
+    PrintPlain(stderr, "openr build: {} (Debian package make)\n", result.start_error);
   return {result.good(), result.output};
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "cli/output_file.h"
+#include "cli/print_plain.h"
 #include "cli/process.h"
 #include "kit/sdk_tools.h"
 #include "runtime/base/read_file.h"
@@ -19,14 +20,14 @@ namespace {
 namespace fs = std::filesystem;
 
 int Fail(const char* tool, const std::string& file) {
-  std::fprintf(stderr, "%s: %s: %s\n", tool, file.c_str(), std::strerror(errno));
+  PrintPlain(stderr, "{}: {}: {}\n", tool, file, std::strerror(errno));
   return 1;
 }
 
 // Prints `problem` as an error of `tool`, unless it is "".  Returns the exit code of the tool.
 int Check(const char* tool, const std::string& problem) {
   if (problem.empty()) return 0;
-  std::fprintf(stderr, "%s: %s\n", tool, problem.c_str());
+  PrintPlain(stderr, "{}: {}\n", tool, problem);
   return 1;
 }
 
@@ -112,7 +113,7 @@ int RunHostTool(const std::string& tool, const Arguments& arguments) {
     if (!is_processor && !is_processor_pair) all.push_back(word);
   }
   const ProcessResult result = RunProcess(all);
-  if (!result.start_error.empty()) std::fprintf(stderr, "%s\n", result.start_error.c_str());
+  if (!result.start_error.empty()) PrintPlain(stderr, "{}\n", result.start_error);
   return result.status;
 }
 

@@ -10,6 +10,7 @@
 #include "cli/colour.h"
 #include "cli/json_text.h"
 #include "kit/text_files.h"
+#include "runtime/base/terminal_text.h"
 
 namespace openr_host {
 namespace {
@@ -107,7 +108,8 @@ std::string RenderRemarks(const Remarks& remarks, bool has_colours) {
     text += WithColour(Render(diagnostic), remark.kind, has_colours) + "\n";
     if (remark.count < 2) continue;
     const uint64_t rest = remark.count - 1 - remark.also_at.size();
-    text += fmt::format("  also at {}{}\n", fmt::join(remark.also_at, ", "),
+    text += fmt::format("  also at {}{}\n",
+                        TerminalLine(fmt::format("{}", fmt::join(remark.also_at, ", "))),
                         rest > 0 ? fmt::format(" and {} more", rest) : "");
   }
   return text;

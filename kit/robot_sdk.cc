@@ -11,6 +11,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "cli/print_plain.h"
 #include "cli/process.h"
 #include "kit/text_files.h"
 
@@ -118,7 +119,7 @@ std::string RobotSdk::SymbolLister() const {
 
 void RobotSdk::Run(const std::vector<std::string>& arguments, const fs::path& folder,
                    const std::string& what) const {
-  if (is_verbose_) fmt::print(stderr, "{}\n", fmt::join(arguments, " "));
+  if (is_verbose_) PrintPlain(stderr, "{}\n", fmt::join(arguments, " "));
   ProcessOptions options;
   options.folder = folder;
   options.has_no_input = true;

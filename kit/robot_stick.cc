@@ -10,6 +10,7 @@
 #include "cli/copy_file.h"
 #include "cli/counted.h"
 #include "cli/install_paths.h"
+#include "cli/print_plain.h"
 #include "kit/controller_main.h"
 #include "kit/controller_sources.h"
 #include "kit/robot_sdk.h"
@@ -232,18 +233,18 @@ class RobotStick {
 
   void Tell() const {
     if (options_.base.empty() && options_.flavour == "BASIC") {
-      fmt::print(stderr, "warning: BASIC has no network, so RCServer has nobody to talk to\n");
+      PrintPlain(stderr, "warning: BASIC has no network, so RCServer has nobody to talk to\n");
     }
     const fs::path output = options_.output;
     for (const RobotObject& object : kObjects) {
       const uint64_t size =
           fs::file_size(FindBelow(output, std::string("OPEN-R/MW/OBJS/") + object.image));
-      fmt::print("{}  {}\n", object.image, Counted(size, "byte"));
+      PrintPlain("{}  {}\n", object.image, Counted(size, "byte"));
     }
-    fmt::print("base: {}\n", base_.string());
-    fmt::print("copy {}/OPEN-R to a Programming Memory Stick\n", output.string());
+    PrintPlain("base: {}\n", base_.string());
+    PrintPlain("copy {}/OPEN-R to a Programming Memory Stick\n", output.string());
     if (std::error_code error; fs::exists(output / kElfFolder, error)) {
-      fmt::print("keep {0} for crashes: openr emon EMON.LOG --image {0}/NAME.nosnap.elf\n",
+      PrintPlain("keep {0} for crashes: openr emon EMON.LOG --image {0}/NAME.nosnap.elf\n",
                  (output / kElfFolder).string());
     }
   }
@@ -281,7 +282,7 @@ void MakeHostStick(const std::string& stick, const std::string& output) {
   // folders.
   fs::create_directories(WithCaseOnDisk(draft.stick(), "OPEN-R/MW/DATA/P"));
   draft.Finish();
-  fmt::print("{} run --stick {}\n", ShellWord(ProgramCall()), ShellWord(output));
+  PrintPlain("{} run --stick {}\n", ShellWord(ProgramCall()), ShellWord(output));
 }
 
 }  // namespace openr_host

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <string>
 
+#include "cli/print_plain.h"
 #include "cli/standard_streams.h"
 #include "kit/sdk_tools.h"
 
@@ -57,7 +58,7 @@ int Main(int argc, char** argv) {
   try {
     return RunTool(tool, Arguments(argv + first, argv + argc));
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s: %s\n", tool.c_str(), error.what());
+    PrintPlain(stderr, "{}: {}\n", tool, error.what());
     return 1;
   }
 }

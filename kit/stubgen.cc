@@ -15,6 +15,7 @@
 
 #include "cli/output_file.h"
 #include "runtime/base/read_file.h"
+#include "runtime/base/terminal_text.h"
 #include "runtime/config/stub_config.h"
 #include "runtime/config/stub_generator.h"
 
@@ -52,11 +53,12 @@ std::optional<std::string> ReadInput(const std::string& file, std::istream& in, 
   }
   std::error_code status;
   if (fs::is_directory(file, status)) {
-    err << fmt::format("{0}: is a folder; did you mean '{0}/stub.cfg'?\n", file);
+    err << TerminalText(fmt::format("{0}: is a folder; did you mean '{0}/stub.cfg'?\n", file));
     return std::nullopt;
   }
   std::optional<std::string> text = ReadFile(file);
-  if (!text) err << fmt::format("{}: cannot be read: {}\n", file, std::strerror(errno));
+  if (!text)
+    err << TerminalText(fmt::format("{}: cannot be read: {}\n", file, std::strerror(errno)));
   return text;
 }
 
@@ -87,11 +89,11 @@ bool WriteFiles(const std::vector<GeneratedFile>& files, const fs::path& folder,
   std::error_code status;
   fs::create_directories(folder, status);
   if (status) {
-    err << fmt::format("{}: cannot be made: {}\n", folder.string(), status.message());
+    err << TerminalText(fmt::format("{}: cannot be made: {}\n", folder.string(), status.message()));
     return false;
   }
   const std::string fault = WriteTogether(files, folder);
-  if (!fault.empty()) err << fault << '\n';
+  if (!fault.empty()) err << TerminalText(fault) << '\n';
   return fault.empty();
 }
 
@@ -128,7 +130,7 @@ int RunStubgen(const StubgenOptions& options, std::istream& in, std::ostream& ou
   const std::string source = file.empty() ? "stub.cfg" : fs::path(file).filename().string();
   const std::vector<GeneratedFile> files = GenerateStub(parsed.config, source);
   if (!WriteFiles(files, options.folder, err)) return kInputWrong;
-  out << Summary(parsed.config, files, options.folder);
+  out << TerminalText(Summary(parsed.config, files, options.folder));
   return kGood;
 }
 
@@ -136,7 +138,7 @@ int StubgenMain(int argc, char** argv) {
   constexpr option kFlags[] = {
       {"output", required_argument, nullptr, 'o'}, {"help", no_argument, nullptr, 'h'}, {}};
   const auto refuse = [argv](const std::string& why) {
-    std::cerr << fmt::format("{}: {}; '{} --help' tells more\n", argv[0], why, argv[0]);
+    std::cerr << TerminalText(fmt::format("{0}: {1}; '{0} --help' tells more\n", argv[0], why));
     return kCommandLineWrong;
   };
   StubgenOptions options;

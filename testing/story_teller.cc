@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "openr/ending/end_guards.h"
+#include "runtime/base/terminal_text.h"
 
 namespace openr::testing {
 namespace {
@@ -35,7 +36,7 @@ class Listener : public ::testing::EmptyTestEventListener {
     if (!result.failed() || std::exchange(has_told_, result.failed())) return;
     const std::string told = StoryTeller::WithStory(message);
     if (told.size() == message.size()) return;
-    std::printf("%s\n", told.c_str() + message.size());
+    std::printf("%s\n", openr_host::TerminalText(told.substr(message.size())).c_str());
     std::fflush(stdout);
   }
 
@@ -66,7 +67,7 @@ struct StoryTeller::Guards {
 
   const openr_host::EndGuards guards;
   const openr_host::EndingAction ending_action{[](openr_host::Ending*) {
-    std::fprintf(stderr, "%s\n", WithStory("").c_str());
+    std::fprintf(stderr, "%s\n", openr_host::TerminalText(WithStory("")).c_str());
     std::fflush(nullptr);
   }};
 

@@ -42,12 +42,13 @@ std::vector<std::string> AllLocators() {
 int Check(const CheckFlags& flags) {
   const Remarks remarks = CheckFolder(flags.folder, AllLocators());
   if (flags.json) {
-    fmt::print("{}", RemarksToJson(remarks, flags.folder));
+    PrintAnswer(RemarksToJson(remarks, flags.folder));
   } else {
-    fmt::print("{}{}, {}, {}\n", RenderRemarks(remarks, HasColours(StandardOutput())),
-               Counted(remarks.CountOf(Remark::Kind::kError), "error"),
-               Counted(remarks.CountOf(Remark::Kind::kWarning), "warning"),
-               Counted(remarks.CountOf(Remark::Kind::kNote), "note"));
+    PrintAnswerWithCodes(fmt::format("{}{}, {}, {}\n",
+                                     RenderRemarks(remarks, HasColours(StandardOutput())),
+                                     Counted(remarks.CountOf(Remark::Kind::kError), "error"),
+                                     Counted(remarks.CountOf(Remark::Kind::kWarning), "warning"),
+                                     Counted(remarks.CountOf(Remark::Kind::kNote), "note")));
   }
   return remarks.CountOf(Remark::Kind::kError) > 0 ? kExitWrong : kExitGood;
 }

@@ -99,7 +99,7 @@ void PrintHelp(const CLI::App& app, const std::vector<std::string>& words) {
     if (next == nullptr) throw CLI::ValidationError(NoSuchCommand(*about, word));
     about = next;
   }
-  PrintAnswer(ForTerminal(HelpAbout(app, *about)));
+  PrintAnswerWithCodes(ForTerminal(HelpAbout(app, *about)));
 }
 
 class HelpFormatter : public CLI::Formatter {

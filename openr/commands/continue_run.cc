@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cli/exit_code.h"
+#include "cli/print_plain.h"
 #include "cli/progress_line.h"
 #include "openr/inspect/recorder.h"
 #include "openr/live/console_log.h"
@@ -142,7 +143,7 @@ RunPlan PlanOf(const ContinueOptions& options) {
   plan.rate = options.rate;
   plan.say = [](const std::string& line) {
     ClearProgressLine();
-    fmt::print(stderr, "openr: {}\n", line);
+    PrintPlain(stderr, "openr: {}\n", line);
   };
   return plan;
 }
@@ -188,9 +189,9 @@ int ContinueRun(const ContinueOptions& options) {
   Runner runner(&run.simulation(), plan, &interrupts);
   bool good = runner.Run();
   const std::string problem = run.Finish();
-  fmt::print(stderr, "{}", DescribeFindings(&run.simulation()));
-  if (!problem.empty()) fmt::print(stderr, "openr: {}\n", problem);
-  if (system.end()) fmt::print(stderr, "{}\n", DescribeEnd(*system.end()));
+  PrintPlain(stderr, "{}", DescribeFindings(&run.simulation()));
+  if (!problem.empty()) PrintPlain(stderr, "openr: {}\n", problem);
+  if (system.end()) PrintPlain(stderr, "{}\n", DescribeEnd(*system.end()));
   good = good && problem.empty() && !system.findings().HasError();
   return good ? kExitGood : kExitWrong;
 }

@@ -9,6 +9,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/install_paths.h"
+#include "cli/print_plain.h"
 #include "kit/controller_build.h"
 #include "kit/controller_library.h"
 #include "kit/new_controller.h"
@@ -65,8 +66,8 @@ int New(const ControllerFlags& flags) {
   const std::vector<NewFile> files = MakeNewController(flags.name);
   const std::string problem = WriteNewObject(files, folder);
   if (!problem.empty()) throw std::runtime_error(problem);
-  for (const NewFile& file : files) fmt::print("{}/{}\n", folder, file.path);
-  fmt::print("\nopenr controller build {0}\nopenr run --stick {0}\n", ShellWord(folder));
+  for (const NewFile& file : files) PrintPlain("{}/{}\n", folder, file.path);
+  PrintPlain("\nopenr controller build {0}\nopenr run --stick {0}\n", ShellWord(folder));
   return kExitGood;
 }
 

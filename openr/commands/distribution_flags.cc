@@ -11,6 +11,7 @@
 
 #include "cli/input_file.h"
 #include "cli/install_paths.h"
+#include "cli/print_plain.h"
 #include "distribution/dds_settings.h"
 #include "openr/commands/common_flags.h"
 #include "openr/ros2/ros2_link.h"
@@ -200,7 +201,7 @@ std::unique_ptr<WorkerGroup> MakeWorkerGroup(const PlacementFlags& flags, const 
     options.bus.config_file = std::filesystem::absolute(options.bus.config_file);
     options.command.insert(options.command.end(), {"--dds-config", options.bus.config_file});
   }
-  options.say = [](const std::string& line) { fmt::print(stderr, "openr: {}\n", line); };
+  options.say = [](const std::string& line) { PrintPlain(stderr, "openr: {}\n", line); };
   return std::make_unique<WorkerGroup>(std::move(options));
 }
 

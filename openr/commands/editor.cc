@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cli/exit_code.h"
+#include "cli/print_plain.h"
 #include "cli/standard_streams.h"
 #include "kit/editor_files.h"
 #include "kit/new_object.h"
@@ -21,9 +22,9 @@ int MakeEditorFiles(const std::string& folder) {
   const std::vector<NewFile> files = EditorFiles(FindEditorPlaces(), described);
   const std::string problem = WriteNewObject(files, folder);
   if (!problem.empty()) throw std::runtime_error(problem);
-  for (const NewFile& file : files) PrintAnswer(fmt::format("{}/{}\n", folder, file.path));
+  for (const NewFile& file : files) PrintPlain("{}/{}\n", folder, file.path);
   const std::string stick = described.stick == "." ? "the folder itself" : described.stick;
-  PrintAnswer(fmt::format("\nthe tasks run this stick: {}\n", stick));
+  PrintPlain("\nthe tasks run this stick: {}\n", stick);
   return kExitGood;
 }
 

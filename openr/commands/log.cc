@@ -21,6 +21,7 @@
 #include "cli/exit_code.h"
 #include "cli/input_file.h"
 #include "cli/json_text.h"
+#include "cli/print_plain.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
@@ -127,19 +128,19 @@ void LogInfo(const LogFlags& flags) {
                  {"duration_s", nullptr}};
     if (duration_s) json["duration_s"] = *duration_s;
     if (!why_not.empty()) json["no_times"] = why_not;
-    fmt::print("{}\n", JsonText(json));
+    PrintPlain("{}\n", JsonText(json));
     return;
   }
-  fmt::print("{}: {}, {} joints as the {}, {}\n", flags.file, RC_LOG_HEADER,
+  PrintPlain("{}: {}, {} joints as the {}, {}\n", flags.file, RC_LOG_HEADER,
              LoggedJoints(*log.robot).size(), log.robot->design, CaseOf(measured, simulated));
-  fmt::print("  {}, {} with measured and {} with simulated values\n",
+  PrintPlain("  {}, {} with measured and {} with simulated values\n",
              Counted(log.records.size(), "record"), measured, simulated);
   if (duration_s) {
-    fmt::print("  {:.3f} s\n", *duration_s);
+    PrintPlain("  {:.3f} s\n", *duration_s);
   } else {
     // Prints the error without its first words, which are the name of the file, because the first
     // line of the output has this name already.
-    fmt::print("  no times: {}\n", why_not.substr(flags.file.size() + 2));
+    PrintPlain("  no times: {}\n", why_not.substr(flags.file.size() + 2));
   }
 }
 
@@ -155,13 +156,13 @@ void PrintFields(const LogRecord& record, LogGroup group) {
   const std::optional<LogValues>* const values = ValuesOf(record, group);
   const size_t joints = record.commanded_cdeg.size();
   if (values != nullptr && !*values) {
-    fmt::print("{:,>{}}", "", joints + RC_LOG_PAWS);
+    PrintPlain("{:,>{}}", "", joints + RC_LOG_PAWS);
     return;
   }
   const auto& positions = values == nullptr ? record.commanded_cdeg : (*values)->positions_cdeg;
-  for (const int16_t position : positions) fmt::print(",{:.2f}", position / 100.0);
+  for (const int16_t position : positions) PrintPlain(",{:.2f}", position / 100.0);
   if (values == nullptr) return;
-  for (const uint16_t paw : (*values)->paws) fmt::print(",{}", paw);
+  for (const uint16_t paw : (*values)->paws) PrintPlain(",{}", paw);
 }
 
 void LogCsv(const LogFlags& flags) {
@@ -173,22 +174,22 @@ void LogCsv(const LogFlags& flags) {
     // Goes on with an empty column time_ms if the user has named no motion, because no other column
     // needs the times of the motion.
     if (!flags.motion.empty()) throw;
-    fmt::print(stderr, "{}; the column time_ms is empty\n", error.what());
+    PrintPlain(stderr, "{}; the column time_ms is empty\n", error.what());
   }
-  fmt::print("record,key_frame,time_ms");
+  PrintPlain("record,key_frame,time_ms");
   for (const LogGroup group : kGroups) {
     for (const JointConstants* const joint : LoggedJoints(*log.robot))
-      fmt::print(",{}_{}_deg", joint->name, NameOf(group));
+      PrintPlain(",{}_{}_deg", joint->name, NameOf(group));
     if (group == LogGroup::kCommanded) continue;
     for (const char* const leg : {"LF", "LH", "RF", "RH"})
-      fmt::print(",paw_{}_{}", leg, NameOf(group));
+      PrintPlain(",paw_{}_{}", leg, NameOf(group));
   }
-  fmt::print("\n");
+  PrintPlain("\n");
   for (size_t i = 0; i < log.records.size(); ++i) {
-    fmt::print("{},{},", i, log.records[i].key_frame);
-    if (!times_ms.empty()) fmt::print("{}", times_ms[i]);
+    PrintPlain("{},{},", i, log.records[i].key_frame);
+    if (!times_ms.empty()) PrintPlain("{}", times_ms[i]);
     for (const LogGroup group : kGroups) PrintFields(log.records[i], group);
-    fmt::print("\n");
+    PrintPlain("\n");
   }
 }
 
@@ -267,7 +268,7 @@ void WarnIfMotionsDiffer(const TimedLog& first, const TimedLog& second) {
     for (size_t j = 0; j < joints.size(); ++j) {
       const double a_deg = a.commanded_cdeg[j] / 100.0, b_deg = b.commanded_cdeg[j] / 100.0;
       if (std::abs(a_deg - b_deg) <= kSameMotionDeg) continue;
-      fmt::print(stderr,
+      PrintPlain(stderr,
                  "openr: warning: the logs are of different motions: {} is commanded to {:.2f} and "
                  "{:.2f} degrees at key frame {}\n",
                  joints[j]->name, a_deg, b_deg, a.key_frame);
@@ -323,7 +324,7 @@ void PrintComparisonJson(const Comparison& comparison) {
                       {"rms_after_lag_deg", JsonOf(d.rms_after_lag_deg)}});
   }
   const Json json = {{"a", comparison.a.label}, {"b", comparison.b.label}, {"joints", joints}};
-  fmt::print("{}\n", JsonText(json));
+  PrintPlain("{}\n", JsonText(json));
 }
 
 std::string Field(const std::optional<double>& value, int decimals) {
@@ -331,15 +332,15 @@ std::string Field(const std::optional<double>& value, int decimals) {
 }
 
 void PrintComparison(const Comparison& comparison) {
-  fmt::print("{}: {} against {}\n", comparison.title, comparison.b.label, comparison.a.label);
-  fmt::print("  {:<12} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "joint", "mean", "max", "RMS", "lag",
+  PrintPlain("{}: {} against {}\n", comparison.title, comparison.b.label, comparison.a.label);
+  PrintPlain("  {:<12} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "joint", "mean", "max", "RMS", "lag",
              "gain", "RMS");
-  fmt::print("  {:<12} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "", "deg", "deg", "deg", "ms", "",
+  PrintPlain("  {:<12} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "", "deg", "deg", "deg", "ms", "",
              "shifted");
   const std::vector<const JointConstants*> names = LoggedJoints(*comparison.robot);
   for (size_t j = 0; j < names.size(); ++j) {
     const JointDifference& d = comparison.differences[j];
-    fmt::print("  {:<12} {:>8} {:8.2f} {:8.2f} {:>8} {:>8} {:>8}\n", names[j]->name,
+    PrintPlain("  {:<12} {:>8} {:8.2f} {:8.2f} {:>8} {:>8} {:>8}\n", names[j]->name,
                Field(d.mean_deg, 2), d.max_deg, d.rms_deg, Field(d.lag_ms, 1), Field(d.gain, 3),
                Field(d.rms_after_lag_deg, 2));
   }
@@ -366,8 +367,8 @@ int PerformLog(LogAction action, const LogFlags& flags) {
   } catch (const ReaderGone&) {
     throw;
   } catch (const std::runtime_error& error) {
-    fmt::print(stderr, "openr: {}\n", error.what());
-    if (flags.json) fmt::print("{}\n", JsonText(Json{{"error", error.what()}}));
+    PrintPlain(stderr, "openr: {}\n", error.what());
+    if (flags.json) PrintPlain("{}\n", JsonText(Json{{"error", error.what()}}));
     return kExitWrong;
   }
 }

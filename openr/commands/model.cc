@@ -14,6 +14,7 @@
 #include "cli/install_paths.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
+#include "cli/print_plain.h"
 #include "cli/progress_line.h"
 #include "cli/standard_streams.h"
 #include "openr/chart/chart.h"
@@ -23,6 +24,7 @@
 #include "openr/model/measure.h"
 #include "openr/model/show_model.h"
 #include "openr/model/urdf.h"
+#include "runtime/base/terminal_text.h"
 
 namespace openr_host {
 namespace {
@@ -53,20 +55,19 @@ Json ToJson(const RobotModel& model, const ModelCheck& check) {
 }
 
 void Print(const RobotModel& model, const ModelCheck& check) {
-  std::printf("%s",
-              fmt::format("{}\n"
-                          "  total mass           {:8.1f} g\n"
-                          "  pitch                {:8.2f} degrees; kinematics {:.2f}\n"
-                          "  roll                 {:8.2f} degrees\n"
-                          "  height               {:8.2f} mm; kinematics {:.2f}\n"
-                          "  paws on the floor    {:8}\n"
-                          "  largest joint error  {:8.2f} degrees\n"
-                          "  drift in 60 s        {:8.2f} mm, {:.3f} degrees\n",
-                          model.name, check.total_mass_g, check.pitch_deg, check.stiff_pitch_deg,
-                          check.roll_deg, check.height_mm, check.stiff_height_mm, check.paws,
-                          check.static_error_deg_max, check.drift_60s_mm, check.drift_60s_deg)
-                  .c_str());
-  for (const std::string& problem : check.problems) std::printf("  problem: %s\n", problem.c_str());
+  PrintPlain(
+      "{}\n"
+      "  total mass           {:8.1f} g\n"
+      "  pitch                {:8.2f} degrees; kinematics {:.2f}\n"
+      "  roll                 {:8.2f} degrees\n"
+      "  height               {:8.2f} mm; kinematics {:.2f}\n"
+      "  paws on the floor    {:8}\n"
+      "  largest joint error  {:8.2f} degrees\n"
+      "  drift in 60 s        {:8.2f} mm, {:.3f} degrees\n",
+      model.name, check.total_mass_g, check.pitch_deg, check.stiff_pitch_deg, check.roll_deg,
+      check.height_mm, check.stiff_height_mm, check.paws, check.static_error_deg_max,
+      check.drift_60s_mm, check.drift_60s_deg);
+  for (const std::string& problem : check.problems) PrintPlain("  problem: {}\n", problem);
 }
 
 int CheckAll(const ModelFlags& flags) {
@@ -226,7 +227,7 @@ void AddModelCommand(CLI::App* app, int* exit_code) {
       "show", "Lists what a robot has: joints, sensors, lights, with limits and CPC locators");
   show->add_option("MODEL", flags->model, "Name of a model")->required();
   show->callback([flags, exit_code] {
-    PrintAnswer(ShowModel(LoadRobotModel(ModelFile(flags->model))));
+    PrintAnswer(TerminalText(ShowModel(LoadRobotModel(ModelFile(flags->model)))));
     *exit_code = kExitGood;
   });
   CLI::App* const urdf = command->add_subcommand("urdf", "Exports a model as URDF");

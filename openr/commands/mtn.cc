@@ -18,6 +18,8 @@
 #include "cli/exit_code.h"
 #include "cli/input_file.h"
 #include "cli/json_text.h"
+#include "cli/print_plain.h"
+#include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/mtn_files.h"
 #include "openr/motion/mtn_csv.h"
@@ -86,18 +88,18 @@ std::string RangeOf(const MtnFile& motion, int j) {
 }
 
 void PrintFacts(const std::string& name, const MtnFile& motion) {
-  fmt::print("{}: \"{}\" by \"{}\" for \"{}\", version {}.{}\n", name, motion.Name(),
+  PrintPlain("{}: \"{}\" by \"{}\" for \"{}\", version {}.{}\n", name, motion.Name(),
              motion.Creator(), motion.DesignLabel(), motion.MajorVersion(), motion.MinorVersion());
-  fmt::print("  {} of {}, {:.3f} s\n", CountedFrames(motion),
+  PrintPlain("  {} of {}, {:.3f} s\n", CountedFrames(motion),
              Counted(static_cast<uint64_t>(motion.NumJoints()), "joint"),
              motion.DurationMs() / 1000.0);
   for (int j = 0; j < motion.NumJoints(); ++j)
-    fmt::print("  {:<32} {}\n", motion.Locator(j), RangeOf(motion, j));
+    PrintPlain("  {:<32} {}\n", motion.Locator(j), RangeOf(motion, j));
 }
 
 void PrintWarnings(const std::string& name, const MtnFile& motion) {
   for (const std::string& warning : motion.Warnings()) {
-    fmt::print(stderr, "{}: warning: {}\n", name, warning);
+    PrintPlain(stderr, "{}: warning: {}\n", name, warning);
   }
 }
 
@@ -105,7 +107,7 @@ bool Info(const std::string& name, MtnFlags* flags) {
   MtnFile motion;
   std::string problem;
   if (!Load(name, &motion, &problem)) {
-    fmt::print(stderr, "openr: {}: {}\n", name, problem);
+    PrintPlain(stderr, "openr: {}: {}\n", name, problem);
     if (flags->json) flags->answers.push_back({{"file", name}, {"error", problem}});
     return false;
   }
@@ -134,10 +136,10 @@ bool Check(const std::string& name, MtnFlags* flags) {
     json["warnings"] = motion.Warnings();
     flags->answers.push_back(json);
   } else if (good) {
-    fmt::print("{}: plays on the {}: {}, {:.3f} s\n", name, robot->design, CountedFrames(motion),
+    PrintPlain("{}: plays on the {}: {}, {:.3f} s\n", name, robot->design, CountedFrames(motion),
                motion.DurationMs() / 1000.0);
   }
-  if (!good) fmt::print(stderr, "openr: {}: {}\n", name, problem);
+  if (!good) PrintPlain(stderr, "openr: {}: {}\n", name, problem);
   if (!flags->json) PrintWarnings(name, motion);
   return good;
 }
@@ -148,10 +150,10 @@ bool Dump(const std::string& name, MtnFlags*) {
   MtnFile motion;
   std::string problem;
   if (!Load(name, &motion, &problem)) {
-    fmt::print(stderr, "openr: {}: {}\n", name, problem);
+    PrintPlain(stderr, "openr: {}: {}\n", name, problem);
     return false;
   }
-  fmt::print("{}", CsvOf(motion));
+  PrintAnswer(CsvOf(motion));
   return true;
 }
 
@@ -161,7 +163,7 @@ using ForFile = bool (*)(const std::string& name, MtnFlags* flags);
 // of answers.
 void PrintAnswers(const Json& answers) {
   const Json& document = answers.size() == 1 ? answers[0] : answers;
-  fmt::print("{}\n", JsonText(document));
+  PrintPlain("{}\n", JsonText(document));
 }
 
 }  // namespace

@@ -20,6 +20,7 @@
 #include "cli/input_file.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
+#include "cli/print_plain.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/common_flags.h"
 #include "openr/commands/motion_input.h"
@@ -45,7 +46,7 @@ void OnCall(CLI::App* command, int* exit_code, std::function<void()> action) {
     } catch (const ReaderGone&) {
       throw;
     } catch (const std::runtime_error& error) {
-      fmt::print(stderr, "openr: {}\n", error.what());
+      PrintPlain(stderr, "openr: {}\n", error.what());
       *exit_code = kExitWrong;
     }
   });
@@ -139,11 +140,11 @@ void ListOda(const OdaFlags& flags) {
                       {"bytes", member.bytes.size()},
                       {"file", member.file}});
     } else {
-      fmt::print("{:<4} {:>9} bytes  {:<12}  {}\n", Printable(member.type), member.bytes.size(),
+      PrintPlain("{:<4} {:>9} bytes  {:<12}  {}\n", Printable(member.type), member.bytes.size(),
                  member.file, Printable(member.name));
     }
   }
-  if (flags.json) fmt::print("{}\n", JsonText(list));
+  if (flags.json) PrintPlain("{}\n", JsonText(list));
 }
 
 void UnpackOda(const OdaFlags& flags) {
@@ -169,7 +170,7 @@ void UnpackOda(const OdaFlags& flags) {
   if (error) throw std::runtime_error(fmt::format("{}: {}", flags.folder, error.message()));
   for (const OdaMember& member : members)
     ThrowIfAny(WriteFile((folder / member.file).string(), member.bytes));
-  fmt::print("{} in {}\n", Counted(members.size(), "file"), flags.folder);
+  PrintPlain("{} in {}\n", Counted(members.size(), "file"), flags.folder);
 }
 
 }  // namespace

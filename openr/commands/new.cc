@@ -14,6 +14,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/install_paths.h"
+#include "cli/print_plain.h"
 #include "kit/editor_files.h"
 #include "kit/new_object.h"
 #include "kit/sdk_paths.h"
@@ -92,14 +93,14 @@ int New(const NewFlags& flags) {
   const std::string lacking = RemoveIgnoreFile(folder, &files);
   const std::string problem = WriteNewObject(files, folder);
   if (!problem.empty()) throw std::runtime_error(problem);
-  for (const NewFile& file : files) fmt::print("{}/{}\n", folder, file.path);
+  for (const NewFile& file : files) PrintPlain("{}/{}\n", folder, file.path);
   if (!lacking.empty()) {
-    fmt::print(
+    PrintPlain(
         "\n{}/{} was there already and stays as it is; add these lines, so that git ignores what "
         "builds and runs leave behind:\n{}",
         folder, kIgnoreFile, lacking);
   }
-  fmt::print("{}", NextCommands(folder));
+  PrintPlain("{}", NextCommands(folder));
   return kExitGood;
 }
 

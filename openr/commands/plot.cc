@@ -14,6 +14,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/input_file.h"
+#include "cli/print_plain.h"
 #include "cli/progress_line.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
@@ -28,6 +29,7 @@
 #include "openr/motion/log_times.h"
 #include "runtime/base/read_file.h"
 #include "runtime/base/temp_folder.h"
+#include "runtime/base/terminal_text.h"
 
 namespace openr_host {
 namespace {
@@ -137,11 +139,11 @@ int Plot(const PlotFlags& flags) {
     throw CLI::RequiredError("-o CHART, the .svg or .png file to write,");
   std::vector<std::string> problems;
   const Table table = ReadTable(flags, &problems);
-  for (const std::string& problem : problems) fmt::print(stderr, "openr: {}\n", problem);
+  for (const std::string& problem : problems) PrintPlain(stderr, "openr: {}\n", problem);
   const int exit_code = problems.empty() ? kExitGood : kExitWrong;
-  if (!table.note.empty()) fmt::print(stderr, "openr: note: {}\n", table.note);
+  if (!table.note.empty()) PrintPlain(stderr, "openr: note: {}\n", table.note);
   if (flags.lists) {
-    for (const Series& series : table.series) PrintAnswer(series.name + "\n");
+    for (const Series& series : table.series) PrintAnswer(TerminalLine(series.name) + "\n");
   }
   if (flags.output.empty()) return exit_code;
   PlotRequest request;

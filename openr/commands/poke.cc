@@ -13,12 +13,14 @@
 #include <vector>
 
 #include "cli/exit_code.h"
+#include "cli/print_plain.h"
 #include "cli/prompt.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/input_words.h"
 #include "openr/decode/decode_message.h"
 #include "openr/live/live_client.h"
+#include "runtime/base/terminal_text.h"
 #include "virtualrobot/robot/faults.h"
 
 namespace openr_host {
@@ -173,7 +175,7 @@ class RunConsole {
   }
 
   bool PrintProblem(const std::string& problem) {
-    fmt::print(stderr, "openr: {}\n", problem);
+    PrintPlain(stderr, "openr: {}\n", problem);
     return false;
   }
 
@@ -215,7 +217,7 @@ class RunConsole {
   bool Print(Json request, Text text) {
     const Json answer = Ask(std::move(request));
     if (answer.contains("error")) return PrintProblem(answer.at("error").get<std::string>());
-    PrintAnswer(text(answer));
+    PrintAnswer(TerminalText(text(answer)));
     // Empties the output buffer at once, because a program may wait for the answer at the other end
     // of a pipe.
     FlushAnswer();

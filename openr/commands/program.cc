@@ -18,6 +18,7 @@
 #include "cli/exit_code.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
+#include "cli/print_plain.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/command_examples.h"
 #include "openr/commands/command_line.h"
@@ -67,7 +68,7 @@ int PrintAskedFor(const CLI::App& app, const CLI::ParseError& error, int argc, c
   const int exit_code = app.exit(error, text, text);
   const bool is_help = error.get_name() == "CallForHelp";
   try {
-    PrintAnswer(ForTerminal(is_help ? HelpAskedFor(app, argc, argv) : text.str()));
+    PrintAnswerWithCodes(ForTerminal(is_help ? HelpAskedFor(app, argc, argv) : text.str()));
     return exit_code;
   } catch (const ReaderGone&) {
     return kExitReaderGone;
@@ -110,7 +111,7 @@ int RunProgram(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return PrintAskedFor(app, error, argc, argv);
     PrintFailure(ExplainCommandLine(app, error), as_json);
-    std::fprintf(stderr, "'%s' tells more\n", HelpWords(app).c_str());
+    PrintPlain(stderr, "'{}' tells more\n", HelpWords(app));
     return kExitCommandLine;
   } catch (const ReaderGone&) {
     return kExitReaderGone;

@@ -9,6 +9,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/json_text.h"
+#include "cli/print_plain.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
 #include "openr/commands/rc_actions.h"
@@ -43,11 +44,11 @@ int Perform(const RcFlags& flags, const RcAction& action) {
     return kExitGood;
   } catch (const remote::Error& error) {
     if (error.code() != remote::ErrorCode::kRefused) throw;
-    fmt::print(stderr, "openr: {} refused: {}\n", FrameText(error.frame()), error.what());
+    PrintPlain(stderr, "openr: {} refused: {}\n", FrameText(error.frame()), error.what());
     if (!flags.json) return kExitWrong;
     const nlohmann::ordered_json json = {
         {"frame", FrameJson(error.frame())}, {"error", error.text()}, {"status", error.status()}};
-    fmt::print("{}\n", JsonText(json));
+    PrintPlain("{}\n", JsonText(json));
     return kExitWrong;
   }
 }

@@ -14,12 +14,14 @@
 
 #include "cli/exit_code.h"
 #include "cli/json_text.h"
+#include "cli/print_plain.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/rc_format.h"
 #include "openr/pair/remote_pair.h"
 #include "openr/remote/connection.h"
 #include "openr/remote/error.h"
 #include "openr/run/interrupt.h"
+#include "runtime/base/terminal_text.h"
 
 namespace openr_host {
 namespace {
@@ -96,10 +98,10 @@ void PrintFollowing(const RcFlags& flags, const std::vector<RcDescription>& join
   } else {
     const std::string lag = status.lag_ms ? fmt::format("{} ms", *status.lag_ms) : "unknown";
     const std::string& why = status.refusal[kFirst];
-    PrintAnswer(fmt::format(
+    PrintAnswer(TerminalText(fmt::format(
         "lag {}; round trips {} and {}; largest difference {} {:.2f} deg{}{}\n", lag,
         Milliseconds(status.round_trip_ms[kFirst]), Milliseconds(status.round_trip_ms[kSecond]),
-        name, static_cast<double>(difference) / 100, why.empty() ? "" : "; refused: ", why));
+        name, static_cast<double>(difference) / 100, why.empty() ? "" : "; refused: ", why)));
   }
   FlushAnswer();
 }
@@ -125,8 +127,8 @@ int PerformAtBoth(const RcFlags& flags, const RcAction& action) {
   }
   for (const Partner& robot : robots) {
     if (robot.problem.empty()) continue;
-    fmt::print(stderr, "openr: {}\n", robot.problem);
-    if (flags.json && !robot.refusal.is_null()) fmt::print("{}\n", JsonText(robot.refusal));
+    PrintPlain(stderr, "openr: {}\n", robot.problem);
+    if (flags.json && !robot.refusal.is_null()) PrintPlain("{}\n", JsonText(robot.refusal));
     exit_code = kExitWrong;
   }
   return exit_code;

@@ -7,6 +7,7 @@
 
 #include "cli/json_text.h"
 #include "cli/standard_streams.h"
+#include "runtime/base/terminal_text.h"
 
 namespace openr_host {
 namespace {
@@ -41,7 +42,7 @@ void PrintRcAnswer(bool as_json, uint32_t frame, const Json& json, const std::st
     PrintAnswer(JsonText(answer) + "\n");
   } else {
     const std::string robot = t_robot.empty() ? "" : t_robot + " ";
-    PrintAnswer(fmt::format("{}{} {}\n", robot, FrameText(frame), text));
+    PrintAnswer(TerminalText(fmt::format("{}{} {}\n", robot, FrameText(frame), text)));
   }
   FlushAnswer();
 }

@@ -14,6 +14,7 @@
 #include "cli/counted.h"
 #include "cli/exit_code.h"
 #include "cli/json_text.h"
+#include "cli/print_plain.h"
 #include "cli/progress_line.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
@@ -56,8 +57,8 @@ nlohmann::ordered_json TextOrNull(const std::string& text) {
 void PrintAnswers(const Replayer& replayer, const ReplayFlags& flags) {
   if (flags.replay.only.empty()) return;
   for (const AnswerDifference& difference : replayer.answer_differences())
-    fmt::print(stderr, "{}", DescribeAnswer(difference));
-  fmt::print(stderr, "openr: {} of {}, {}\n", Counted(replayer.answer_count(), "message"),
+    PrintPlain(stderr, "{}", DescribeAnswer(difference));
+  PrintPlain(stderr, "openr: {} of {}, {}\n", Counted(replayer.answer_count(), "message"),
              replayer.only(),
              replayer.answer_differences().empty()
                  ? "all as recorded"
@@ -84,24 +85,24 @@ nlohmann::ordered_json AnswersJson(const Replayer& replayer) {
 int Finish(Replayer* replayer, const ReplayFlags& flags) {
   std::vector<std::string> problems = replayer->problems();
   if (!replayer->loss().empty()) problems.push_back(replayer->loss());
-  for (const std::string& problem : problems) fmt::print(stderr, "openr: {}\n", problem);
+  for (const std::string& problem : problems) PrintPlain(stderr, "openr: {}\n", problem);
   const std::string& note = replayer->reader().note();
-  if (!note.empty()) fmt::print(stderr, "openr: note: {}\n", note);
+  if (!note.empty()) PrintPlain(stderr, "openr: note: {}\n", note);
   PrintAnswers(*replayer, flags);
   const bool equal = replayer->difference().empty() && replayer->answer_differences().empty();
   const double time_s = static_cast<double>(replayer->system().now_us()) / 1e6;
   if (!replayer->difference().empty())
-    fmt::print(stderr, "openr: difference: {}\n", replayer->difference());
+    PrintPlain(stderr, "openr: difference: {}\n", replayer->difference());
   const char* const how_far = !replayer->loss().empty() ? ", up to there"
                               : !problems.empty()       ? ", as far as the recording can be read"
                               : equal && replayer->at_end() ? ", to the end of the recording"
                                                             : "";
   const char* const result = replayer->answer_differences().empty() ? "equal" : "replayed";
-  fmt::print(stderr, "openr: {} {}, {:.3f} s of virtual time{}\n",
+  PrintPlain(stderr, "openr: {} {}, {:.3f} s of virtual time{}\n",
              Counted(replayer->count(), "message"), result, time_s, how_far);
   const auto& [ended_by, why] = replayer->reader().why_ended();
   if (!ended_by.empty() && replayer->at_end())
-    fmt::print(stderr, "openr: the recorded run was ended by {}: {}\n", ended_by, why);
+    PrintPlain(stderr, "openr: the recorded run was ended by {}: {}\n", ended_by, why);
   if (flags.json) {
     nlohmann::ordered_json answer = {{"equal", equal && problems.empty()},
                                      {"messages", replayer->count()},
@@ -116,7 +117,7 @@ int Finish(Replayer* replayer, const ReplayFlags& flags) {
       answer["answers"] = replayer->answer_count();
       answer["answer_differences"] = AnswersJson(*replayer);
     }
-    fmt::print("{}\n", JsonText(answer));
+    PrintPlain("{}\n", JsonText(answer));
   }
   return equal && problems.empty() ? kExitGood : kExitWrong;
 }
@@ -181,7 +182,7 @@ int Replay(ReplayFlags flags) {
   }
   const std::string problem =
       LogReplay(&replayer, flags.data_log, flags.timeline_file, until_us, terminal);
-  if (!problem.empty()) fmt::print(stderr, "openr: {}\n", problem);
+  if (!problem.empty()) PrintPlain(stderr, "openr: {}\n", problem);
   const int exit_code = Finish(&replayer, flags);
   return problem.empty() ? exit_code : kExitWrong;
 }

@@ -20,6 +20,7 @@
 #include "cli/exit_code.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
+#include "cli/print_plain.h"
 #include "cli/process_copy.h"
 #include "cli/progress_line.h"
 #include "openr/run/report.h"
@@ -118,11 +119,11 @@ void PrintFindings(const Json& findings) {
         finding.robots.size() == 1
             ? ""
             : fmt::format(" and {}", Counted(finding.robots.size() - 1, "other robot"));
-    fmt::print(stderr, "{}: robot {}{}: {}\n", finding.severity, finding.robots.front(), others,
-               TerminalText(finding.text));
+    PrintPlain(stderr, "{}: robot {}{}: {}\n", finding.severity, finding.robots.front(), others,
+               finding.text);
   }
   if (shared.size() > kFindingsPrinted) {
-    fmt::print(stderr, "and {}, which are in the report\n",
+    PrintPlain(stderr, "and {}, which are in the report\n",
                Counted(shared.size() - kFindingsPrinted, "more finding"));
   }
 }
@@ -263,7 +264,7 @@ ProcessCopy RobotJobs::Start(int robot) {
     try {
       RunInCopy(robot, answer);
     } catch (const std::exception& error) {
-      fmt::print(stderr, "openr: robot {}: {}\n", robot, error.what());
+      PrintPlain(stderr, "openr: robot {}: {}\n", robot, error.what());
       _exit(kExitWrong);
     }
   });
@@ -373,7 +374,7 @@ Json RobotJobs::Run() {
     Json report = ReportOfNoBoot();
     fmt::print(stderr, "openr: the robots do not boot\n{}{}\n",
                DescribeFindings(&simulation_, HasColours(STDERR_FILENO)),
-               DescribeEnd(*simulation_.system().end()));
+               TerminalText(DescribeEnd(*simulation_.system().end())));
     return report;
   }
   RunAll();
@@ -385,13 +386,13 @@ Json RobotJobs::Run() {
   const auto standing = std::count_if(report["robots"].begin(), report["robots"].end(),
                                       [](const Json& robot) { return robot["standing"] == true; });
   if (count < reports_.size()) {
-    fmt::print(stderr, "openr: {} not started, because Ctrl-C or SIGTERM came\n",
+    PrintPlain(stderr, "openr: {} not started, because Ctrl-C or SIGTERM came\n",
                Counted(reports_.size() - count, "robot"));
   }
-  fmt::print(stderr, "{}, {} standing, in {:.3f} s: {:.3f} s of virtual time each; state {}\n",
+  PrintPlain(stderr, "{}, {} standing, in {:.3f} s: {:.3f} s of virtual time each; state {}\n",
              Counted(count, "robot"), standing, wall_time_s, report["virtual_time_s"].get<double>(),
              report["state_hash"].get<std::string>());
-  fmt::print(stderr, "ended by {}: {}\n", report["ended_by"].get<std::string>(),
+  PrintPlain(stderr, "ended by {}: {}\n", report["ended_by"].get<std::string>(),
              report["ended_why"].get<std::string>());
   return report;
 }

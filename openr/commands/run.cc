@@ -18,6 +18,7 @@
 #include "cli/exit_code.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
+#include "cli/print_plain.h"
 #include "cli/progress_line.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
@@ -51,6 +52,7 @@
 #include "openr/simulation/sanitizer_start.h"
 #include "openr/simulation/simulation.h"
 #include "openr/timeline/timeline.h"
+#include "runtime/base/terminal_text.h"
 #include "runtime/core/system.h"
 #include "runtime/core/write_errors.h"
 
@@ -59,7 +61,7 @@ namespace {
 
 // Prints `problem` as an error, unless it is "".  Returns true if `problem` is "".
 bool IsGood(const std::string& problem) {
-  if (!problem.empty()) fmt::print(stderr, "openr: {}\n", problem);
+  if (!problem.empty()) PrintPlain(stderr, "openr: {}\n", problem);
   return problem.empty();
 }
 
@@ -136,7 +138,7 @@ std::unique_ptr<LiveServer> MakeLiveServer(const LiveContext& context, const std
     };
     return std::make_unique<LiveServer>(name, answer, context.events, couplings);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "openr: openr poke and attach cannot reach this run: {}\n", error.what());
+    PrintPlain(stderr, "openr: openr poke and attach cannot reach this run: {}\n", error.what());
     return nullptr;
   }
 }
@@ -229,7 +231,7 @@ CommandedRun::CommandedRun(const RunFlags& flags)
       live_events_({&simulation_, &clock_, &console_log_, &history_, nullptr, &rewind_}),
       live_context_{&simulation_, &clock_, &console_log_, &history_, &live_events_, &rewind_} {
   is_assembled_ = true;
-  if (!stick_lock_.note().empty()) fmt::print(stderr, "openr: note: {}\n", stick_lock_.note());
+  if (!stick_lock_.note().empty()) PrintPlain(stderr, "openr: note: {}\n", stick_lock_.note());
   facts_.seed = options_.seed;
   plan_.events = &events_;
   if (const std::string problem = events_.Check(system()); !problem.empty())
@@ -422,7 +424,7 @@ bool CommandedRun::FinishFiles() {
 bool CommandedRun::Report() {
   distribution_.ReportLosses();
   const bool is_stopped = system().end() && system().end()->kind == EndKind::kStrict;
-  if (!boots_ && !is_stopped) fmt::print(stderr, "openr: the robot does not boot\n");
+  if (!boots_ && !is_stopped) PrintPlain(stderr, "openr: the robot does not boot\n");
   EndConsoleLine();
   nlohmann::ordered_json report = MakeReport(&simulation_, facts_);
   // Writes the bytes that still wait in the buffers of objects' open files, but only after
@@ -435,7 +437,7 @@ bool CommandedRun::Report() {
   distribution_.Describe(&report);
   distribution_.EndProcesses();
   fmt::print(stderr, "{}{}", DescribeFindings(&simulation_, HasColours(STDERR_FILENO)),
-             Summary(report, system().end()));
+             TerminalText(Summary(report, system().end())));
   const bool is_written = WriteReport(report, flags_);
   return IsGood(console_.Problem()) && is_written;
 }
@@ -457,7 +459,7 @@ int RunJobs(const RunFlags& flags) {
 // name MS, which `openr new` creates.  The user may expect that the run uses the stick MS.
 void NoteOwnStick(const SimulationOptions& options) {
   if (options.stick.empty() && HoldsOpenR("MS"))
-    fmt::print(stderr,
+    PrintPlain(stderr,
                "openr: note: the default stick runs; --stick MS runs the stick of this folder\n");
 }
 

@@ -12,6 +12,7 @@
 
 #include "cli/counted.h"
 #include "cli/output_file.h"
+#include "cli/print_plain.h"
 #include "cli/progress_line.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/common_flags.h"
@@ -282,7 +283,7 @@ RunPlan PlanOf(const RunFlags& flags) {
   plan.stdin_file = flags.stdin_file;
   plan.say = [](const std::string& line) {
     ClearProgressLine();
-    fmt::print(stderr, "openr: {}\n", line);
+    PrintPlain(stderr, "openr: {}\n", line);
   };
   if (flags.placement.is_free && plan.rate <= 0)
     throw CLI::ValidationError("--free-running", "needs a clock: --rate max has none");

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "cli/print_plain.h"
 #include "openr/commands/common_flags.h"
 #include "openr/live/console_log.h"
 #include "openr/live/live_answers.h"
@@ -78,7 +79,7 @@ int ShowRun(const MakeKnownRun& make, const ShowOptions& options) {
   rewind.Begin(std::move(parts));
   const std::string socket = std::filesystem::path(LiveSocketPath(options.name)).filename();
   const PanelProcess panel({.port = options.panel_port, .run = socket});
-  const auto say = [](const std::string& line) { fmt::print(stderr, "openr: {}\n", line); };
+  const auto say = [](const std::string& line) { PrintPlain(stderr, "openr: {}\n", line); };
   say(fmt::format("{:.3f} s can be watched; Ctrl-C ends this",
                   static_cast<double>(run->length_us()) / 1e6));
   return RunKnown({run.get(), &live, &clock, &rewind, &interrupts, say});

@@ -17,6 +17,7 @@
 #include "cli/install_paths.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
+#include "cli/print_plain.h"
 #include "cli/standard_streams.h"
 #include "kit/check.h"
 #include "kit/check_boot.h"
@@ -26,6 +27,7 @@
 #include "kit/wlan_file.h"
 #include "openr/commands/common_flags.h"
 #include "openr/simulation/simulation.h"
+#include "runtime/base/terminal_text.h"
 #include "virtualrobot/model/robot_model.h"
 
 namespace openr_host {
@@ -77,17 +79,17 @@ void AddWlanFlags(CLI::App* command, WlanFlags* flags) {
 // Asks for all settings of the wireless network on the terminal.  If standard input is a pipe,
 // reads one answer from each line of the pipe.
 void AskAll(WlanConfig* config) {
-  fmt::print(stderr, "An empty answer takes the value in brackets.\n");
+  PrintPlain(stderr, "An empty answer takes the value in brackets.\n");
   const auto ask = [](const std::string& question,
                       const std::string& value) -> std::optional<std::string> {
-    fmt::print(stderr, "{} [{}]: ", question, value);
+    PrintPlain(stderr, "{} [{}]: ", question, value);
     std::string answer;
     if (!std::getline(std::cin, answer)) return std::nullopt;
     return answer;
   };
-  const auto refuse = [](const std::string& reason) { fmt::print(stderr, "  {}\n", reason); };
+  const auto refuse = [](const std::string& reason) { PrintPlain(stderr, "  {}\n", reason); };
   if (AskForWlan(ask, refuse, config)) return;
-  fmt::print(stderr, "\n");
+  PrintPlain(stderr, "\n");
   throw std::runtime_error(
       "the answers ended before the last question; nothing was written.  Flags give the settings "
       "as well: openr help stick wlan");
@@ -95,7 +97,7 @@ void AskAll(WlanConfig* config) {
 
 void PrintNote(const std::string& text) {
   const std::string begin = Coloured(Colour::kNote, "openr: note:", HasColours(STDERR_FILENO));
-  fmt::print(stderr, "{} {}\n", begin, text);
+  fmt::print(stderr, "{} {}\n", begin, TerminalText(text));
 }
 
 // Prints a note on standard error if the flags leave WEP on with the key of Sony's file, which is
@@ -110,7 +112,7 @@ void WarnOfDefaultKey(const WlanFlags& flags) {
 
 // Prints warnings on standard error about wireless settings in the file that make no sense.
 void WarnOfWlanSettings(const std::string& file, const std::string& text) {
-  fmt::print(stderr, "{}", Render(CheckWlanSettings(file, ParseWlanConfig(file, text))));
+  PrintPlain(stderr, "{}", Render(CheckWlanSettings(file, ParseWlanConfig(file, text))));
 }
 
 [[noreturn]] void ThrowNoStick(const std::string& folder) {
@@ -183,7 +185,8 @@ int Check(const CheckCommand& command) {
     json["image_bytes"] = summary.image_bytes;
     PrintAnswer(JsonText(json, 2) + "\n");
   } else {
-    PrintAnswer(RenderRemarks(remarks, HasColours(StandardOutput())) + SummaryOf(summary));
+    PrintAnswerWithCodes(RenderRemarks(remarks, HasColours(StandardOutput())));
+    PrintAnswer(TerminalText(SummaryOf(summary)));
     PrintAnswer(errors == 0
                     ? fmt::format("nothing is known that keeps an {} from booting\n", model.design)
                     : fmt::format("{} keep an {} from booting\n",
@@ -202,12 +205,12 @@ int MakeNew(NewCommand command) {
   if (command.wlan.is_given) command.stick.wlan = WlanText(command.wlan.config);
   const std::vector<std::string> unlisted = MakeNewStick(command.stick);
   const std::string word = ShellWord(command.stick.output);
-  PrintAnswer(fmt::format("made {}\n", command.stick.output));
+  PrintAnswer(TerminalText(fmt::format("made {}\n", command.stick.output)));
   for (const std::string& name : unlisted) {
-    PrintAnswer(
+    PrintAnswer(TerminalText(
         fmt::format("OBJS/{} of the base is not in OBJECT.CFG, so no robot loads it; name "
                     "it among the images if it is needed\n",
-                    name));
+                    name)));
   }
   if (command.stick.images.empty())
     PrintNote(

@@ -9,6 +9,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/json_text.h"
+#include "cli/print_plain.h"
 #include "cli/standard_streams.h"
 #include "distribution/status_topic.h"
 #include "openr/commands/commands.h"
@@ -47,7 +48,7 @@ class Top {
       runs_.RemoveEnded(Now_s());
       if (interrupts_.count() == 0) Show();
     }
-    if (on_screen_ && !flags_.json) fmt::print("\n");
+    if (on_screen_ && !flags_.json) PrintPlain("\n");
     return kExitGood;
   }
 
@@ -77,7 +78,11 @@ class Top {
   // Prints the status of all runs once, as a table or as JSON.  Throws std::runtime_error when
   // standard output cannot be written.
   void Show() {
-    PrintAnswer(flags_.json ? JsonText(TopJson(runs_.All(), Now_s())) + "\n" : Table());
+    if (flags_.json) {
+      PrintAnswer(JsonText(TopJson(runs_.All(), Now_s())) + "\n");
+    } else {
+      PrintAnswerWithCodes(Table());
+    }
     FlushAnswer();
   }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "cli/counted.h"
+#include "runtime/base/terminal_text.h"
 
 namespace openr_host {
 namespace {
@@ -222,7 +223,7 @@ std::string TopText(const std::vector<Run>& runs, double now_s, size_t columns) 
       if (!process.lost.empty()) text += Fold("  lost: " + process.lost, columns);
     }
   }
-  return !text.empty() ? text
+  return !text.empty() ? TerminalText(text)
                        : "no run was heard yet; openr top hears runs with --monitor, with --ros2,\n"
                          "or with objects in other processes\n";
 }

@@ -7,11 +7,13 @@
 #include <string>
 
 #include "cli/exit_code.h"
+#include "cli/print_plain.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
 #include "openr/inspect/trace_text.h"
 #include "runtime/base/duration.h"
+#include "runtime/base/terminal_text.h"
 
 namespace openr_host {
 namespace {
@@ -43,11 +45,14 @@ int ShowTrace(const TraceFlags& flags) {
   CheckFilter(flags);
   TraceReader reader(flags.file);
   const TextSink out = [](std::string_view text) { PrintAnswer(text); };
-  if (flags.format == "text") WriteTraceText(&reader, flags.filter, out);
+  const TextSink plain_out = [](std::string_view text) {
+    PrintAnswer(TerminalText(std::string(text)));
+  };
+  if (flags.format == "text") WriteTraceText(&reader, flags.filter, plain_out);
   if (flags.format == "csv") WriteTraceCsv(&reader, flags.filter, out);
   if (flags.format == "perfetto") WriteTracePerfetto(&reader, flags.filter, out);
-  for (const std::string& problem : reader.problems()) fmt::print(stderr, "openr: {}\n", problem);
-  if (!reader.note().empty()) fmt::print(stderr, "openr: note: {}\n", reader.note());
+  for (const std::string& problem : reader.problems()) PrintPlain(stderr, "openr: {}\n", problem);
+  if (!reader.note().empty()) PrintPlain(stderr, "openr: note: {}\n", reader.note());
   return reader.problems().empty() ? kExitGood : kExitWrong;
 }
 

@@ -12,6 +12,7 @@
 #include "cli/exit_code.h"
 #include "openr/controller/remote_port.h"
 #include "openr/controller/step_clock.h"
+#include "runtime/base/terminal_text.h"
 #include "runtime/base/wall_clock.h"
 
 namespace openr_host {
@@ -101,7 +102,7 @@ bool Session::WaitForNextStep() {
     if (!late.empty()) fmt::print(stderr, "openr: {}\n", late);
     return true;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "openr: {}\n", error.what());
+    fmt::print(stderr, "openr: {}\n", TerminalText(error.what()));
     why_ = "no connection to the robot";
     status_ = kExitWrong;
     return false;
@@ -132,7 +133,7 @@ int Session::End() {
   try {
     if (status_ == kExitGood) port_.Finish();
   } catch (const std::exception& error) {
-    fmt::print(stderr, "openr: {}\n", error.what());
+    fmt::print(stderr, "openr: {}\n", TerminalText(error.what()));
     status_ = kExitWrong;
   }
   fmt::print(stderr, "openr: the controller has ended: {}; {}{}\n", why_, clock_.Summary(),
@@ -158,7 +159,7 @@ extern "C" __attribute__((visibility("default"))) int openr_run_controller(
   try {
     return openr_host::RunOrThrow(run);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "openr: {}\n", error.what());
+    fmt::print(stderr, "openr: {}\n", openr_host::TerminalText(error.what()));
     return openr_host::kExitWrong;
   }
 }

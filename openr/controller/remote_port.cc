@@ -13,6 +13,7 @@
 #include "MoverState.h"
 #include "runtime/base/read_file.h"
 #include "runtime/base/spelling.h"
+#include "runtime/base/terminal_text.h"
 #include "runtime/base/wall_clock.h"
 
 namespace openr_host {
@@ -55,7 +56,7 @@ std::chrono::steady_clock::time_point RemoteTime(int64_t time_ns) {
   return std::chrono::steady_clock::time_point(std::chrono::nanoseconds(time_ns));
 }
 
-void Say(const std::string& text) { fmt::print(stderr, "openr: {}\n", text); }
+void Say(const std::string& text) { fmt::print(stderr, "openr: {}\n", TerminalText(text)); }
 
 }  // namespace
 

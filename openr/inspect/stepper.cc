@@ -17,6 +17,7 @@
 #include <system_error>
 #include <utility>
 
+#include "cli/print_plain.h"
 #include "cli/process_copy.h"
 #include "cli/progress_line.h"
 #include "cli/prompt.h"
@@ -144,7 +145,7 @@ class Stepper {
   // Ends openr replay --step, because it cannot go on for the reason `why`.
   void EndSession(const std::string& why) {
     ClearProgressLine();
-    fmt::print("{}\n", why);
+    PrintPlain("{}\n", why);
     shared_->FlushText();
     shared_->ends = shared_->differs = true;
     shared_->is_running = false;
@@ -239,14 +240,14 @@ class Stepper {
       ForwardTo(time_us);
       printer_.Show();
     } else {
-      fmt::print("'{}' is neither a number of a message nor a time like 1.25s\n", where);
+      PrintPlain("'{}' is neither a number of a message nor a time like 1.25s\n", where);
     }
   }
 
   void GotoMessage(uint64_t number) {
     const auto count = number == 0 ? std::optional<uint64_t>(0) : replayer_->CountUpTo(number);
     if (!count) {
-      fmt::print("the recording has no message {}\n", number);
+      PrintPlain("the recording has no message {}\n", number);
       return;
     }
     if (*count < replayer_->count()) Back(*count);
@@ -269,7 +270,7 @@ class Stepper {
   void RunOn() {
     breaks_.Arm();
     if (const size_t hit = ForwardToBreak(); hit > 0)
-      fmt::print("break {}: {}\n", hit, breaks_.text(hit));
+      PrintPlain("break {}: {}\n", hit, breaks_.text(hit));
     printer_.Show();
   }
 
@@ -281,7 +282,7 @@ class Stepper {
 
   void Break(const std::string& text) {
     const std::string problem = breaks_.Add(text);
-    fmt::print("{}\n", problem.empty() ? fmt::format("break {}", breaks_.size()) : problem);
+    PrintPlain("{}\n", problem.empty() ? fmt::format("break {}", breaks_.size()) : problem);
     SaveBreaks();
   }
 
@@ -293,14 +294,14 @@ class Stepper {
     if (!steps && !backs && command != "delete") return false;
     const auto number = rest.empty() ? std::optional<uint64_t>(1) : NumberIn(rest);
     if (!number) {
-      fmt::print("'{}' is no number\n", rest);
+      PrintPlain("'{}' is no number\n", rest);
     } else if (steps) {
       ForwardBy(*number);
       printer_.Show();
     } else if (backs) {
       Back(replayer_->count() - std::min(*number, replayer_->count()));
     } else {
-      if (!breaks_.Remove(*number)) fmt::print("there is no break {}\n", *number);
+      if (!breaks_.Remove(*number)) PrintPlain("there is no break {}\n", *number);
       SaveBreaks();
     }
     return true;
@@ -322,15 +323,15 @@ class Stepper {
     } else if (command == "break") {
       Break(rest);
     } else if (command == "breaks") {
-      for (size_t i = 1; i <= breaks_.size(); ++i) fmt::print("{}: {}\n", i, breaks_.text(i));
+      for (size_t i = 1; i <= breaks_.size(); ++i) PrintPlain("{}: {}\n", i, breaks_.text(i));
     } else if (command == "print" || command == "p") {
       printer_.Print(rest);
     } else if (command == "quit" || command == "q") {
       return false;
     } else if (command == "help" || command == "h") {
-      fmt::print("{}", kStepHelp);
+      PrintPlain("{}", kStepHelp);
     } else if (!command.empty()) {
-      fmt::print("no command '{}'{}; 'help' tells the commands\n", command,
+      PrintPlain("no command '{}'{}; 'help' tells the commands\n", command,
                  DidYouMean(command, kStepCommands));
     }
     return true;

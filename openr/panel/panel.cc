@@ -32,6 +32,7 @@
 #include "openr/panel/spare_descriptor.h"
 #include "openr/panel/static_files.h"
 #include "openr/panel/web_loop.h"
+#include "runtime/base/terminal_text.h"
 
 namespace openr_host {
 namespace {
@@ -389,13 +390,13 @@ bool HasRunEnded(int run_pipe) {
 // write(), so that text of the run does not come in between.
 void Print(const std::string& announcement, bool is_of_run) {
   if (!is_of_run) {
-    PrintAnswer(announcement);
+    PrintAnswer(TerminalText(announcement));
     FlushAnswer();
     return;
   }
   std::string text;
   std::istringstream lines(announcement);
-  for (std::string line; std::getline(lines, line);) text += "openr: " + line + "\n";
+  for (std::string line; std::getline(lines, line);) text += "openr: " + TerminalText(line) + "\n";
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
   // Makes standard error of the server of the panel lead to /dev/null.  A program that reads the
   // output of the run waits until all processes have closed this output, and the server must not

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cli/install_paths.h"
+#include "cli/print_plain.h"
 #include "cli/process_copy.h"
 #include "runtime/base/program_start.h"
 
@@ -41,7 +42,7 @@ std::vector<std::string> WordsOf(const PanelOptions& options) {
 PanelProcess::PanelProcess(const PanelOptions& options) {
   int ends[2];
   const auto warn = [](const std::string& why) {
-    fmt::print(stderr, "openr: no panel: it cannot be started: {}\n", why);
+    PrintPlain(stderr, "openr: no panel: it cannot be started: {}\n", why);
   };
   if (pipe2(ends, O_CLOEXEC) != 0) {
     warn(std::strerror(errno));

@@ -160,7 +160,8 @@ std::string DescribeObjects(Simulation* simulation) {
     const std::string path = object->path.empty() ? "" : object->path + " ";
     const std::string dog =
         system.robot_count() > 1 ? fmt::format(", robot {}", object->robot) : "";
-    text += fmt::format("[oid:{:#010x}] {}{}{}\n", OidValue(object->id), path, object->name, dog);
+    text += fmt::format("[oid:{:#010x}] {}{}\n", OidValue(object->id),
+                        TerminalLine(path + object->name), dog);
   }
   return text;
 }
@@ -196,7 +197,8 @@ void PrintHandledMessage(const Ending& ending) {
   const std::string said = DecodeHandled(*ending.object->system, message);
   // Uses fputs() because fmt::print() throws if nobody reads standard error, and no exception may
   // leave an EndingAction.
-  std::fputs(fmt::format("openr: {}\n", MessageText(message.number, said)).c_str(), stderr);
+  std::fputs(TerminalText(fmt::format("openr: {}\n", MessageText(message.number, said))).c_str(),
+             stderr);
 }
 
 }  // namespace openr_host

@@ -276,6 +276,16 @@ TEST(TopViewTest, ARunThatIsGoneIsShownAsEndedAndThenRemoved) {
   EXPECT_TRUE(runs.empty());
 }
 
+TEST(TopViewTest, ControlBytesOfNamesAreShownAsQuestionMarks) {
+  RunStatus status = MadeUp().status;
+  status.objects[0].name = "a\x1b[2Jb";
+  RunStatusList runs;
+  runs.Update({status}, 1);
+  const std::string text = TopText(runs.All(), 1);
+  EXPECT_THAT(text, HasSubstr("a?[2Jb"));
+  EXPECT_THAT(text, Not(HasSubstr("\x1b")));
+}
+
 TEST(TopViewTest, TheTableFitsTheScreen) {
   EXPECT_EQ(OnScreen("one\ntwo\nthree\n", 3, 4), "one\x1b[K\r\ntwo\x1b[K\r\nthre\x1b[K\x1b[J");
   EXPECT_EQ(OnScreen("one\ntwo\nthree\n", 2, 80), "one\x1b[K\r\n... 2 more lines\x1b[K\x1b[J");
