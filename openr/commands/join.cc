@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "cli/exit_code.h"
+#include "cli/print_plain.h"
 #include "cli/process_copy.h"
 #include "distribution/process_slot.h"
 #include "distribution/worker.h"
@@ -202,7 +203,7 @@ JoinedWorker::JoinedWorker(JoinFlags flags) : flags_(std::move(flags)) {
   }
   worker.master_wait_ms = flags_.wait_us / 1000;
   worker.say = [name = worker.process](const std::string& line) {
-    fmt::print(stderr, "openr: process '{}': {}\n", name, line);
+    PrintPlain(stderr, "openr: process '{}': {}\n", name, line);
   };
   worker.before_loading = [this](const std::string& stick) { Begin(stick); };
 }
@@ -268,7 +269,7 @@ int JoinInThisProcess(const JoinFlags& flags, bool is_known, int stick_pipe) {
       return kExitWrong;
     return code;
   } catch (const std::exception& error) {
-    if (!is_known) fmt::print(stderr, "openr: {}\n", error.what());
+    if (!is_known) PrintPlain(stderr, "openr: {}\n", error.what());
     return kOffline;
   }
 }
@@ -320,10 +321,10 @@ int JoinWithRestarts(const JoinFlags& flags) {
     if (code == kRefused || (code == kOffline && is_first)) return kExitWrong;
     if (g_ended_by != 0) EndBySignal();
     if (code != kOffline) {
-      fmt::print(stderr, "openr: process '{}' (pid {}) has ended; another one comes\n",
+      PrintPlain(stderr, "openr: process '{}' (pid {}) has ended; another one comes\n",
                  flags.worker.process, child);
     } else if (!is_offline) {
-      fmt::print(stderr, "openr: process '{}': tries again until it can\n", flags.worker.process);
+      PrintPlain(stderr, "openr: process '{}': tries again until it can\n", flags.worker.process);
     }
     is_offline = code == kOffline;
     sleep(kPause_s);
