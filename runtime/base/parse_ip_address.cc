@@ -13,7 +13,7 @@ std::optional<uint32_t> ParseIpAddress(std::string_view text) {
     if (i > 0 && (at == end || *at++ != '.')) return std::nullopt;
     unsigned number = 0;
     const auto [rest, error] = std::from_chars(at, end, number);
-    if (error != std::errc() || number > 255) return std::nullopt;
+    if (error != std::errc() || rest - at > 3 || number > 255) return std::nullopt;
     address = address << 8 | number;
     at = rest;
   }

@@ -7,9 +7,9 @@
 
 namespace openr_host {
 
-// Parses four numbers of 0 to 255 with dots between them.  Returns the address with the first
-// number in the highest byte, so "10.0.1.2" is 0x0a000102.  Returns nullopt if `text` is anything
-// else.
+// Parses four numbers of 0 to 255 with dots between them, each with one to three digits.  Returns
+// the address with the first number in the highest byte, so "10.0.1.2" is 0x0a000102.  Returns
+// nullopt if `text` is anything else.
 std::optional<uint32_t> ParseIpAddress(std::string_view text);
 
 }  // namespace openr_host

@@ -3,33 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 
+#include "runtime/base/parse_ip_address.h"
 #include "runtime/config/line_file.h"
 
 namespace openr_host {
 namespace {
 
 constexpr char kAddressForm[] = "write ROBOT=HOST, such as 10.0.1.2=127.0.0.1";
-
-// Parses four numbers of 0 to 255 with dots between them.  Returns nullopt if `text` is anything
-// else.
-std::optional<uint32_t> AddressOf(std::string_view text) {
-  uint32_t ip = 0;
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  for (int i = 0; i < 4; ++i) {
-    unsigned number = 0;
-    if (i > 0 && (at == end || *at++ != '.')) return std::nullopt;
-    const auto [stop, error] = std::from_chars(at, end, number);
-    if (error != std::errc() || stop - at > 3 || number > 255) return std::nullopt;
-    ip = ip << 8 | number;
-    at = stop;
-  }
-  if (at != end) return std::nullopt;
-  return ip;
-}
 
 // Returns true if `ip` cannot be the address of a single computer, because it is 0.0.0.0 or a
 // multicast, reserved or broadcast address.
@@ -39,7 +21,7 @@ bool IsNoHostAddress(uint32_t ip) { return ip == 0 || ip >> 28 >= 0xe; }
 // no address.
 std::string ReadPair(std::string_view robot, std::string_view host, AddressPair* pair) {
   for (const auto& [text, ip] : {std::pair{robot, &pair->robot}, std::pair{host, &pair->host}}) {
-    const std::optional<uint32_t> address = AddressOf(text);
+    const std::optional<uint32_t> address = ParseIpAddress(text);
     if (!address) {
       return fmt::format(
           "'{}' is no address; write four numbers of 0 to 255 with dots between them, such as "

@@ -60,6 +60,18 @@ TEST(AddressConfigTest, AFileHoldsAPairPerLineAndTheFirstOfTwoListsWins) {
   EXPECT_EQ(merged, (std::vector<AddressPair>{{0x0a000102, 0x7f000002}, {5, 6}}));
 }
 
+TEST(AddressConfigTest, ABadAddressIsNamedWithItsFileAndLine) {
+  const AddressConfig config = ParseAddressConfig(
+      "HOSTADDR.CFG", "# of 2003\n10.0.1.2 10.0.1.0002\n10.0.1.3 224.0.0.1\n", "ERS-210");
+  EXPECT_EQ(Render(config.diagnostics),
+            "HOSTADDR.CFG:2: '10.0.1.0002' is no address; write four numbers of 0 to 255 with dots "
+            "between them, such as 10.0.1.2 (names are not looked up); the line is left out\n"
+            "10.0.1.2 10.0.1.0002\n^\n"
+            "HOSTADDR.CFG:3: '224.0.0.1' is no address of one computer, but of any, many or all; "
+            "the line is left out\n10.0.1.3 224.0.0.1\n^\n");
+  EXPECT_TRUE(config.pairs.empty());
+}
+
 TEST(AddressConfigTest, ABadLineIsNamedAndLeftOut) {
   const AddressConfig config =
       ParseAddressConfig("HOSTADDR.CFG", "10.0.1.2=127.0.0.1\n10.0.1.2 127.0.0.1\n", "ERS-210");
