@@ -206,7 +206,11 @@ void TraceCoder::ReadPayload(bool in_pieces, ByteReader* in, TraceEntry* entry) 
   if (size > kPayloadMax) throw std::runtime_error("a message of " + Counted(size, "byte"));
   const int32_t sender = entry->record.sender;
   if (!HasRoomFor(sender, size))
-    throw std::runtime_error("messages of more than " + Counted(kKeptMax, "byte"));
+    throw std::runtime_error(fmt::format(
+        "the contents of the messages need more than {} of memory; if the file is not damaged, an "
+        "older openr has recorded the run: replay it with that one, or record the run again, which "
+        "this openr can read to its end",
+        Counted(kKeptMax, "byte")));
   LastPayload& last = LastOf(sender, size);
   in_pieces ? last.ReadPieces(in) : last.Read(in);
   entry->payload = last.bytes();
