@@ -2,6 +2,7 @@
 #   cmake -DSDK=folder to fill -DSOURCE=this source tree -DIMAGES=folder of images
 #         -DCONTROLLER=controller.o -P MakeSdkTree.cmake
 # Links are relative to the tree's place, PREFIX/share/openr-host/sdk, so it can be installed as it is.
+cmake_minimum_required(VERSION 3.25)
 
 # link(TARGET NAME): unless it is there already; a new link would look like a new tool to make.
 function(link target name)
@@ -10,12 +11,20 @@ function(link target name)
   endif()
 endfunction()
 
+# copy_folder(FROM TO): copies the headers of FROM, and removes others from TO, because a header that
+# is gone from the source would still be found by programs that are built with the tree.
 function(copy_folder from to)
   file(GLOB_RECURSE files RELATIVE ${from} ${from}/*.h)
   foreach(file ${files})
     get_filename_component(folder ${to}/${file} DIRECTORY)
     file(MAKE_DIRECTORY ${folder})
     file(COPY_FILE ${from}/${file} ${to}/${file} ONLY_IF_DIFFERENT)
+  endforeach()
+  file(GLOB_RECURSE there RELATIVE ${to} ${to}/*.h)  # does not follow links such as include/R4000
+  foreach(file ${there})
+    if(NOT file IN_LIST files)
+      file(REMOVE ${to}/${file})
+    endif()
   endforeach()
 endfunction()
 
