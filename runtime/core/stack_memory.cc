@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 #include <sys/mman.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <iterator>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -45,32 +42,21 @@ bool IsZero(const char* bytes) {
   return (even[0] | even[1]) == 0;
 }
 
-// The pages of a stack that have memory.  The kernel gives memory to a page when the page is used
-// for the first time; some kernels do so even if it is only read.  So reading all pages of a stack
-// would cost memory that no handler has asked for.  A page in swap space counts as one without
-// memory: a stack is searched right after it was used, when none of its new pages is there.
-class PagesWithMemory {
- public:
-  // Asks the kernel about the stack that begins at `bottom`.  If the kernel does not answer, all
-  // pages count as pages with memory.
-  explicit PagesWithMemory(char* bottom) : bottom_(bottom) {
-    if (mincore(bottom, StackMemory::kBytes, has_memory_) != 0)
-      std::fill(std::begin(has_memory_), std::end(has_memory_), 1);
-  }
+constexpr size_t kPageBytes = 4096;
 
-  bool Contain(const char* address) const {
-    return (has_memory_[static_cast<size_t>(address - bottom_) / kPageBytes] & 1) != 0;
-  }
-  const char* BeginOfPage(const char* address) const {
-    return address - static_cast<size_t>(address - bottom_) % kPageBytes;
-  }
-
- private:
-  static constexpr size_t kPageBytes = 4096;
-
-  const char* const bottom_;
-  unsigned char has_memory_[StackMemory::kBytes / kPageBytes];
-};
+// Returns a bit for each page of the stack that begins at `bottom`: whether the page has memory.
+// The kernel gives memory to a page when the page is used for the first time; some kernels do so
+// even if it is only read.  So reading all pages of a stack would cost memory that no handler has
+// asked for.  If the kernel does not answer, all pages count as pages with memory.
+uint64_t PagesWithMemory(char* bottom) {
+  constexpr size_t kPages = StackMemory::kBytes / kPageBytes;
+  static_assert(kPages == 64);
+  unsigned char has_memory[kPages];
+  if (mincore(bottom, StackMemory::kBytes, has_memory) != 0) return UINT64_MAX;
+  uint64_t pages = 0;
+  for (size_t i = 0; i < kPages; ++i) pages |= uint64_t{has_memory[i] & 1u} << i;
+  return pages;
+}
 
 [[noreturn]] void ReportNoMemory() {
   const std::string why =
@@ -124,13 +110,16 @@ size_t StackMemory::UsedBytes(size_t gap_bytes) const {
   if (IsStackWatched()) return 0;
   // If the gap is small, the search reads at most one page that was never used.  That costs less
   // than a call of the kernel.
-  std::optional<PagesWithMemory> pages;
-  if (gap_bytes > kSmallGapBytes) pages.emplace(bottom());
+  const bool skips_pages = gap_bytes > kSmallGapBytes;
+  // A page that was seen once counts for ever, because mincore() says of pages in swap space that
+  // they have no memory.
+  if (skips_pages) known_pages_ |= PagesWithMemory(bottom());
   const char* lowest = top();
   for (const char* step = top(); step - bottom() >= static_cast<ptrdiff_t>(kStepBytes);) {
     step -= kStepBytes;
-    if (pages && !pages->Contain(step)) {
-      step = pages->BeginOfPage(step);
+    const size_t page = static_cast<size_t>(step - bottom()) / kPageBytes;
+    if (skips_pages && (known_pages_ >> page & 1) == 0) {
+      step = bottom() + page * kPageBytes;
     } else if (!IsZero(step)) {
       lowest = step;
     }

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -92,6 +93,8 @@ class StackMemory {
   // stacks of the thread.
   StackMemory* older_;
   unsigned valgrind_id_ = 0;
+  // A bit for each page of the stack: whether UsedBytes() has seen that the page has memory.
+  mutable uint64_t known_pages_ = 0;
 };
 
 }  // namespace openr_host
