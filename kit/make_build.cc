@@ -185,6 +185,20 @@ std::string ErrorOfMake(const std::string& line) {
   return (match[1].matched ? match[1].str() + ": " : "") + match[2].str();
 }
 
+// Returns `line` without the codes with which compilers colour their messages
+// (-fdiagnostics-color=always), such as ESC "[01;31m".
+std::string WithoutColours(const std::string& line) {
+  std::string plain;
+  for (size_t i = 0; i < line.size(); ++i) {
+    if (line.compare(i, 2, "\x1b[") == 0) {
+      i = std::min(line.find_first_not_of("0123456789;", i + 2), line.size());
+    } else {
+      plain += line[i];
+    }
+  }
+  return plain;
+}
+
 }  // namespace
 
 std::string CauseOf(const std::string& output) {
@@ -195,7 +209,7 @@ std::string CauseOf(const std::string& output) {
   for (std::string line; std::getline(lines, line);) {
     const std::string error = ErrorOfMake(line);
     if (error.empty()) {
-      if (!line.empty() && !line.starts_with("make")) before = line;
+      if (!line.empty() && !line.starts_with("make")) before = WithoutColours(line);
       continue;
     }
     if (error.starts_with("Waiting for") || error.starts_with("Deleting file")) continue;

@@ -206,6 +206,9 @@ TEST(BuildFailuresTest, TheCauseIsTheFirstComplaintOfMake) {
             "No rule to make target 'x.h', needed by 'b.o'");
   EXPECT_EQ(CauseOf("Makefile:7: *** missing separator.  Stop.\n"),
             "Makefile:7: missing separator");
+  EXPECT_EQ(
+      CauseOf("\x1b[01m\x1b[Ka.cc:1:\x1b[m\x1b[K error\nmake: *** [Makefile:3: a.o] Error 1\n"),
+      "the rule for 'a.o' (Makefile:3) failed: a.cc:1: error");
   EXPECT_EQ(CauseOf("all went well\n"), "");
   EXPECT_EQ(CauseOf(std::string(100'000, 'x') + "\nmake: *** No rule to make target 'y'.  Stop.\n"),
             "No rule to make target 'y'");
