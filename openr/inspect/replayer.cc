@@ -404,10 +404,9 @@ bool Replayer::ApplyInput() {
   for (int robot = first; robot < end; ++robot) {
     const std::string problem = system().inputs().Add(robot, input.name);
     if (problem.empty()) continue;
-    // Text that was typed can be refused only because older programs had no limit for such text.
-    difference_ = fmt::format("{}: after message {}: the input '{}' is refused now: {}{}", file_,
+    difference_ = fmt::format("after message {}: the input '{}' is refused now: {}{}",
                               last_.record.number, OneLineOf(input.name), problem,
-                              input.name.starts_with("type ")
+                              input.name.size() > ConsoleInput::kUnreadMax
                                   ? "; an older openr has recorded the run, which had no such "
                                     "limit: replay it with that one, or record the run again"
                                   : "");

@@ -59,7 +59,7 @@ TEST(OldRecordingTest, TypedTextThatIsTooLongNowIsRefusedWithACure) {
   replayer.RunUntil(INT64_MAX);
   const std::string difference = replayer.difference();
   EXPECT_LT(difference.size(), 1000u);
-  EXPECT_TRUE(difference.starts_with(old + ": after message ")) << difference;
+  EXPECT_TRUE(difference.starts_with("after message ")) << difference;
   for (const char* const part :
        {": the input 'type xxx",
         "' is refused now: the text has 70001 bytes with its newline; at "
