@@ -10,8 +10,8 @@
 
 namespace openr_host {
 
-// Prints `text` on `stream`, with '?' in place of each control byte except newlines and tabs.  So
-// `text` cannot have colours.  Throws std::system_error if `stream` cannot be written, as
+// Prints TerminalText(text) on `stream`: with '?' in place of control bytes.  So `text` cannot have
+// colours.  Throws std::system_error if `stream` cannot be written, as
 // fmt::print() does; stderr can always be written (standard_streams.h).
 void PrintPlainText(std::FILE* stream, std::string text);
 

@@ -16,6 +16,7 @@
 #include "cli/install_paths.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
+#include "cli/print_plain.h"
 #include "cli/progress_line.h"
 #include "kit/shell_words.h"
 #include "openr/commands/commands.h"
@@ -109,7 +110,7 @@ bool WriteFailure(const Json& result, const ExploreFlags& flags) {
   }
   const Json schedule = ScheduleToJson(flags.stick, result["failure"]);
   const std::string problem = WriteFile(flags.file, JsonText(schedule, 2) + "\n");
-  fmt::print(stderr, "openr explore: {}\n",
+  PrintPlain(stderr, "openr explore: {}\n",
              problem.empty() ? fmt::format("wrote {}; again: {} explore --replay {}", flags.file,
                                            ShellWord(ProgramCall()), ShellWord(flags.file))
                              : problem);

@@ -13,6 +13,7 @@
 #include "cli/counted.h"
 #include "cli/exit_code.h"
 #include "cli/json_text.h"
+#include "cli/print_plain.h"
 #include "kit/shell_words.h"
 #include "openr/commands/common_flags.h"
 #include "openr/commands/explore_setup.h"
@@ -51,12 +52,12 @@ bool RecordFailure(const ExploreFlags& flags, const ExploredStick& stick, uint64
   // Does not repeat a run that was killed because it did not end.  The repeated run might not end
   // either, and its recording would fill the disk.
   if (answer.contains(kNotEnded)) {
-    fmt::print(stderr, "openr explore: no recording: {}\n",
+    PrintPlain(stderr, "openr explore: no recording: {}\n",
                answer["broken"]["text"].get<std::string>());
     return false;
   }
   const EndGuards guards({.handler_limit_us = flags.plan.limits.handler_us});
-  fmt::print(stderr, "openr explore: writing {}; openr replay {} --step goes through it\n",
+  PrintPlain(stderr, "openr explore: writing {}; openr replay {} --step goes through it\n",
              flags.record_file, ShellWord(flags.record_file));
   SimulationOptions simulation = stick.simulation;
   simulation.console = [](std::string_view) {};
@@ -80,7 +81,7 @@ bool RecordFailure(const ExploreFlags& flags, const ExploredStick& stick, uint64
   System& system = run.simulation().system();
   system.robot_table().NoteRunEnd({EndKind::kTime, run.EndReason()});
   const std::string problem = recorder.Finish(&system);
-  if (!problem.empty()) fmt::print(stderr, "openr explore: {}\n", problem);
+  if (!problem.empty()) PrintPlain(stderr, "openr explore: {}\n", problem);
   return problem.empty();
 }
 

@@ -14,6 +14,7 @@
 #include "cli/growing_file.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
+#include "cli/print_plain.h"
 #include "openr/simulation/cost_file.h"
 #include "openr/simulation/sanitizer_start.h"
 
@@ -48,7 +49,7 @@ std::string SharedConsole::Problem() const {
 int WithConsole(int exit_code, const SharedConsole& console) {
   const std::string problem = console.Problem();
   if (problem.empty()) return exit_code;
-  fmt::print(stderr, "openr explore: {}\n", problem);
+  PrintPlain(stderr, "openr explore: {}\n", problem);
   return kExitWrong;
 }
 
@@ -71,7 +72,7 @@ void SetStick(const ExploredStick& stick, const SharedConsole& console, ExploreP
 
 void PrintResult(const nlohmann::ordered_json& result, const std::string& text, bool as_json) {
   if (as_json) fmt::print("{}\n", JsonText(result));
-  fmt::print(as_json ? stderr : stdout, "{}", text);
+  PrintPlain(as_json ? stderr : stdout, "{}", text);
 }
 
 }  // namespace openr_host

@@ -12,6 +12,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/json_text.h"
+#include "cli/print_plain.h"
 #include "cli/process_copy.h"
 #include "openr/live/live_events.h"
 #include "openr/run/report.h"
@@ -81,7 +82,7 @@ int RunServer::Serve() {
   int exit_code = kExitGood;
   if (run_ != nullptr) {
     const std::string problem = run_->Finish();
-    if (!problem.empty()) std::fprintf(stderr, "openr serve: %s\n", problem.c_str());
+    if (!problem.empty()) PrintPlain(stderr, "openr serve: {}\n", problem);
     if (!problem.empty()) exit_code = kExitWrong;
   }
   if (!is_copy_) WaitForAllCopies();

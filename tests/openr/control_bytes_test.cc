@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -100,6 +101,17 @@ TEST_F(ControlBytesTest, ARefusalOfARunIsShownWithoutThem) {
   run.Write("{\"error\":\"no \\u001b[2J sensor\"}\n");
   EXPECT_EQ(poke.Finish().status, 1);
   EXPECT_THAT(poke.heard(), HasSubstr(std::string("openr: no ") + kShownEscape + " sensor\n"));
+}
+
+TEST_F(ControlBytesTest, AScheduleFileIsShownWithoutThem) {
+  const std::string file = folder_.File("schedule.json");
+  std::ofstream(file) << R"({"openr_explore": 1, "stick": "", "robot": "ers210", "world": "",
+      "body": "ideal", "robots": 1, "strict": false, "guard": true, "cost": "", "battery": "drain",
+      "for_us": 100000, "properties": ["no-drops"], "seed": 17, "property": "no-drops",
+      "text": "evil \u001b[2J text", "deviations": []})";
+  const ProgramResult replay = RunProgram({"explore", "--replay", file});
+  EXPECT_THAT(replay.out, HasSubstr(std::string("the file says: no-drops: evil ") + kShownEscape));
+  EXPECT_THAT(replay.out, Not(HasSubstr(kEscape)));
 }
 
 }  // namespace
