@@ -96,7 +96,7 @@ Early::DoTick(void*)
 void
 Early::Report()
 {
-    char         reply[16] = "";
+    char         reply[24] = "";
     size_t       got       = 0;
     RelativeTime soon(0, 10);
     if (Receive(box_, reply, sizeof(reply), &got, &soon) != sSUCCESS) strcpy(reply, "no answer");

@@ -39,7 +39,7 @@ Oracle::DoDestroy(const OSystemEvent&)
 void
 Oracle::DoAnswer(void*)
 {
-    char text[16];
+    char text[24];
     sprintf(text, "answer %d", ++count_);
     Reply(text, sizeof(text));
 }
