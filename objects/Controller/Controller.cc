@@ -245,10 +245,10 @@ Controller::SendLeds(Uint32 on, int frames)
     FinishVector(sbjLed, region);
 }
 
-// Sends a vector with one value for each ear: STATE1 (on) if the bit of the ear in `on` is set, and
-// STATE0 (off) otherwise (see "plungers" in virtualrobot/model/ers210.json).  The value holds for
-// 128 ms, because an ear reaches its position in this time (Hohl 2004, 5.3.4, in docs/report.md).
-// A longer time would heat the coil of the ear without need.
+// Sends a vector with one value for each ear (plunger): STATE1 (on) if the bit of the ear in `on`
+// is set, and STATE0 (off) otherwise (see "plungers" in virtualrobot/model/ers210.json).  The value
+// holds for 128 ms, because an ear reaches its position in this time (Hohl 2004, 5.3.4, in
+// docs/report.md).  A longer time would heat the coil of the ear without need.
 void
 Controller::SendEars(Uint32 on)
 {

@@ -26,7 +26,8 @@ public:
     int Joint(int tag) const;
     // Returns the index of an LED in RobotConstants::leds; -1 when `tag` is no LED's tag.
     int Led(int tag) const;
-    // Returns the index of an ear in RobotConstants::plungers; -1 when `tag` is no ear's tag.
+    // Returns the index of an ear in RobotConstants::plungers, the list of ears; -1 when `tag` is
+    // no ear's tag.
     int Ear(int tag) const;
     // Returns the index of a sensor in RobotConstants::sensors; -1 when `tag` is no sensor's tag.
     int Sensor(int tag) const;

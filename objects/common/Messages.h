@@ -6,7 +6,7 @@
 // sets all bytes of a message to zero: SomeMessage message = {}; or memset().
 //
 // Angles are in urad (10^-6 rad), speeds in 0.01 degree/s, accelerations in 0.01 degree/s^2.
-// Joints, LEDs and plungers (ears) are identified by their index in RobotConstants.
+// Joints, LEDs and ears (plungers) are identified by their index in RobotConstants.
 //
 
 #ifndef Messages_h_DEFINED
@@ -86,7 +86,7 @@ struct SetValueMessage {
 COMPILE_TIME_CHECK(SetValueMessageHasNoPadding,
                    sizeof(SetValueMessage) == 12 + MTN_NAME_SIZE + 2 * MAX_JOINTS * 4);
 
-// The message of RCServer.LedEar to Controller.LedEar.  Bit i stands for LED or plunger (ear) i.
+// The message of RCServer.LedEar to Controller.LedEar.  Bit i stands for LED or ear i.
 struct LedEarState {
     Uint32 ledMask;  // LEDs that were commanded; the other LEDs stay as they are
     Uint32 ledOn;

@@ -298,8 +298,8 @@ MtnFile::ReadKeyFrame(Cursor* cursor)
     return true;
 }
 
-// Returns the reason why the robot has no joint or plunger with the locator of joint `j`: the
-// locator is unknown, or it is the locator of another device.
+// Returns the reason why the robot has no joint and no ear (plunger) with the locator of joint `j`:
+// the locator is unknown, or it is the locator of another device.
 std::string
 MtnFile::JointProblem(const RobotConstants* robot, int j) const
 {

@@ -65,19 +65,19 @@ public:
     // content.
     const std::vector<std::string>& Warnings() const { return warnings_; }
 
-    // Finds the joint or plunger (ear) of `robot` for each joint of the file, by its locator
+    // Finds the joint or ear (plunger) of `robot` for each joint of the file, by its locator
     // (OPEN-R name); the design label of the file is not used.  Returns false with an Error() when
     // the robot has no such joint.  Adds a warning for each joint that leaves its software limits.
     // REQUIRES: Read() has returned true.
     bool MapTo(const RobotConstants* robot);
 
     // Returns the index in RobotConstants::joints of the file's joint `j`, or -1 when joint `j` is
-    // a plunger.  Valid after MapTo().
+    // an ear.  Valid after MapTo().
     int RobotJoint(int j) const { return robotJoint_[j]; }
 
     // Returns the index in RobotConstants::plungers of the file's joint `j`, or -1 when joint `j`
-    // is no plunger.  A plunger moves an ear and is either on or off.  In a key frame, an Angle()
-    // of 0 means off; any other value means on.  Valid after MapTo().
+    // is no ear.  An ear is moved by a plunger, which is either on or off.  In a key frame, an
+    // Angle() of 0 means off; any other value means on.  Valid after MapTo().
     int RobotPlunger(int j) const { return robotPlunger_[j]; }
 
     int NumKeyFrames() const { return numKeyFrames_; }

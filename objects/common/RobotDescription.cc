@@ -23,8 +23,8 @@ FindPosture(const RobotConstants* robot, const char* name)
 }
 
 // Returns the index of the element of `rows` with this locator; -1 when there is no such element.
-// This is a template, because joints, LEDs, plungers and sensors are described by different types,
-// and all these types have a locator.
+// This is a template, because joints, LEDs, ears (plungers) and sensors are described by different
+// types, and all these types have a locator.
 template <class Row>
 static int
 FindLocator(const Row* rows, int numRows, const char* locator)

@@ -13,7 +13,7 @@
 
 // Sizes of arrays in the objects and in their messages, with room for every robot.  ERS-210 and
 // ERS-7 have 18 joints; the ERS-7 has 26 LEDs and 16 sensors that do not measure a joint; no robot
-// has more than 2 plungers (ears).
+// has more than 2 ears (plungers).
 const int MAX_JOINTS = 20;
 const int MAX_LEDS = 32;
 const int MAX_PLUNGERS = 4;
@@ -44,7 +44,7 @@ struct LedConstants {
     Sint32 kind;  // a value of LedKind
 };
 
-// The kinds of plungers (ears).  A plunger gets its commands as OJointCommandValue3 or 4.
+// The kinds of ears (plungers).  An ear gets its commands as OJointCommandValue3 or 4.
 enum PlungerKind { plungerJOINT3 = 3, plungerJOINT4 = 4 };
 
 struct PlungerConstants {
@@ -116,8 +116,8 @@ const RobotConstants* FindRobot(const char* design);
 // `robot` is not 0.
 const PostureConstants* FindPosture(const RobotConstants* robot, const char* name);
 
-// The next functions return the index of the joint, LED, plunger or sensor with this locator
-// (OPEN-R name); -1 when `robot` has no such device.  REQUIRES: `robot` is not 0.
+// The next functions return the index of the joint, LED, ear or sensor with this locator (OPEN-R
+// name); -1 when `robot` has no such device.  REQUIRES: `robot` is not 0.
 int FindJoint(const RobotConstants* robot, const char* locator);
 int FindLed(const RobotConstants* robot, const char* locator);
 int FindPlunger(const RobotConstants* robot, const char* locator);

@@ -22,7 +22,7 @@ struct RobotLook {
   // are off.
   std::vector<double> leds;
   bool is_face_in_mode_b = false;  // true: the lights of the face show their colours of mode B
-  // Angles of the plungers (ears), in the order of RobotModel::plungers; angles that the list lacks
+  // Angles of the ears (plungers), in the order of RobotModel::plungers; angles that the list lacks
   // are 0.
   std::vector<double> plungers_rad;
 };

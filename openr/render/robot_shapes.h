@@ -23,7 +23,7 @@ struct RobotShape {
   int led = -1;           // for a light: index of RobotModel::leds, otherwise -1
   render::Colour glow;    // for a light: its colour when it is on
   render::Colour glow_b;  // for a light of the ERS-7's face: its colour in mode B
-  int ear = -1;           // for an ear: index of RobotModel::plungers, otherwise -1
+  int ear = -1;           // for an ear (plunger): index of RobotModel::plungers, otherwise -1
   // For an ear: a point of the axis about which the ear turns, in the coordinates of the part.  The
   // direction of the axis is -y.
   Eigen::Vector3d pivot{0, 0, 0};

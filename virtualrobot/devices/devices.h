@@ -1,5 +1,5 @@
 // The state of everything that command vectors set: joints, lights, and the plungers that move the
-// ears.  A plunger has only two positions, on and off.
+// ears.  A plunger is an actuator with only two positions, on and off.
 #pragma once
 
 #include <OPENR/ODataFormats.h>

@@ -1,5 +1,5 @@
 // A table of the primitives of a robot, with the locator, id and kind of each.  A primitive is a
-// device that OPEN-R can open: a joint, sensor, light, plunger (ear), speaker, microphone or
+// device that OPEN-R can open: a joint, sensor, light, ear (plunger), speaker, microphone or
 // camera.
 //
 // An id is 0x1000 plus the index of the primitive in this table, which begins with the elements of

@@ -258,7 +258,7 @@ void ReadLights(const JsonReader& root, RobotModel* model) {
                            row.Has("colour") ? row.At("colour").Text() : "",
                            row.Has("colour_b") ? row.At("colour_b").Text() : ""});
   }
-  if (!root.Has("plungers")) return;  // a model may have no plungers, as the ERS-220 has none
+  if (!root.Has("plungers")) return;  // a robot may have no ears (plungers), as the ERS-220
   for (const JsonReader& row : Rows(root, "plungers")) {
     row.AllowOnly({"name", "locator", "type", "on_rad", "off_rad", "place", "settle_ms", "mtn"});
     Plunger plunger;

@@ -76,7 +76,7 @@ struct Led {
   std::string colour_b;  // colour in mode B of the face lights of the ERS-7; "": same as `colour`
 };
 
-// An ear.  The plunger that moves it has two positions, on and off, and no sensor.
+// An ear.  The plunger, the actuator that moves it, has two positions, on and off, and no sensor.
 struct Plunger {
   std::string name;
   std::string locator;

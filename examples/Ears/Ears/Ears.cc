@@ -93,7 +93,8 @@ Ears::ReadyEar(const OReadyEvent& event)
     subject[sbjEar]->NotifyObservers();
 }
 
-// Sends a vector with one frame, because a plunger must not stay under power for long.
+// Sends a vector with one frame, because the plunger that moves an ear must not stay under power
+// for long.
 void
 Ears::Flick(int ear)
 {

@@ -3,7 +3,7 @@
 //
 //   Ears.Ear -> OVirtualRobotComm.Effector
 //
-// An ear is a plunger with two positions and no sensor.
+// An ear is moved by a plunger, an actuator with two positions and no sensor.
 //
 
 #ifndef Ears_h_DEFINED
