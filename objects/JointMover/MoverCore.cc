@@ -71,8 +71,9 @@ bool
 MoverCore::NextVector(VectorPlan* plan)
 {
     if (robot_ == 0 || numUnderWay_ == MAX_VECTORS_UNDER_WAY) return false;
-    // Usually the end of a vector begins the motion.  But there may be no further vector if the
-    // joints that still had to move to the first key frame were switched off, so the motion begins
+    // Begins the motion if all joints are at its first key frame and no vector is under way.
+    // Usually the motion begins at the end of the last vector that moves joints to this key frame.
+    // If such joints were switched off before, this vector may never be sent, so the motion begins
     // here.
     if (state_ == moverPREPARE_MTN && numUnderWay_ == 0 && IsStateComplete()) BeginMotion();
     if (state_ == moverFILLING) {
@@ -221,8 +222,8 @@ MoverCore::Report(Sint32 keyFrame, const Sint32* commanded)
     port_->Report(message);
 }
 
-// Fills in the states of the plungers (ears).  Takes the states of the key frame reached last,
-// because plungers are not interpolated.
+// Fills in the states of the ears (plungers).  Takes the states of the key frame reached last,
+// because ears are not interpolated.
 void
 MoverCore::FillEars(SetValueMessage* message) const
 {

@@ -146,7 +146,7 @@ RequestHandler::PlayMotion(RcReader* in, RcWriter* out)
     if (status != rcOK) return status;
     // Changes state_ already here, because otherwise a client that asks for the state right after
     // this answer would conclude that the motion has ended.
-    state_ = moverPREPARE_MTN;  // assumed until JointMover reports its state
+    state_ = moverPREPARE_MTN;  // assumed until JointMover reports its new state
     answer.Write(out);
     return rcOK;
 }
@@ -180,8 +180,8 @@ RequestHandler::StopMotion(RcReader* in)
     memset(&command, 0, sizeof(command));
     command.kind = moverkindSTOP;
     status = Post(command);
-    // Assumes the end of the motion until JointMover reports its state, so that a motion may be
-    // played by the next request.
+    // Takes the motion for ended as soon as the command "stop" is posted, and does not wait for the
+    // report of JointMover.  So the next request of the client may already play a motion.
     if (status == rcOK) state_ = moverACCEPTING_COMMANDS;
     return status;
 }

@@ -30,7 +30,8 @@ struct RcPicturePart {
     static const int SIZE = 14;
 
     void Write(RcWriter* out) const;
-    void Read(RcReader* in);  // reads this head, but not the bytes of the part behind it
+    // Reads the members above, but not the bytes of the picture that follow them.
+    void Read(RcReader* in);
 };
 
 // Largest number of bytes of a layer that an answer to CAMERA_PART can carry.  All parts but the

@@ -136,11 +136,12 @@ void TouchByRims(const Vector3d& centre, const Matrix3d& R, const Vector3d& half
   }
 }
 
-// Adds the points of the cylinder `tested` that are in the cylinder `other`.  Tests points on the
-// rims of the ends of `tested`, and points on the straight line of its side that is nearest to
-// `other`.  Tests no point of this line near its ends.  Such a point may also be near an end of
-// `other`, and its shortest way out of `other` would then lead along the axis of `other` and not
-// sideways.
+// Adds points of the cylinder `tested` that are inside the cylinder `other`.  Tests points on the
+// two rims of `tested`, the circles around its flat ends.  Also tests three points on the curved
+// side of `tested`: they are on the line along the side that is nearest to `other`.  None of the
+// three points is close to an end of `tested`.  A point there could be close to a flat end of
+// `other`, too, and the shortest way out of `other` would then lead through that end and not
+// through the side of `other`.
 // `sign` is 1 if normals are to point out of `other`, and -1 if normals are to point into `other`.
 void TouchByRimsAndSide(const WorldThing& tested, const WorldThing& other, double sign,
                         std::vector<TouchPoint>* points) {

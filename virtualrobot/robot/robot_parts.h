@@ -60,9 +60,9 @@ struct RobotParts {
   // handler runs now.
   void Warn(std::string text);
 
-  // Switches the devices off and sets the parts to their state at boot, except the body, the
-  // battery, the clock, the hands and the faults.  The files of speaker, microphone and camera go
-  // on at their present positions.
+  // Switches the devices off and sets the parts to their state at boot.  The body, the battery, the
+  // clock, the faults and the hands (a person's actions on the robot) keep their state.  The files
+  // of speaker, microphone and camera go on at their present positions.
   void SwitchOff();
 
   // Computes the heat and the battery load of a frame of 8 ms, after the body has moved.  Returns

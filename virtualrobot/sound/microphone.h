@@ -36,9 +36,9 @@ class Microphone {
   RCRegion* MakeVector(int64_t frame);
 
   // Resets the settings to their values at boot, and gives up the references to the regions of all
-  // vectors, because the robot is switched off in frame `frame`.  After the next boot frames count
-  // from 0 again, but the source continues where it was.  REQUIRES: the object that sends the
-  // vectors is the current object.
+  // vectors, because the robot is switched off in frame `frame`.  After the next boot, the numbers
+  // of frames begin at 0 again, but the source of sound goes on where it was.  REQUIRES: the object
+  // that sends the vectors is the current object.
   void SwitchOff(int64_t frame);
 
   void HashState(Hasher* hasher) const;
@@ -55,7 +55,8 @@ class Microphone {
   const OPrimitiveID id_;
   const int frames_per_vector_;
   Settings settings_;
-  int64_t frames_before_boot_ = 0;  // number of frames of the source before the last boot
+  // number of frames before the last boot in which the robot was on
+  int64_t frames_before_boot_ = 0;
   VectorPool pool_;
 };
 

@@ -52,14 +52,16 @@ class Speaker {
   // while the speaker is muted or has no power.  Listeners outside of the run, such as ROS topics,
   // get this sound.
   struct Sound {
-    int64_t frame = -1;  // frame of the run; -1: nothing was played
+    // Number of the frame in which the sound was played; -1: no sound was played yet.  The frames
+    // in which the robot is on are counted from its first boot.
+    int64_t frame = -1;
     SoundFrame samples{};
   };
   const Sound& newest() const { return newest_; }
 
   // Resets the settings to their values at boot, because the robot is switched off in frame
-  // `frame`.  After the next boot frames count from 0 again, but the frames of the sink continue
-  // their count.
+  // `frame`.  After the next boot, Play() gets frame numbers that begin at 0 again.  The sink (the
+  // file or device of the sound) must get numbers that go on, so counts the frames before the boot.
   void SwitchOff(int64_t frame) {
     settings_ = {};
     frames_before_boot_ += frame;
@@ -85,7 +87,8 @@ class Speaker {
   std::unique_ptr<SoundSink> sink_;
   Settings settings_;
   Sound newest_;
-  int64_t frames_before_boot_ = 0;  // number of frames of the sink before the last boot
+  // number of frames before the last boot in which the robot was on
+  int64_t frames_before_boot_ = 0;
 };
 
 }  // namespace openr_host
