@@ -8,8 +8,8 @@
 namespace openr_host {
 
 struct EndlessLoop {
-  size_t at = 0;       // position of the keyword `for`, `while` or `do`
-  size_t end = 0;      // position after the loop
+  size_t at = 0;   // where the loop begins in the checked text: at `for`, `while` or `do`
+  size_t end = 0;  // where the loop ends in the checked text: the position after its last character
   bool waits = false;  // true: the loop waits for a device; false: its condition is always true
 };
 

@@ -39,8 +39,9 @@ struct KitLog {
     std::string place;  // place of the repair: "file:line"
     std::string what;
   };
-  std::vector<Image> images;      // the newest record of each image file
-  std::vector<Failure> failures;  // failures, but not of files that were made later
+  std::vector<Image> images;  // the newest record of each image file
+  // Failures to make a file, except those after which a later command has made the file.
+  std::vector<Failure> failures;
   std::vector<Compile> compiles;  // the newest compilation of each source in each folder
   std::vector<Command> commands;  // the newest command for each source in each folder
   std::vector<Repair> repairs;

@@ -30,9 +30,10 @@ struct GraphObject {
 struct GraphConnection {
   int robot = 0;
   std::string subject, observer;  // names of the two connected services
-  std::string where;              // line that makes the connection, such as "CONNECT.CFG:4"
-  bool connected = false;  // true: the connection was made; false: the runtime refused the line
-  uint64_t events = 0;     // number of messages that the subject sent to the observer so far
+  std::string where;              // place of the line that asks for the connection: "CONNECT.CFG:4"
+  // True: the connection was made; false: the runtime refused the line at `where`.
+  bool connected = false;
+  uint64_t events = 0;  // number of messages that the subject sent to the observer so far
 };
 
 struct GraphView {

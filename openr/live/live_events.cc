@@ -139,9 +139,10 @@ std::string LiveEvents::LineOfPast(std::string_view name, EventCursor* cursor) {
   // findings again when the present is shown again.
   if (name == "findings") cursor->findings = UINT64_MAX;
   const Rewind& rewind = *context_.rewind;
-  // Makes a version from the virtual time and the messages at the past moment, as Version() does
-  // for the present.  Sets the highest bit, which no version of the present has.  So the client
-  // gets a new line when the user goes from the present to the past, or back.
+  // The version of the state at the past moment: the sum of its virtual time and its number of
+  // messages, as Version() returns it for the present state, but with the highest bit set.  No
+  // version of a present state has this bit.  So the version changes when the user goes from the
+  // present to the past, or back, and the client then gets a new event.
   const uint64_t moment =
       static_cast<uint64_t>(rewind.shown_us()) + rewind.shown_messages() + (uint64_t{1} << 63);
   uint64_t& shown = cursor->versions[std::string(name)];

@@ -30,10 +30,10 @@ constexpr size_t kMessageMax = 256;
 // The kind of data in the payload of a message.  PayloadHash() (trace.h) hashes each kind in
 // its own way.
 enum class PayloadKind : uint8_t {
-  kBytes,   // plain bytes, all initialised
+  kBytes,   // plain bytes, all initialised; its hash covers all of them
   kNotify,  // ONotifyMessage; its hash covers its data, not its addresses
   kReady,   // OReadyMessage; its hash covers its command, not its addresses
-  kHashed,  // bytes with addresses; Message::payload_hash is their hash
+  kHashed,  // bytes with memory addresses in them; the sender sets Message::payload_hash
 };
 
 struct alignas(64) Message {

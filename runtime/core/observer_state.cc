@@ -49,8 +49,9 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
     return ReportRefusedReady(error);
   // Counts the readies to one subject that follow each other without a notification in between;
   // more than kTimesMax become a finding.  On the robot these readies can fail: they wait in the
-  // message queue of the subject's object, and the robot refuses the 33rd message in a queue.
-  constexpr int kTimesMax = 8;  // our choice: no program asserts ready more often on purpose
+  // message queue of the subject's object, and the robot refuses the 33rd message in a queue.  The
+  // limit of 8 is our choice: no program asserts ready more than 8 times in a row on purpose.
+  constexpr int kTimesMax = 8;
   entry.asserted = command == objcommCMD_ASSERT_READY ? entry.asserted + 1 : 0;
   if (entry.asserted == kTimesMax + 1 && !object->is_system()) ReportRepeatedReady(entry);
   // Removes from `entry.regions` (regions received from the subject) the regions that the posted

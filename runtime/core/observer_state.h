@@ -41,9 +41,9 @@ struct ObserverState {
     // The regions that this observer has received from the subject and has not given back yet,
     // oldest first.
     std::vector<RCRegion*> regions;
-    // Number of readies that the observer has asserted to the subject since its last deassert, and
-    // since the last notification from any subject.  A large number becomes a finding
-    // (ReportRepeatedReady()).  Notifications of other subjects set the number to 0, too, because
+    // Number of readies that the observer has asserted to the subject without a deassert or a
+    // notification in between.  A large number becomes a finding (ReportRepeatedReady()).
+    // Notifications of all subjects set the number to 0, not only those of this subject, because
     // many programs call AssertReady() without argument after each notification, which asserts
     // ready to all subjects.
     int asserted = 0;

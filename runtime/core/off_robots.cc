@@ -13,7 +13,8 @@ namespace openr_host {
 void OffRobots::Add(int robot, int64_t boot_us) {
   const int64_t frame_us = system_->frame_us();
   ASSERT(boot_us > system_->now_us(), "robot {} boots at {} us", robot, boot_us);
-  // The robot's first frame while it is off ends at the next frame boundary.
+  // A robot that is off has frames, too (DoDue()).  The first of them ends at the next frame
+  // boundary.
   robots_[robot] = {(system_->now_us() / frame_us + 1) * frame_us, boot_us};
 }
 

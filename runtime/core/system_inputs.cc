@@ -159,8 +159,9 @@ std::string CheckRoom(const ConsoleInput& console, int robot, std::string_view t
 std::string ReadType(System* system, int robot, std::string_view text, Inputs::Action* action) {
   ConsoleInput& console = system->console_input();
   if (std::string problem = CheckRoom(console, robot, text); !problem.empty()) return problem;
-  // Reserves room on the terminal until the action has typed the text.  Otherwise several inputs
-  // that wait for the same frame boundary could have more text than the terminal can hold.
+  // Reserves room on the terminal until `*action`, which runs at the next frame boundary, has typed
+  // the text.  Otherwise several inputs that wait for the same frame boundary could have more text
+  // than the terminal can hold.
   std::shared_ptr<const void> room = console.Reserve(robot, ConsoleInput::EnteredSize(text));
   *action = [&console, robot, text = std::string(text), room = std::move(room)] {
     console.Enter(robot, text);

@@ -71,10 +71,11 @@ class Trace {
 };
 
 // Returns the hash of the content of `message` without memory addresses, and sets `*size` to the
-// number of hashed bytes.  Which bytes are hashed depends on the message:
-//   notification: the number of notifications and of regions in it, and the bytes of its regions
-//   ready: its command and the number of regions that it gives back
-//   any other message: its bytes
+// number of hashed bytes.  The hash covers
+// - for a notification, the number of notifications and of regions in it, and the bytes of its
+//   regions;
+// - for a ready, its command and the number of regions that it gives back;
+// - for any other message, its bytes.
 // The hash of a message of the kind kHashed is Message::payload_hash, which its sender has set.
 uint64_t PayloadHash(const Message& message, uint32_t* size);
 
