@@ -32,7 +32,7 @@ class Console {
 
  private:
   const std::string file_;
-  int saved_ = -1;  // copy of the descriptor 1 that was open before this Console
+  int saved_ = -1;  // copy of descriptor 1, made before this Console took descriptor 1; -1: no copy
 };
 
 // Writes out what objects have printed, and ends their last line if it has no end.  Called before

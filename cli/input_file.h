@@ -6,14 +6,16 @@
 namespace openr_host {
 
 // Returns the reason why the file `path` cannot be read; "" if it can be read.  The reason is a
-// text of the system, such as "No such file or directory".  For a folder it is "is a folder; give a
-// motion file", where the words "motion file" are `kind`.  If a file in the folder ends in
-// `extension` (".MTN", in upper or lower case), the text names this file as an example.
+// text of the system, such as "No such file or directory".  If `path` is a folder, the reason is
+// "is a folder; give a motion file", where the words "motion file" are `kind`.  If a file in the
+// folder ends in `extension` (".MTN", in upper or lower case), the text names this file as an
+// example.
 std::string FileReadProblem(const std::string& path, const std::string& kind,
                             const std::string& extension);
 
-// Returns the reason why the folder `path` cannot be read; "" if it can be read.  For a file it is
-// "is a file; give a folder of pictures", where the words "folder of pictures" are `kind`.
+// Returns the reason why the folder `path` cannot be read; "" if it can be read.  If `path` is a
+// file, the reason is "is a file; give a folder of pictures", where the words "folder of pictures"
+// are `kind`.
 std::string FolderReadProblem(const std::string& path, const std::string& kind);
 
 // A kind of file: its name in error messages, and the extension of such files.

@@ -45,7 +45,8 @@ std::vector<fs::path> DataFolders() {
 // Returns the paths of the .json files in `folders`, sorted by file name.  If several folders have
 // a file of the same name, returns only the path in the first of these folders.
 std::vector<fs::path> JsonFiles(const std::vector<fs::path>& folders) {
-  std::map<fs::path, fs::path> files;  // for each file name, its path in the first folder
+  // For each file name: the path of the file in the first of `folders` that has such a file.
+  std::map<fs::path, fs::path> files;
   for (const fs::path& folder : folders) {
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder, error)) {
@@ -86,7 +87,7 @@ std::string ProgramCall() {
     if (!fs::is_regular_file(found, error)) continue;
     const bool is_self = fs::equivalent(found, self, error);
     if (is_self && !error) return self.filename();
-    break;  // the path is needed, because a shell finds another program of this name first
+    break;  // a shell would start this other program, so the path is returned below
   }
   const fs::path relative = self.lexically_relative(fs::current_path());
   const bool is_below = !relative.empty() && *relative.begin() != "..";

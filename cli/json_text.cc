@@ -35,8 +35,8 @@ std::string WithEscapes(std::string text) {
   return escaped;
 }
 
-// Throws std::runtime_error if `fractions` does not allow `number`, which has a fraction or an
-// exponent.
+// `number` has a fraction or an exponent.  Throws std::runtime_error if `fractions` does not accept
+// such a number.
 template <typename Json>
 void CheckFraction(const Json& number, Fractions fractions) {
   if (fractions == Fractions::kNone)

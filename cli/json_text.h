@@ -27,14 +27,15 @@ class JsonTooDeep : public std::runtime_error {
 template <typename Json>
 Json ParseJson(std::string_view text);
 
-// Tells CheckFractions() which numbers with a fraction or an exponent to accept.
+// Tells CheckFractions() which numbers to accept of those that have a fraction or an exponent.
 enum class Fractions {
   kBounded,  // numbers between -2^31 and 2^31, which fit into an int
   kNone,
 };
 
 // Checks all numbers in `json` that have a fraction or an exponent.  Throws std::runtime_error if
-// `fractions` does not allow one of them.  Other numbers are not checked.
+// there is such a number with Fractions::kNone, or one that does not fit into an int with
+// Fractions::kBounded.  Numbers without fraction and exponent are not checked.
 //
 // C++ gives no meaning to the conversion of a number like 1e30 to an integer, and the JSON library
 // converts without a check.  So code that reads the JSON of a file or of another program must call

@@ -24,15 +24,15 @@ struct OutputTarget {
 OutputTarget OutputTargetOf(const std::string& file);
 
 // Returns whether a new file with the new content replaces `target`.  If not, the content is
-// written into `target` itself (in place).  This holds for devices, pipes and files with several
-// hard links, because the other names of such a file would keep the old content.
+// written into `target` itself (in place).  Returns false for devices and pipes.  Returns false
+// also for a file with several hard links, because its other names would keep the old content.
 bool IsReplaced(const OutputTarget& target);
 
 // Returns the path of the temporary file with the number `number` beside the file `beside`.
 std::string TemporaryName(const std::filesystem::path& beside, int number);
 
-// Returns whether a file may be written in place after replacing it has failed with `error`.  This
-// is possible if the system refuses to make a new file, but not if the disk is full.
+// Returns whether a file may be written in place after replacing it has failed with `error`.
+// Returns true if the system refuses to make a new file, but false if the disk is full.
 bool MayBeInPlace(int error);
 
 // Makes an empty file beside `target`, with the owner and permissions of `target`, and sets `name`

@@ -6,8 +6,10 @@
 
 namespace openr_host {
 
-// Treats names and files by the rules in output_file.h.  The constructor works out all names,
-// because a signal handler may not allocate memory.
+// A file that a signal handler will write by Open() and Close().  The rules in output_file.h hold
+// for this file, too: a regular file is replaced, other files are written in place.  The
+// constructor finds out the paths of the file and of the temporary file beside it, because a signal
+// handler may not allocate memory.
 class PreparedFile {
  public:
   explicit PreparedFile(const std::string& file);
@@ -22,8 +24,9 @@ class PreparedFile {
 
  private:
   static constexpr size_t kPathBytes = 4096;
-  char target_[kPathBytes] = "";     // path of the file to replace; "" if there is none
-  char temporary_[kPathBytes] = "";  // path for the new content; "": no temporary file is used
+  char target_[kPathBytes] = "";  // path of the file to replace; "" if there is none
+  // Path of the temporary file with the new content; "": none is used.
+  char temporary_[kPathBytes] = "";
   // The open stream that the file name means; -1: the name means a file.
   int stream_ = -1;
   int descriptor_ = -1;

@@ -21,7 +21,7 @@ void PrintPlain(std::FILE* stream, fmt::format_string<T...> format, T&&... value
   PrintPlainText(stream, fmt::format(format, std::forward<T>(values)...));
 }
 
-// Prints the text on standard output, as a part of the command's answer.
+// Prints what fmt::format() returns on standard output, as a part of the command's answer.
 template <typename... T>
 void PrintPlain(fmt::format_string<T...> format, T&&... values) {
   PrintPlainText(stdout, fmt::format(format, std::forward<T>(values)...));

@@ -70,8 +70,8 @@ class Pipe {
   int ends_[2] = {-1, -1};
 };
 
-// Starts the program `arguments` as a child process.  `in` and `out` become its standard streams if
-// `options` ask for it.  Returns an errno, or 0.
+// Starts the program `arguments` as a child process.  `in` and `out` become the standard streams of
+// the child if `options` ask for it.  Returns an errno, or 0.
 int Spawn(const std::vector<std::string>& arguments, const ProcessOptions& options, const Pipe& in,
           const Pipe& out, pid_t* child) {
   ProgramStart program(arguments);

@@ -64,8 +64,8 @@ int ExitCodeOf(int status);
 
 struct ProcessCopy {
   pid_t pid = -1;
-  // The descriptor from which this process reads what the copied process answers.  The caller of
-  // StartCopy() closes it.
+  // The descriptor from which this process, the original, reads the answers of the copy.  The
+  // caller of StartCopy() closes it.
   int answers = -1;
 };
 
@@ -76,8 +76,8 @@ struct ProcessCopy {
 ProcessCopy StartCopy(Orphan orphan, const std::function<void(int answers)>& work);
 
 // Starts a program that is not a child of this process.  So this process need not wait for the end
-// of the program, and no zombie is left.  Makes a copy of this process for this.  The copy calls
-// `start`, which starts the program and returns 0 or an errno, and then the copy ends.  Returns the
+// of the program, and no zombie is left.  For this, makes a copy of this process.  The copy calls
+// `start`, which starts the program and returns 0 or an errno.  Then the copy ends.  Returns the
 // reason why the program was not started; "" if it was started.
 // REQUIRES: `start` calls only functions that are allowed after fork().
 std::string StartThroughCopy(const std::function<int()>& start);

@@ -80,7 +80,8 @@ class LineEdit {
     libedit_.el_set(edit_, EL_PROMPT, &GivePrompt);
     libedit_.el_set(edit_, EL_HIST, libedit_.history, history_);
     libedit_.el_set(edit_, EL_EDITOR, "emacs");
-    libedit_.el_set(edit_, EL_SIGNAL, 1);  // a signal that ends the process restores the terminal
+    // Makes libedit restore the terminal when a signal ends the process.
+    libedit_.el_set(edit_, EL_SIGNAL, 1);
     libedit_.el_set(edit_, EL_ADDFN, "openr-complete", "Completes a word", &CompleteWord);
     libedit_.el_set(edit_, EL_ADDFN, "openr-drop", "Drops the line", &DropLine);
     libedit_.el_set(edit_, EL_BIND, "^I", "openr-complete", nullptr);

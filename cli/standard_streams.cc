@@ -102,8 +102,9 @@ void PrintAnswer(std::string_view text) {
 }
 
 void PrintAnswerWithCodes(std::string_view text) {
-  // Writes past stdio if a run has given descriptor 1 to the robot's console.  Then the answer of
-  // the command goes to the descriptor that was standard output before.
+  // Does not write to stdout if a run has given descriptor 1, to which stdout writes, to the
+  // robot's console.  The answer of the command then goes to g_standard_output, another descriptor
+  // of the standard output with which the program was started.
   if (g_standard_output != STDOUT_FILENO) {
     const int error = WriteAll(g_standard_output, text);
     if (error != 0) Fail(error);

@@ -39,9 +39,9 @@ void SetStandardOutput(int descriptor);
 // (runtime/base/terminal_text.h).
 void PrintAnswer(std::string_view text);
 
-// Prints what PrintAnswer() prints, but a terminal gets all control bytes, too.  For text with
-// colours, or with codes that move the cursor, to which the caller has added no other control
-// bytes.
+// Prints `text` as PrintAnswer() does, but does not replace control bytes for a terminal.  To be
+// called for text in which the caller has put codes for colours or for moving the cursor.  The text
+// must have no other control bytes, such as those of a file.
 void PrintAnswerWithCodes(std::string_view text);
 
 // Writes out at once the parts of the command's answer that PrintAnswer() has left in a buffer.
