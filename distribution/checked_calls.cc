@@ -78,8 +78,8 @@ OStatus CheckedCalls::RegisterService(ObjectId object, uint32_t selector, std::s
   Object* const self = t_current.object;
   if (!self->has_early_work() || object != self->id)
     return LocalCalls::RegisterService(object, selector, name);
-  // Keeps the service until the object of the restarted worker is in its place.  The directory may
-  // still have the same service of the lost object.
+  // Keeps the name of the service until this object, which is of a restarted worker, replaces the
+  // lost object.  Until then the directory may have the same name for the lost object.
   const auto& directory = system_->robot(self->robot).directory;
   const auto found = directory.find(std::string(name));
   const bool is_of_other = found != directory.end() && found->second.first != object;

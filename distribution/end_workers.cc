@@ -9,8 +9,8 @@ namespace {
 // Deadline: the time until which EndWorkers() waits for all workers together.
 class Deadline {
  public:
-  // Sets the deadline `limit_ms` after now.  When `is_interrupted` returns true for the first time,
-  // moves the deadline to at most `interrupted_ms` after that moment.
+  // Sets the deadline to `limit_ms` from now on.  When `is_interrupted` returns true for the first
+  // time, moves the deadline to at most `interrupted_ms` after that moment.
   Deadline(int64_t limit_ms, int64_t interrupted_ms, const std::function<bool()>& is_interrupted,
            const std::function<int64_t()>& now_ms)
       : end_ms_(now_ms() + limit_ms),
@@ -45,7 +45,7 @@ class Deadline {
   const int64_t interrupted_ms_;
   const std::function<bool()>& is_interrupted_;
   const std::function<int64_t()>& now_ms_;
-  // Whether the user has interrupted the wait and so moved end_ms_.
+  // Whether the user has interrupted the wait.  If so, end_ms_ is earlier than at the beginning.
   bool has_seen_interrupt_ = false;
 };
 

@@ -29,7 +29,8 @@ struct EndingWorker {
 struct EndLimits {
   // Time limit until all workers have confirmed that they know of the end of the run.
   int64_t receipt_ms;
-  int64_t exit_ms;  // time limit, after that, until all their processes have ended
+  // Time limit, counted from then on, until the processes of all workers have ended.
+  int64_t exit_ms;
   // Replaces `receipt_ms` and `exit_ms` as soon as the user does not want to wait any more.  If a
   // wait is under way at that time, it lasts at most `interrupted_ms` longer.
   int64_t interrupted_ms;

@@ -354,8 +354,8 @@ std::string Marshaller::DecodeReady(const openr_wire_Ready& in, Message* out) {
   out->kind = PayloadKind::kReady;
   for (uint32_t i = 0; i < in.regions._length; ++i) {
     const openr_wire_ReturnedRegion& returned = in.regions._buffer[i];
-    // Only removes the token of a region that TakeExportedBy() has released already, because the
-    // object that sent the region was replaced.  The tokens of such regions are in withdrawn_.
+    // Only removes the token if the region was released already, because the object that sent the
+    // region was replaced (TakeExportedBy()).  The tokens of such regions are in withdrawn_.
     if (auto withdrawn = withdrawn_.extract(returned.token)) {
       returned_withdrawn_.push_back(std::move(withdrawn));
       continue;

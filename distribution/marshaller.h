@@ -56,10 +56,10 @@ class Marshaller {
   // regions are found by comparing them with the bytes of `in`.
   std::string Decode(const openr_wire_Message& in, Message* out);
   void ReleaseSample();
-  // Undoes the last Decode().  Called when the System has refused the message, so that no object
-  // gets it.  After a refused ready message, its sender, the observer, keeps the regions that the
-  // message was to give back, so these regions stay exported.  The regions of a refused
-  // notification do not count as imported.
+  // Undoes the last Decode().  Called when the System of this process has refused the decoded
+  // message, so that no object gets it.  If the message is a ready, the observer in the peer keeps
+  // the regions that the ready was to give back, so they count as exported again.  If the message
+  // is a notification, its regions do not count as imported any more.
   void UndoDecode();
 
   // Returns whether data of `region` were received from the peer and have not been given back to
@@ -82,10 +82,10 @@ class Marshaller {
   // Returns all regions that were sent to the peer and not given back, and forgets them.  Called
   // when the peer is lost, because a lost peer gives no region back.
   std::vector<ExportedRegion> TakeExported();
-  // Returns the regions that the subjects of object `subject` have sent and that were not given
-  // back, and forgets them.  Called when this object was replaced, because its regions are then
-  // released without waiting for the peer.  The peer may still use these regions, so its later
-  // ready messages for them are accepted and ignored.
+  // `subject` is the id of an object.  Returns the regions that the subjects of this object have
+  // sent to the peer and that were not given back, and forgets them.  Called when the object was
+  // replaced, because its regions are then released without waiting for the peer.  The peer may
+  // still use these regions, so its later ready messages for them are accepted and ignored.
   std::vector<RCRegion*> TakeExportedBy(ObjectId subject);
 
   // Returns the tokens (numbers given by the peer) of regions that ReleaseImported() has released.

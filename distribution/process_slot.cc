@@ -104,8 +104,8 @@ void ProcessSlot::NotifyAbandoned() {
     try {
       abandoned.channel->Send(to_worker);
     } catch (const std::runtime_error&) {
-      // Ignores the error.  Send() fails, for example, if the abandoned worker has become
-      // unreachable again.  Such an error must not end the worker that has the slot now.
+      // Ignores an error of the notice to the abandoned worker, for example if this worker can no
+      // longer be reached.  The error must not end the other worker, which has the slot now.
     }
   }
 }
@@ -146,8 +146,9 @@ void ProcessSlot::AnswerJoinRequest(const openr_wire_JoinRequest& request) {
                                             process_, identity_.pid, identity_.host));
   } else if (channel_ != nullptr && requester_id_ != id &&
              WallClockMs() - session_opened_ms_ < kSessionClaimMs) {
-    // Gives no answer now.  The session was opened a moment ago for another process that asks for
-    // this slot.  If that process does not join soon, the next request of this process gets it.
+    // Gives this requester no answer now, because another requester got the session a moment ago.
+    // If the other requester does not join soon, this requester gets a session when it repeats its
+    // request.
     return;
   } else {
     // If a requester repeats its request, gives it the same session again, so that it does not

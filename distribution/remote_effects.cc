@@ -36,8 +36,9 @@ struct CallTargets {
   }
 };
 
-// Keeps the messages of `object` in its outbox, so that a message that is refused later is handled
-// as in one process (cpu.h).  An object that has early work keeps its messages also afterwards.
+// Keeps the messages of `object` in its outbox while this OutboxScope exists.  So a message that is
+// refused later is handled as in a run with one process (cpu.h).  After that, the messages leave
+// the outbox.  They stay only if the object is to replace the object of a lost worker (EarlyWork).
 class OutboxScope {
  public:
   explicit OutboxScope(Object* object) : object_(object) { object_->delivery().set_busy(true); }

@@ -45,9 +45,9 @@ class RemoteEffects {
   // Applies the effects in `to_master` in the name of `self`.  If `self` is null, no handler has
   // caused them: the worker was dropping connections, for instance.
   void Apply(const openr_wire_ToMaster& to_master, Object* self);
-  // Applies the effects of the constructors of `object`, which the worker has loaded.  Messages
-  // leave the outbox of `object` when it is in its place: now, or, if it is an object of a
-  // restarted worker, when it replaces the old one (EarlyWork).  `object` is null if none was
+  // Applies the effects of the constructors of `object`, which the worker has loaded.  The messages
+  // of the constructors leave the outbox of `object` now.  If the worker was restarted, they leave
+  // it later, when `object` replaces the old object (EarlyWork).  `object` is null if no object was
   // loaded.
   void ApplyLoaded(const openr_wire_ToMaster& to_master, Object* object);
   // Handles the sample that reports that a handler in the worker has stopped: applies the effects

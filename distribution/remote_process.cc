@@ -53,7 +53,8 @@ TakenBack RemoteProcess::TakeBack(const RemoteObject* sender, const Message& mes
                                   bool* is_ready) {
   if (handlers_.is_free()) return TakenBack::kNoSubject;
   const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
-  // Sends the regions in the form of a ready, which gives regions back as well.
+  // Puts the regions into a ready, because a ready is the kind of message that can give regions
+  // back.
   const OwnedMessage returned =
       resources_.system()->NewMessage(sender->id, notify.subjectID.GetSelector());
   auto& ready = *new (returned->payload) OReadyMessage;

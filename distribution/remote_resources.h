@@ -28,8 +28,8 @@ class RemoteResources {
   RemoteResources(const RemoteResources&) = delete;
   RemoteResources& operator=(const RemoteResources&) = delete;
 
-  // Prepares for a worker that joins the run of `system`.  Does nothing when the worker was
-  // restarted.
+  // Makes the marshaller and the CheckedCalls for a worker that joins the run of `system`.  For a
+  // restarted worker, keeps those that exist already.
   void Begin(System* system);
   // Destroys the marshaller.  REQUIRES: the System still exists, because the memory of received
   // regions is in the System's region table.

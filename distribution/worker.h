@@ -35,7 +35,8 @@ struct WorkerOptions {
   std::string stick;    // folder of the Memory Stick on this host; "" to use the master's path
   int64_t master_wait_ms = 60'000;     // time limit for finding the master, in ms of the wall clock
   bool waits_for_predecessor = false;  // whether to wait until an earlier process of this name ends
-  std::function<bool()> is_end_requested;  // whether the user has told this process to end; or null
+  // Returns whether the user has told this process to end; may be null.
+  std::function<bool()> is_end_requested;
   std::function<void(const std::string& line)> say;  // prints a line for the user
   // Returns a local folder to use as the Memory Stick when the run's folder is not on this host, or
   // "".  The worker uses the folder only if its files are the same as in the run's folder.  The

@@ -436,7 +436,9 @@ void WorkerGroup::End() {
   std::vector<EndingWorker> workers;
   for (auto& [name, entry] : members_) {
     Member* const member = &entry;
-    DropNewObjects(member);  // while the System exists, because their outboxes have its messages
+    // Must be called while the System exists, because the outboxes of the new stand-ins may have
+    // messages of the System.
+    DropNewObjects(member);
     workers.push_back({[member, why] { return member->process->SendEnd(why); },
                        [member] { return HasEnded(*member); },
                        [member](int64_t limit_ms) {

@@ -32,8 +32,8 @@ void FillRefused(const Message& returned, const SubjectID& subject, uint32_t not
 }  // namespace
 
 // Makes the data of a notification that the master has refused pending again in the subject of this
-// process that has sent them.  The notification was refused when the processor time of its handler
-// was over, so its handler cannot be told.
+// process that has sent them.  The master refused the notification only when the processor time of
+// the handler that sent it was over.  This handler has ended, so it cannot be told.
 void Worker::TakeBack(const openr_wire_TakeBack& in) {
   Object* const object = system_->object(in.message.target);
   if (object == nullptr) throw std::runtime_error("data of an object that is not there");
