@@ -351,7 +351,7 @@ class Bench {
   const std::shared_ptr<openr_host::LoopbackHub>& network() const { return hub_; }
 
   const std::vector<openr_host::Finding>& findings() const { return system_->findings().all(); }
-  std::string Findings() const;  // a line for each finding
+  std::string Findings() const;  // returns a line of text for each finding
   uint64_t trace_hash() const { return system_->trace_hash(); }
   uint64_t state_hash() { return system_->state_hash(); }
 
@@ -409,9 +409,9 @@ class Bench {
   bool IsRunning(const Place& place);
   void HandleMessage(const openr_host::Message& message);
 
-  // Checks that the objects and services that `spec` names exist.  Otherwise reports a failure and
-  // calls `on_wrong`, which may be null.  Before Boot() some services are not known yet, so a call
-  // before Boot() only stores `spec`, and Boot() makes the check.
+  // Checks that the objects and services that `spec` names exist.  If one of them does not exist,
+  // reports a failure and calls `on_wrong`, which may be null.  Before Boot() some services are not
+  // known yet, so a call before Boot() only stores `spec`, and Boot() makes the check.
   void CheckNames(const MessageSpec& spec, const Place& place,
                   const std::function<void()>& on_wrong = {});
   bool CheckName(const std::string& name, const Place& place);
@@ -427,8 +427,8 @@ class Bench {
   bool PostNotify(const MessageSpec& spec, std::string_view bytes, const Caller& caller);
   bool PostReadiness(const MessageSpec& spec, const Caller& caller);
   bool PostEntry(const MessageSpec& spec, std::string_view bytes, const Caller& caller);
-  // Reports a failure at the line of `caller`, with `problem`, the reason why the message of this
-  // call was not posted.  Always returns false.
+  // Reports a failure at the line of the call `caller`: the message that this call should have
+  // posted was not posted, for the reason `problem`.  Always returns false.
   bool MissPost(const Caller& caller, const std::string& problem);
   static std::string CommandOf(uint64_t seed);
   // Returns the subject or the observer (`side`) with the name `name`; the first parts of its full
@@ -449,13 +449,14 @@ class Bench {
   openr_host::VirtualRobot* dog_ = nullptr;
   openr_host::IpStack* ip_stack_ = nullptr;
   std::vector<TcpClient*> clients_;
-  int last_probe_ = 0;  // number of the last probe of Watch() and Feed()
+  int last_probe_ = 0;  // number of probes that Watch() and Feed() have added so far
 
   History history_;
   Expectations expectations_;
   std::vector<std::function<void(const SeenMessage&)>> see_;
-  std::optional<MessageSpec> goal_;  // message at which StepTo() stops; nullopt at other times
-  // Number of the message at which StepToMessage() stops; 0 at other times.
+  // StepTo() stops at the next message that fits `goal_`; nullopt while StepTo() does not run.
+  std::optional<MessageSpec> goal_;
+  // Number of the message at which StepToMessage() stops; 0 while it does not run.
   uint64_t goal_number_ = 0;
   bool goal_reached_ = false;
   // A MessageSpec that the test gave before Boot().  Boot() checks that its objects and services
@@ -463,7 +464,7 @@ class Bench {
   struct UncheckedNames {
     MessageSpec spec;
     Place place;                     // line of the test that gave `spec`
-    std::function<void()> on_wrong;  // called if a name is wrong; may be null
+    std::function<void()> on_wrong;  // called if a name in `spec` is wrong; may be null
   };
   std::vector<UncheckedNames> unchecked_;
   std::deque<ExpectedFinding> expected_findings_;

@@ -42,7 +42,7 @@ class Expectations {
   struct Expected {
     MessageSpec spec;
     Place place;
-    std::optional<SeenMessage> early;  // last message that fits, but came before its turn
+    std::optional<SeenMessage> early;  // last message that fits `spec`, but came before its turn
     // The last message that fits `spec` in everything but its payload, and the reason why its
     // payload does not fit.  Both are for the text of a failure.
     std::optional<SeenMessage> other;

@@ -76,7 +76,9 @@ class SeenMessage {
   uint64_t cause_ = 0;
   int64_t time_us_ = 0;
   openr_host::ObjectId sender_ = openr_host::kNoObject;
-  uint32_t sender_entry_ = 0;  // number of the sender's handler for the service; 0: none
+  // Number of the handler that the sender has for its end of the connection; 0: the message is of
+  // no connection.
+  uint32_t sender_entry_ = 0;
   openr_host::ObjectId target_ = openr_host::kNoObject;
   uint32_t selector_ = 0;
   uint32_t size_ = 0;

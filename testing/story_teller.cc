@@ -71,7 +71,9 @@ struct StoryTeller::Guards {
     std::fflush(nullptr);
   }};
 
-  static inline std::unique_ptr<Guards> now;  // guards of the newest bench
+  // The Guards of the newest bench, which print its story when the process crashes; null: no bench
+  // exists.
+  static inline std::unique_ptr<Guards> now;
 };
 
 StoryTeller::StoryTeller(std::function<std::string()> story, int64_t handler_limit_us)

@@ -17,9 +17,10 @@ namespace openr::testing {
 // that wait, and what they wait for.
 class StoryTeller {
  public:
-  // The function `story` returns Bench::Story().  It must not call GoogleTest, which holds a lock
-  // while it reports a failure.  A handler that uses more than `handler_limit_us` of processor time
-  // ends the process like a crash; 0: no limit.
+  // `story` is a function that returns the story of the bench (Bench::Story()).  It is called when
+  // a failure is reported.  GoogleTest holds a lock meanwhile, so `story` must not call GoogleTest.
+  // A handler that uses more than `handler_limit_us` of processor time ends the process like a
+  // crash; 0: no limit.
   StoryTeller(std::function<std::string()> story, int64_t handler_limit_us);
   ~StoryTeller();
   StoryTeller(const StoryTeller&) = delete;

@@ -159,7 +159,7 @@ bool TcpClient::Do(const Step& step) {
 
 bool TcpClient::DoConnect(const Step& step) {
   if (connected_) return true;
-  if (connecting_) return false;  // a later Poll() gets the robot's answer
+  if (connecting_) return false;  // the robot has not answered yet; a later Poll() gets its answer
   connecting_ = true;
   ended_ = broken_ = false;
   ++handle_;

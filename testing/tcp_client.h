@@ -25,7 +25,7 @@ class TcpClient : public openr_host::CodeObject {
  public:
   TcpClient(std::shared_ptr<openr_host::LoopbackHub> hub, uint32_t own_ip, uint32_t robot_ip);
 
-  // ---- The script, step by step
+  // ---- Functions that add a step to the script of this client
 
   // Adds a step that waits until an object listens on `port` of the robot and accepts the
   // connection.

@@ -91,8 +91,8 @@ class RepeatedMessage {
   RepeatedMessage& Optional() { return is_optional_ = true, *this; }
 
   bool happened() const { return matches_ == nth_; }
-  // Returns a description of the repeated message; "" as long as its receiver has not got it for
-  // the first time.
+  // Returns a description of the message that the receiver gets twice; "" before its first
+  // delivery.
   const std::string& text() const { return text_; }
 
  private:
@@ -101,7 +101,7 @@ class RepeatedMessage {
   const uint64_t nth_;
   const Place place_;
   bool is_optional_ = false;
-  uint64_t matches_ = 0;  // number of fitting messages so far; at most n
+  uint64_t matches_ = 0;  // number of messages so far that fit `spec_`; at most nth_
   std::string text_;
 };
 
