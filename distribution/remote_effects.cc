@@ -128,7 +128,22 @@ void RemoteEffects::Apply(const openr_wire_ToMaster& to_master, Object* self) {
   }
 }
 
+// Refuses a notification and a ready in the effects of constructors.  Constructors have no
+// connections, so only a faulty worker sends them.  A refused notification would make PostOutbox()
+// wait for the worker, which could be lost during this wait, while the caller still reads
+// `to_master`.
+void RemoteEffects::CheckLoaded(const openr_wire_ToMaster& to_master) const {
+  for (uint32_t i = 0; i < to_master.effects._length; ++i) {
+    const openr_wire_Effect& effect = to_master.effects._buffer[i];
+    if (effect._d != openr_wire_EFFECT_POST) continue;
+    const openr_wire_PayloadKind kind = effect._u.posted.message.payload._d;
+    if (kind == openr_wire_PAYLOAD_NOTIFY || kind == openr_wire_PAYLOAD_READY)
+      connection_->Refuse("a notification or a ready of a constructor");
+  }
+}
+
 void RemoteEffects::ApplyLoaded(const openr_wire_ToMaster& to_master, Object* object) {
+  CheckLoaded(to_master);
   if (object == nullptr) return Apply(to_master, nullptr);
   {
     const OutboxScope scope(object);

@@ -48,7 +48,7 @@ class RemoteEffects {
   // Applies the effects of the constructors of `object`, which the worker has loaded.  The messages
   // of the constructors leave the outbox of `object` now.  If the worker was restarted, they leave
   // it later, when `object` replaces the old object (EarlyWork).  `object` is null if no object was
-  // loaded.
+  // loaded.  Refuses effects that only an object with connections can have.
   void ApplyLoaded(const openr_wire_ToMaster& to_master, Object* object);
   // Handles the sample that reports that a handler in the worker has stopped: applies the effects
   // of the handler, and records the data about its object.  Returns why the handler has stopped.
@@ -65,6 +65,7 @@ class RemoteEffects {
   CallResult Call(uint32_t function, const CallArguments& arguments);
   void ApplyNote(const openr_wire_Note& note);
   int32_t Post(const openr_wire_PostedMessage& posted, Object* self);
+  void CheckLoaded(const openr_wire_ToMaster& to_master) const;
   void Check(const openr_wire_Message& in, const Object* self);
   void CheckEnds(const openr_wire_Message& in, const Object* self);
   static bool Answers(const Message& message, const Object* self);

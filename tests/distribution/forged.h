@@ -197,18 +197,20 @@ class ForgedTest : public ::testing::Test {
     objects = arena_.Sequence<std::remove_reference_t<decltype(objects)>>(loaded);
     return to_master;
   }
+  // Orders the worker to load the remote object, and waits for its answer.
+  void LoadRemote() {
+    openr_wire_ObjectEntry entry{};
+    entry.id = remote_->id;
+    entry.name = entry.path = arena_.Text("");
+    entry.is_own = true;
+    openr_wire_Load load{};
+    load.objects =
+        arena_.Sequence<decltype(load.objects)>(std::vector<openr_wire_ObjectEntry>{entry});
+    process_.loader().Load(load);
+  }
   // Does the same for an answer to the order to load the remote object.
   std::string LossByLoaded(const openr_wire_ToMaster& to_master) {
-    return LossBy(to_master, [this] {
-      openr_wire_ObjectEntry entry{};
-      entry.id = remote_->id;
-      entry.name = entry.path = arena_.Text("");
-      entry.is_own = true;
-      openr_wire_Load load{};
-      load.objects =
-          arena_.Sequence<decltype(load.objects)>(std::vector<openr_wire_ObjectEntry>{entry});
-      process_.loader().Load(load);
-    });
+    return LossBy(to_master, [this] { LoadRemote(); });
   }
   std::string TextHere() { return {system_.regions().BaseOf(region_here_), kBytes}; }
 

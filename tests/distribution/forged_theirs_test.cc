@@ -193,6 +193,27 @@ TEST_F(ForgedTheirsTest, ConstructorsSendInTheNameOfAnother) {
   EXPECT_FALSE(remote_->delivery().is_busy());
 }
 
+// The second sample would be the answer if the master asked the worker to take the notification
+// back: it would lose the worker then, in the middle of the first sample.
+TEST_F(ForgedTheirsTest, ConstructorsNotifyAnEntryThatIsNotThere) {
+  openr_wire_ToMaster to_master = Loaded({remote_->id});
+  to_master.effects = Notify({}).effects;
+  to_master.effects._buffer[0]._u.posted.message.selector = 60'000;
+  EXPECT_THAT(LossBy(to_master,
+                     [this] {
+                       channel_->Send(Stopped());
+                       LoadRemote();
+                     }),
+              HasSubstr("a notification or a ready of a constructor"));
+  EXPECT_TRUE(losses_.empty());
+}
+
+TEST_F(ForgedTheirsTest, ConstructorsAssertReady) {
+  openr_wire_ToMaster to_master = Loaded({remote_->id});
+  to_master.effects = Ready({}).effects;
+  EXPECT_THAT(LossByLoaded(to_master), HasSubstr("a notification or a ready of a constructor"));
+}
+
 // The reply box of a request that a constructor has sent is open when the object is loaded.
 TEST_F(ForgedTheirsTest, ConstructorsOpenReplyBoxes) {
   openr_wire_ToMaster to_master = Loaded({remote_->id});
