@@ -43,8 +43,10 @@ TimeEvents::EventMessage MessageOfCaller(const TimeEvents::EventMessage& message
 }  // namespace
 
 // Opens a reply box.  Ignores a box that is open already, and box 0, which no object has: only a
-// faulty worker opens them.
+// faulty worker opens them.  Refuses a box that no object reaches by counting, because the next
+// boxes of the object count from there: they would be wake boxes, or their count would overflow.
 void CheckedCalls::OpenBox(uint64_t box) {
+  if (box >= kFirstWakeBox) refuse_(fmt::format("the reply box {}", box));
   if (box != 0 && !t_current.object->boxes().IsOpen(box)) LocalCalls::OpenBox(box);
 }
 

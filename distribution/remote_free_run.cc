@@ -11,15 +11,6 @@
 #include "runtime/core/system.h"
 
 namespace openr_host {
-namespace {
-
-// First number of the wake boxes, the reply boxes of stand-ins.  In a free run, while a handler of
-// an object runs in a worker, the object's stand-in waits for a reply to its wake box.  The master
-// posts the reply when the handler has returned or waits.  The boxes that objects open themselves
-// count from 1 and never reach this number, so a wake box never has the number of such a box.
-constexpr uint64_t kFirstWakeBox = uint64_t{1} << 40;
-
-}  // namespace
 
 RemoteFreeRun::RemoteFreeRun(RemoteConnection* connection, RemoteResources* resources,
                              RemoteEffects* effects)

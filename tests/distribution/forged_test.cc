@@ -73,6 +73,17 @@ TEST_F(ForgedTest, ARobotThatIsNotThere) {
   EXPECT_FALSE(system_.powered_off());
 }
 
+TEST_F(ForgedTest, AReplyBoxThatNoObjectReaches) {
+  EXPECT_EQ(LossBy(Note<&SystemCalls::OpenBox>({kFirstWakeBox - 1})), "");
+  EXPECT_THAT(LossBy(Note<&SystemCalls::OpenBox>({std::numeric_limits<uint64_t>::max()})),
+              HasSubstr("the reply box 18446744073709551615"));
+  EXPECT_EQ(remote_->boxes().last(), kFirstWakeBox - 1);
+}
+
+TEST_F(ForgedTest, AWakeBox) {
+  EXPECT_THAT(LossBy(Note<&SystemCalls::OpenBox>({kFirstWakeBox})), HasSubstr("the reply box"));
+}
+
 TEST_F(ForgedTest, ANotificationFromARegionThatIsNotThere) {
   EXPECT_THAT(LossBy(Notify({{1, kNoRegion, kBytes, 0, kBytes, {}}})),
               HasSubstr("16 bytes in region 0x70007"));
@@ -203,7 +214,6 @@ TEST_F(ForgedTest, NumbersOutOfAllRangesChangeNothing) {
   for (const uint64_t number : {uint64_t{kNoRegion}, huge, uint64_t{1} << 40}) {
     for (const uint32_t function : {WorkerCallList::NumberOf<&SystemCalls::PinRegion>(),
                                     WorkerCallList::NumberOf<&CheckedCalls::AddFindingAbout>(),
-                                    WorkerCallList::NumberOf<&SystemCalls::OpenBox>(),
                                     WorkerCallList::NumberOf<&SystemCalls::CloseBox>(),
                                     WorkerCallList::NumberOf<&SystemCalls::NoteMapping>()}) {
       EXPECT_EQ(LossBy(NoteOf(function, {number, number, number})), "");
@@ -215,6 +225,7 @@ TEST_F(ForgedTest, QuestionsOutOfAllRangesAreAnswered) {
   const uint64_t huge = std::numeric_limits<uint64_t>::max();
   const std::set<uint32_t> refused = {WorkerCallList::NumberOf<&SystemCalls::DeleteRegion>(),
                                       WorkerCallList::NumberOf<&SystemCalls::UnpinRegion>(),
+                                      WorkerCallList::NumberOf<&SystemCalls::OpenBox>(),
                                       WorkerCallList::NumberOf<&SystemCalls::Shutdown>(),
                                       WorkerCallList::NumberOf<&SystemCalls::PowerOff>()};
   for (uint32_t function = 0; function <= WorkerCallList::kSize; ++function) {
