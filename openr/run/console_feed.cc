@@ -27,22 +27,12 @@ bool IsInBackground() {
   return foreground != -1 && foreground != getpgrp();
 }
 
-// Returns the number of bytes that can be typed now on every robot that is on.  Leaves out robots
-// whose programs have never read, unless no program of any robot has: such a robot would stop the
-// input of the others for ever when its terminal is full.
-size_t RoomOfReaders(System* system) {
-  const ConsoleInput& console = system->console_input();
-  size_t room = ConsoleInput::kUnreadMax;
-  size_t room_of_readers = ConsoleInput::kUnreadMax;
-  bool has_reader = false;
+// Returns whether a program of any robot that is on has read.
+bool HasAnyReader(System* system) {
   for (int robot = 0; robot < system->robot_count(); ++robot) {
-    if (system->robot(robot).powered_off) continue;
-    room = std::min(room, console.RoomOf(robot));
-    if (!console.HasReader(robot)) continue;
-    has_reader = true;
-    room_of_readers = std::min(room_of_readers, console.RoomOf(robot));
+    if (!system->robot(robot).powered_off && system->console_input().HasReader(robot)) return true;
   }
-  return has_reader ? room_of_readers : room;
+  return false;
 }
 
 }  // namespace
@@ -88,32 +78,68 @@ size_t ConsoleFeed::ReadyLength(size_t room) const {
   return is_too_long ? room - 1 : end;
 }
 
-// Types `lines` on the terminal of `robot`.  If the terminal has no room for them, the robot misses
-// them.  A robot that is on has room unless its programs have never read.
-void ConsoleFeed::Type(System* system, int robot, std::string_view lines) {
-  if (system->console_input().RoomOf(robot) >= ConsoleInput::EnteredSize(lines)) {
-    // Ignores that the robot refuses the text, because only a robot that is off refuses it.
-    TypeText(system, robot, lines);
+// Returns whether text waits that cannot be typed on a terminal with room for `room` bytes.  An
+// incomplete line waits for its end and not for room.
+bool ConsoleFeed::IsBlocked(size_t room) const {
+  if (ReadyLength(room) > 0) return false;
+  return is_open_ ? text_.size() > room : !text_.empty();
+}
+
+// Returns the number of bytes that can be typed now on every robot that is on.  Leaves out robots
+// that miss all text.
+size_t ConsoleFeed::RoomOfAll(System* system) const {
+  size_t room = ConsoleInput::kUnreadMax;
+  for (int robot = 0; robot < system->robot_count(); ++robot) {
+    if (system->robot(robot).powered_off || missing_.contains(robot)) continue;
+    room = std::min(room, system->console_input().RoomOf(robot));
+  }
+  return room;
+}
+
+// Updates which robots miss all text.
+void ConsoleFeed::UpdateMissing(System* system) {
+  const bool has_reader = HasAnyReader(system);
+  for (int robot = 0; robot < system->robot_count(); ++robot)
+    UpdateMissing(system, robot, has_reader);
+}
+
+// Updates whether `robot` misses all text.  `has_reader` says whether a program of any robot has
+// read.  As long as no program of any robot has, all robots are waited for without a time limit.
+void ConsoleFeed::UpdateMissing(System* system, int robot, bool has_reader) {
+  const ConsoleInput& console = system->console_input();
+  if (console.HasReader(robot)) missing_.erase(robot);
+  const bool is_waited_for = has_reader && !console.HasReader(robot) &&
+                             !system->robot(robot).powered_off && !missing_.contains(robot) &&
+                             IsBlocked(console.RoomOf(robot));
+  if (!is_waited_for) {
+    waits_since_us_.erase(robot);
     return;
   }
-  if (system->robot(robot).powered_off || !is_reported_.insert(robot).second) return;
+  const int64_t since_us = waits_since_us_.emplace(robot, system->now_us()).first->second;
+  if (system->now_us() - since_us < kPatienceUs) return;
+  waits_since_us_.erase(robot);
+  missing_.insert(robot);
   system->AddFindingAboutRobot(
       robot, Severity::kWarning,
-      fmt::format("console: typed text is missed from here on: no program of the robot has read so "
-                  "far, {} bytes wait, and the other robots are not to wait for it",
-                  ConsoleInput::kUnreadMax - system->console_input().RoomOf(robot)));
+      fmt::format("console: typed text is missed until a program of the robot reads: no program of "
+                  "it has read so far, {} bytes wait, and the other robots are not to wait for it",
+                  ConsoleInput::kUnreadMax - console.RoomOf(robot)));
 }
 
 void ConsoleFeed::Feed(System* system) {
-  const size_t room = RoomOfReaders(system);
-  ReadStandardInput(room);
-  const size_t length = ReadyLength(room);
+  // Reads one byte more than can be typed, so that IsBlocked() knows whether more text waits.
+  ReadStandardInput(RoomOfAll(system) + 1);
+  UpdateMissing(system);
+  const size_t length = ReadyLength(RoomOfAll(system));
   if (length == 0) return;
   // Echoes the typed text only if it does not come from a terminal, because a terminal shows it
   // itself.
   system->console_input().set_echo(!is_terminal_);
   const std::string_view lines = std::string_view(text_).substr(0, length);
-  for (int robot = 0; robot < system->robot_count(); ++robot) Type(system, robot, lines);
+  for (int robot = 0; robot < system->robot_count(); ++robot) {
+    // Ignores that a robot refuses the text, because only a robot that is off refuses it.
+    if (!missing_.contains(robot)) TypeText(system, robot, lines);
+  }
   text_.erase(0, length);
 }
 

@@ -3,9 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <set>
 #include <string>
-#include <string_view>
 
 namespace openr_host {
 
@@ -23,22 +24,33 @@ class ConsoleFeed {
   // or of the file that the constructor got.  Gives only as much as the terminals of all robots
   // that are on have room for (ConsoleInput::RoomOf()); the rest follows in later calls, when
   // programs have read.  Does not read from standard input meanwhile, so that its writer waits.
-  // Does not wait for a robot whose programs have never read if programs of another robot have:
-  // this robot misses text for which its terminal has no room, and a finding says so.  Breaks a
-  // line that is longer than the terminal of a robot can hold.
+  //
+  // Waits only kPatienceUs for a robot whose programs have never read if programs of another robot
+  // have.  After that the robot misses all text until one of its programs reads, and a finding says
+  // so.  Breaks a line that is longer than the terminal of a robot can hold.
   void Feed(System* system);
+
+  // The virtual time for which text waits for a robot whose programs have never read.  It is our
+  // choice: long enough for programs that begin to read a little later than those of another robot.
+  static constexpr int64_t kPatienceUs = 5'000'000;
 
  private:
   void ReadStandardInput(size_t size_max);
-  void Type(System* system, int robot, std::string_view lines);
+  size_t RoomOfAll(System* system) const;
   size_t ReadyLength(size_t room) const;
+  bool IsBlocked(size_t room) const;
+  void UpdateMissing(System* system);
+  void UpdateMissing(System* system, int robot, bool has_reader);
 
   std::string text_;  // input that has arrived and was not given to robots yet
   // True: standard input is a terminal, which shows the typed text itself, so that the program need
   // not show it.
   bool is_terminal_ = false;
-  bool is_open_ = false;       // true: more text may arrive on standard input
-  std::set<int> is_reported_;  // robots about which a finding says that they miss text
+  bool is_open_ = false;  // true: more text may arrive on standard input
+  // Robots that Feed() waits for although their programs have never read, each with the virtual
+  // time at which this wait began.
+  std::map<int, int64_t> waits_since_us_;
+  std::set<int> missing_;  // robots that miss all text until one of their programs reads
 };
 
 }  // namespace openr_host

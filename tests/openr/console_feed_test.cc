@@ -104,10 +104,10 @@ class TwoConsolesTest : public testing::Test {
     options.console = [](std::string_view) {};  // the echo of what is read
     return options;
   }
-  void Feed(ConsoleFeed* feed) {
-    for (int i = 0; i < 20; ++i) {
+  void Feed(ConsoleFeed* feed, int frames = 20) {
+    for (int i = 0; i < frames; ++i) {
       feed->Feed(&system_);
-      system_.RunFor(8000);
+      system_.RunFor(kFrameUs);
     }
   }
   size_t CountFindings() const {
@@ -116,6 +116,10 @@ class TwoConsolesTest : public testing::Test {
           return one.text.find("typed text is missed") != std::string::npos;
         }));
   }
+
+  static constexpr int kFrameUs = 8000;
+  // Frames after which a robot that has not read misses text.
+  static constexpr int kPatience = 20 + ConsoleFeed::kPatienceUs / kFrameUs;
 
   const TempFolder folder_;
   System system_{Options()};
@@ -127,12 +131,46 @@ class TwoConsolesTest : public testing::Test {
 TEST_F(TwoConsolesTest, ARobotThatNeverReadsDoesNotStopTheOthers) {
   ConsoleFeed feed(file());
   readers_[1]->Begin();
-  Feed(&feed);
+  Feed(&feed, kPatience);
   EXPECT_EQ(typed_[1], lines_);
   EXPECT_EQ(readers_[1]->text, lines_);
   EXPECT_LE(typed_[0].size(), ConsoleInput::kUnreadMax);
   EXPECT_TRUE(lines_.starts_with(typed_[0]));
   EXPECT_FALSE(typed_[0].empty());
+  EXPECT_EQ(CountFindings(), 1u);
+}
+
+TEST_F(TwoConsolesTest, ARobotThatReadsALittleLaterMissesNothing) {
+  ConsoleFeed feed(file());
+  for (const size_t robot : {1, 0}) {
+    Feed(&feed, kPatience / 2);
+    readers_[robot]->Begin();
+  }
+  Feed(&feed);
+  for (const LineReader* const reader : readers_) EXPECT_EQ(reader->text, lines_);
+  EXPECT_EQ(CountFindings(), 0u);
+}
+
+// The last line would fit on the terminal of the robot that misses text.
+TEST_F(TwoConsolesTest, ARobotMissesAllTextUntilItReads) {
+  const PipedInput input;
+  ConsoleFeed feed("-");
+  const std::string lines = lines_ + "short\n";
+  readers_[1]->Begin();
+  size_t written = 0;
+  for (int i = 0; i < kPatience; ++i) {
+    written += input.Write(std::string_view(lines).substr(written));
+    Feed(&feed, 1);
+  }
+  EXPECT_EQ(readers_[1]->text, lines);
+  EXPECT_TRUE(lines_.starts_with(typed_[0]));
+  const std::string before = typed_[0];
+  readers_[0]->Begin();
+  Feed(&feed);
+  EXPECT_EQ(input.Write("late\n"), 5u);
+  Feed(&feed);
+  EXPECT_EQ(readers_[0]->text, before + "late\n");
+  EXPECT_EQ(readers_[1]->text, lines + "late\n");
   EXPECT_EQ(CountFindings(), 1u);
 }
 
