@@ -66,6 +66,9 @@ class WorkerGroup {
   // LoadStick() loaded the objects.  REQUIRES: all robots are loaded, Boot() has not been called.
   std::string Connect();
 
+  // Returns the first error of a worker so far; "" if there is none.
+  const std::string& problem() const { return problem_; }
+
   // The figures of one worker in the report of the run.
   struct ProcessFacts {
     std::string name;

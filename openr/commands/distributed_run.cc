@@ -79,6 +79,10 @@ std::string DistributedRun::Connect(Simulation* simulation) {
   return "";
 }
 
+std::string DistributedRun::Problem() const {
+  return workers_ == nullptr ? "" : workers_->problem();
+}
+
 void DistributedRun::Begin(Simulation* simulation, RunPlan* plan) {
   if (workers_ != nullptr && is_free_)
     plan->pump = [this](int64_t timeout_us) { workers_->Pump(timeout_us); };

@@ -48,6 +48,10 @@ class DistributedRun {
   // has loaded its own objects.  Returns "", or why a worker has not loaded them.
   std::string Connect(Simulation* simulation);
 
+  // Returns the first problem that a worker has had so far; "" if there is none.  The caller calls
+  // it in place of Connect() when the run ends before all workers are ready.
+  std::string Problem() const;
+
   // Begins to exchange data with ROS 2 and openr top, and sets the functions in `plan` that handle
   // these data during the run.  REQUIRES: plan->recorder is set, because the recorder must learn
   // when a worker is lost; no Runner has been made from `plan`, because a Runner keeps a copy of

@@ -167,7 +167,7 @@ class CommandedRun {
 
  private:
   SimulationOptions Options();
-  void ReportNoBoot(bool is_refused, const std::string& problem);
+  void ReportNoBoot(const std::string& problem);
   std::string LiveName() const;
   std::string ReasonNotRewindable() const;
   void BeginRewind(LiveServer* live, Runner* runner);
@@ -265,10 +265,11 @@ int CommandedRun::Run() {
   console_.Print(DescribeObjects(&simulation_));
   const bool is_refused = flags_.simulation.strict && system().findings().HasError();
   std::string problem;  // why the processes with objects of the run are not ready
-  if (simulation_.loaded() && !is_refused) problem = distribution_.Connect(&simulation_);
-  boots_ = simulation_.loaded() && !is_refused && IsGood(problem);
+  if (simulation_.loaded())
+    problem = is_refused ? distribution_.Problem() : distribution_.Connect(&simulation_);
+  boots_ = simulation_.loaded() && IsGood(problem) && !is_refused;
   bool good = boots_;
-  if (!boots_) ReportNoBoot(is_refused, problem);
+  if (!boots_) ReportNoBoot(problem);
   // Sets `boots_` to true after a Ctrl-C while the run waited for its workers.  Nobody knows
   // whether the robot would have booted, so openr must not print that the robot does not boot.
   if (!boots_ && interrupts_.count() > 0) boots_ = true;
@@ -287,11 +288,14 @@ int CommandedRun::Run() {
   return good && !system().findings().HasError() ? kExitGood : kExitWrong;
 }
 
-void CommandedRun::ReportNoBoot(bool is_refused, const std::string& problem) {
+// Records why the run ends before the robot boots.  `problem` says why the processes with objects
+// of the run are not ready; "" if that is not the reason.  It is more exact than the text about
+// --strict, which refuses a run also because of the finding about a process.
+void CommandedRun::ReportNoBoot(const std::string& problem) {
   RunEnd end{EndKind::kNoBoot, "the robot does not boot; the findings say why"};
   if (simulation_.loaded()) {
-    end.why =
-        is_refused ? "--strict refuses what the findings name; no object was started" : problem;
+    end.why = problem.empty() ? "--strict refuses what the findings name; no object was started"
+                              : problem;
     if (interrupts_.count() > 0)
       end = {EndKind::kSignal, "Ctrl-C or SIGTERM came while a process was waited for"};
   }

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <signal.h>
 
+#include <tuple>
+
 #include "distribution/process_slot.h"
 #include "tests/distribution/hosts.h"
 #include "tests/distribution/kill_process.h"
@@ -161,19 +163,20 @@ TEST_F(JoinedTest, AConstructorThatEndsTheWorkerIsReportedByTheRun) {
 #if defined(__SANITIZE_ADDRESS__)
   GTEST_SKIP() << "crashes are reported by the sanitizer";
 #endif
-  const std::pair<const char*, const char*> faults[] = {
-      {"earlycrash", "crash: SIGSEGV"},
-      {"earlyabort", "crash: a constructor of a global object has called abort()"},
-      {"earlyexit", "crash: a constructor of a global object has called exit()"},
-      {"earlyhang", "the loading or unloading of an image does not end: constructors of its"}};
-  for (const auto& [word, text] : faults) {
+  const std::tuple<const char*, const char*, Words> faults[] = {
+      {"earlycrash", "crash: SIGSEGV", {}},
+      {"earlycrash", "crash: SIGSEGV", {"--strict"}},
+      {"earlyabort", "crash: a constructor of a global object has called abort()", {}},
+      {"earlyexit", "crash: a constructor of a global object has called exit()", {}},
+      {"earlyhang", "the loading or unloading of an image does not end: constructors of its", {}}};
+  for (const auto& [word, text, flags] : faults) {
     SCOPED_TRACE(word);
     const ScratchFolder stick;
     stick.MakeTrouble(word);
     folder_.Write("where.cfg", "Trouble vision\n@vision 127.0.0.1\n");
     const auto join = Join({"--handler-limit", "200ms"});
     const std::string pid = std::to_string(join->pid());
-    const auto run = Run({"--stick", stick.path(), "--for", "1s", "--json"});
+    const auto run = Run(Words{"--stick", stick.path(), "--for", "1s", "--json"} + flags);
     EXPECT_EQ(run->Finish().status, 1);
     EXPECT_THAT(run->heard(), HasSubstr(std::string("\nended by no-boot: Trouble: ") + text));
     const json report = json::parse(run->said(), nullptr, false);
