@@ -108,8 +108,7 @@ TEST_F(ConstructorsTest, ARestartedWorkerRunsThemAsTheFirstDid) {
 #endif
   stick_.Write("OPEN-R/MW/DATA/P/FRAGILE.TXT", "");
   for (const Words& more : {Words{}, Words{"--strict"}}) {
-    const Words flags =
-        OnStick(Words{"--for", "500ms", "--restart", "1", "--join-wait", "20s"} + kPair + more);
+    const Words flags = OnStick(Words{"--for", "500ms", "--restart", "1"} + kPair + more);
     const RecordedRun one = Record(flags);
     EXPECT_EQ(one.status, 1) << one.err;
     EXPECT_THAT(one.err, Not(HasSubstr("in the name of another object")));
