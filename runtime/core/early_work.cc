@@ -44,7 +44,7 @@ void ReportTaken(const Object* object, const std::string& name) {
   object->system->AddFindingAbout(
       object, Severity::kError,
       fmt::format("a constructor has registered '{}', but another object has registered this name "
-                  "before the reload was complete; that object keeps it",
+                  "before the object was in its place; that object keeps it",
                   name));
 }
 
