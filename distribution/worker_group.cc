@@ -431,6 +431,13 @@ std::map<ObjectId, uint64_t> WorkerGroup::HeapMax() const {
   return all;
 }
 
+void WorkerGroup::ReleaseSystem() {
+  for (auto& [name, member] : members_) {
+    DropNewObjects(&member);  // their outboxes have messages of the System
+    member.process->resources().End();
+  }
+}
+
 void WorkerGroup::End() {
   const std::string why = system_ != nullptr && system_->end() ? DescribeEnd(*system_->end()) : "";
   std::vector<EndingWorker> workers;

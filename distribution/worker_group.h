@@ -124,6 +124,11 @@ class WorkerGroup {
   // lost.
   void ReportLosses();
 
+  // Drops what this object has of the System: messages, and memory in the System's region table.
+  // Also called when an exception ends the run, after which nobody may call End().  REQUIRES: the
+  // System still exists.
+  void ReleaseSystem();
+
   // Tells all workers that the run has ended.  Kills a worker that this run has started if it does
   // not receive this message, or does not end in time.  REQUIRES: the System still exists.
   void End();

@@ -130,4 +130,8 @@ void DistributedRun::EndProcesses() {
   if (workers_ != nullptr) workers_->End();
 }
 
+void DistributedRun::ReleaseSimulation() {
+  if (workers_ != nullptr) workers_->ReleaseSystem();
+}
+
 }  // namespace openr_host

@@ -78,6 +78,10 @@ class DistributedRun {
   // Ends the worker processes that run objects of this run.
   void EndProcesses();
 
+  // Drops what this object has of the simulation.  Called when the simulation is about to be
+  // destroyed, also if an exception has ended the run before EndProcesses().
+  void ReleaseSimulation();
+
  private:
   void AfterFrame();
 
@@ -90,6 +94,19 @@ class DistributedRun {
   Bus* bus_ = nullptr;  // the connection to DDS that is used; null: DDS is not used
   std::unique_ptr<Ros2Link> ros2_;
   std::unique_ptr<Monitor> monitor_;
+};
+
+// Makes a DistributedRun drop what it has of the simulation.  Declared behind the simulation, so
+// that this happens before the simulation is destroyed, also if an exception ends the run.
+class SimulationRelease {
+ public:
+  explicit SimulationRelease(DistributedRun* distribution) : distribution_(distribution) {}
+  ~SimulationRelease() { distribution_->ReleaseSimulation(); }
+  SimulationRelease(const SimulationRelease&) = delete;
+  SimulationRelease& operator=(const SimulationRelease&) = delete;
+
+ private:
+  DistributedRun* const distribution_;
 };
 
 }  // namespace openr_host

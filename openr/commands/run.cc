@@ -202,6 +202,7 @@ class CommandedRun {
   // may crash.
   std::optional<EndGuards> guards_;
   Simulation simulation_;
+  const SimulationRelease simulation_release_{&distribution_};
   RunClock clock_;
   Couplings couplings_{&clock_, &rewind_};
   MessageHistory history_;
