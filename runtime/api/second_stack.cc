@@ -1,6 +1,5 @@
 #include "runtime/api/second_stack.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,7 +32,7 @@ struct OpenrSecondStack {
   void (*body)(void*) = nullptr;
   void* argument = nullptr;
   // Finds floating-point operations in the function `body` that would stop the robot, such as 0/0.
-  std::optional<ArithmeticWatch> watch;
+  ArithmeticWatch watch;
   // The floating-point flags (NaN, overflow ...) that the function `body` has raised on this stack.
   // The switch back to the handler's stack loses these flags.  So SwitchToHandler() stores them
   // here before the switch, and SwitchToSecondStack() adds them to the handler's flags after the
@@ -49,7 +48,7 @@ struct OpenrSecondStack {
   static void Main(void* self) { static_cast<OpenrSecondStack*>(self)->Run(); }
 
   void Run() {
-    if (watch) watch->Begin(openr_host::kFpCaught);
+    watch.Begin(openr_host::kFpCaught);
     stack.Call(body, argument);
     SwitchToHandler();
     // The program never reaches this line.  SwitchToHandler() has switched to the stack of the
@@ -72,17 +71,12 @@ struct OpenrSecondStack {
   // the second stack as stack of the object, because on the robot an object has only one stack.
   void SwitchToSecondStack() {
     ArithmeticWatch* const outer = t_current.watch;
-    if (watch) t_current.watch = &*watch;
+    t_current.watch = &watch;
     fiber.SwitchFrom(&handler);
     t_current.watch = outer;
     if (fp_flags != 0) openr_host::SetFpState(openr_host::FpState() | fp_flags);
     if (t_current.system->options().measure_stacks)
       openr_host::NoteStackUse(t_current.object, stack.UsedBytes());
-  }
-
-  void MakeWatch() {
-    watch.reset();
-    if (ArithmeticWatch::Catches()) watch.emplace();
   }
 };
 
@@ -100,7 +94,7 @@ void openr_second_stack_run(OpenrSecondStack* stack, void (*body)(void*), void* 
   stack->body = body;
   stack->argument = argument;
   stack->has_left = false;
-  stack->MakeWatch();
+  stack->watch = ArithmeticWatch();
   stack->fiber.Prepare(&OpenrSecondStack::Main, stack);
   stack->SwitchToSecondStack();
 }

@@ -8,7 +8,13 @@
 // Functions of the SDK and of the C library are not the handler's own code.  Objects of the classes
 // ApiScope and LibraryScope (current.h) pause the ArithmeticWatch while such a function runs, so
 // that its operations raise no SIGFPE.
+//
+// An ArithmeticWatch also keeps the rounding mode that a handler has set (fesetround()) away from
+// these functions and from all code that runs after the handler.  So every handler of an image has
+// an ArithmeticWatch, even if operations must not raise SIGFPE.
 #pragma once
+
+#include <cstdint>
 
 namespace openr_host {
 
@@ -24,7 +30,8 @@ class ArithmeticWatch {
   static bool Catches();
 
   // Starts the watch at the beginning of a handler: from now on, operations that set one of the
-  // flags `kinds` (FpFlag) raise SIGFPE, and results that would be denormal numbers become 0.
+  // flags `kinds` (FpFlag) raise SIGFPE, and results that would be denormal numbers become 0.  If
+  // Catches() is false, operations raise no SIGFPE, and results may be denormal numbers.
   void Begin(unsigned kinds);
   bool has_begun() const { return has_begun_; }
 
@@ -34,16 +41,17 @@ class ArithmeticWatch {
   // changes the register MXCSR, so that the instruction does not raise SIGFPE again.
   void DisableTrap(unsigned kind) { kinds_ &= ~kind; }
 
-  // Pauses the watch for floating-point faults.  Called at the beginning of a function of the SDK
-  // or of the C library that the image's code has called.  Calls of Pause() and Resume() may be
-  // nested.
+  // Pauses the watch for floating-point faults, and sets the rounding mode to the nearest number.
+  // Called at the beginning of a function of the SDK or of the C library that the image's code has
+  // called.  Calls of Pause() and Resume() may be nested.
   void Pause();
-  // Resumes the watch for floating-point faults.  Called when a function for which Pause() was
-  // called has returned.
+  // Resumes the watch for floating-point faults, and restores the rounding mode that the handler
+  // has set.  Called when a function for which Pause() was called has returned.
   void Resume();
 
   // Ends the watch for floating-point faults at the end of the handler: floating-point operations
-  // raise no SIGFPE any more, and results may be denormal numbers.
+  // raise no SIGFPE any more, results may be denormal numbers, and they are rounded to the nearest
+  // number.
   void End();
 
  private:
@@ -53,9 +61,10 @@ class ArithmeticWatch {
   // that have not returned yet.  While the number is not 0, floating-point operations raise no
   // SIGFPE, because they are not operations of the handler's own code.
   int calls_ = 0;
-  // The image's value of MXCSR, the register that enables SIGFPE, kept while a function of the SDK
-  // or of the C library runs.
+  // The image's value of MXCSR, the register that enables SIGFPE and has the rounding mode, kept
+  // while a function of the SDK or of the C library runs.
   unsigned saved_fp_ = 0;
+  uint16_t saved_x87_ = 0;  // the same for the control word of the old coprocessor (fp_flags.h)
 };
 
 }  // namespace openr_host

@@ -20,8 +20,8 @@ struct Current {
   // function of the runtime.  While true, malloc() takes memory from the object's heap and fopen()
   // opens files of the Memory Stick.
   bool image_code = false;
-  // Finds floating-point faults of the running handler; null if no handler runs, or if this handler
-  // is not watched for faults.
+  // Finds floating-point faults of the running handler, and keeps its rounding mode; null if no
+  // handler of an image runs.
   ArithmeticWatch* watch = nullptr;
 };
 
@@ -67,10 +67,10 @@ template <typename Work>
   return work();
 }
 
-// While a LibraryScope exists, floating-point operations raise no SIGFPE, because they are
-// operations of the library and not of the object.  Unlike with an ApiScope, malloc() and fopen()
-// still use the heap and files of the object.  The first statement of every function of the C
-// library that the runtime defines makes a LibraryScope.
+// While a LibraryScope exists, floating-point operations raise no SIGFPE and round to the nearest
+// number, because they are operations of the library and not of the object.  Unlike with an
+// ApiScope, malloc() and fopen() still use the heap and files of the object.  The first statement
+// of every function of the C library that the runtime defines makes a LibraryScope.
 class LibraryScope {
  public:
   [[gnu::always_inline]] LibraryScope() : watch_(t_current.image_code ? t_current.watch : nullptr) {

@@ -171,8 +171,8 @@ void Dispatcher::RunMeasured(Object* object) {
   // object.  While an image is the current object, `clock` would return the time of the robot.
   const auto clock = system_->options().wall_clock_ns;
   const int64_t begin_ns = clock == nullptr ? 0 : clock();
-  const bool is_watched = object->is_image() && ArithmeticWatch::Catches();
-  t_current = {system_, object, object->is_image(), is_watched ? &watch : nullptr};
+  const bool is_image = object->is_image();
+  t_current = {system_, object, is_image, is_image ? &watch : nullptr};
   CallEntry(object);
   if (clock != nullptr) {
     const ApiScope scope;  // without this scope, clock() would return the time of the robot
@@ -421,6 +421,9 @@ OwnedMessage Dispatcher::WaitFor(uint64_t box) {
 
 void Dispatcher::Abandon() {
   ASSERT(running_ != nullptr && t_current.object != nullptr, "only a handler can be abandoned");
+  // Ends the watch of the handler before a fiber is made, because a new fiber begins with the
+  // present rounding mode and with the present mask bits for SIGFPE.
+  if (t_current.watch != nullptr) t_current.watch->End();
   Fiber* const next = TakeIdleFiber();
   // If the object has called an entry of its own directly, self_reply points to a variable on the
   // stack that this function gives up.  So clears self_reply: otherwise later replies of the object

@@ -5,6 +5,8 @@
 // the flags of the old coprocessor, which takes longer than a short handler.
 #pragma once
 
+#include <cstdint>
+
 #if defined(__SSE2__)
 #include <xmmintrin.h>
 #else
@@ -33,6 +35,15 @@ constexpr int kFpMaskShift = 7;
 // Bit of the register MXCSR: results that would be denormal numbers become 0, as on the robot
 // (field-notes.md, 4.4).  The processor then sets the flag kFpUnderflow.
 constexpr unsigned kFpFlushToZero = 0x8000;
+// The flags of the register MXCSR, also the flag for a rounded result, which nothing here reads.
+constexpr unsigned kFpFlagBits = 0x3f;
+// The register MXCSR with which a program begins: results are rounded to the nearest number, no
+// operation raises SIGFPE, and no flag is set.
+constexpr unsigned kFpStart = 0x1f80;
+// The control word of the old coprocessor (x87) with which a program begins.  The coprocessor
+// computes with long double.  printf(), strtod() and fegetround() of the GNU C library read the
+// rounding mode from its control word, for double too.
+constexpr uint16_t kX87Start = 0x37f;
 
 // Without SSE2 the next four functions, which read and set the register MXCSR (the floating-point
 // flags, their mask bits, and kFpFlushToZero), do nothing.
@@ -49,14 +60,31 @@ inline void SetFpTraps(unsigned kinds) {
   constexpr unsigned kSet = kFpAll << kFpMaskShift | kFpFlushToZero;
   _mm_setcsr((_mm_getcsr() | kSet) & ~(kinds << kFpMaskShift | kinds));
 }
-// Undoes what SetFpTraps() has set, and leaves the flags as they are.  From now on no
-// floating-point operation raises SIGFPE, and results may be denormal numbers.
-inline void EndFpTraps() { _mm_setcsr((_mm_getcsr() | kFpAll << kFpMaskShift) & ~kFpFlushToZero); }
+// Undoes what SetFpTraps() and the code of an image have set in MXCSR, and leaves the flags as they
+// are.  From now on no floating-point operation raises SIGFPE, results may be denormal numbers, and
+// results are rounded to the nearest number.
+inline void EndFpTraps() { _mm_setcsr((_mm_getcsr() & kFpFlagBits) | kFpStart); }
 #else
 inline unsigned FpState() { return 0; }
 inline void SetFpState(unsigned) {}
 inline void SetFpTraps(unsigned) {}
 inline void EndFpTraps() {}
+#endif
+
+// Reads and sets the control word of the old coprocessor, which has its rounding mode.  On other
+// processors than x86-64 these functions do nothing.
+#if defined(__x86_64__)
+inline uint16_t X87State() {
+  uint16_t state;
+  asm volatile("fnstcw %0" : "=m"(state));
+  return state;
+}
+// Clears the coprocessor's flags first, because a flag that is set would raise SIGFPE if the new or
+// the old control word enables that.
+inline void SetX87State(uint16_t state) { asm volatile("fnclex\n\tfldcw %0" : : "m"(state)); }
+#else
+inline uint16_t X87State() { return kX87Start; }
+inline void SetX87State(uint16_t) {}
 #endif
 
 #if defined(__SSE2__)
@@ -71,16 +99,25 @@ inline unsigned FpFlags() {
 inline void ClearFpFlags() { std::feclearexcept(FE_ALL_EXCEPT); }
 #endif
 
-// While a FlushScope exists, results that would be denormal numbers become 0, as on the robot.
-class FlushScope {
+// Restores, in its destructor, the floating-point state of its constructor: the rounding mode, the
+// flags and their mask bits.  Used around code of an image that is no handler, because this code
+// may change the rounding mode by fesetround().
+class FpScope {
  public:
-  FlushScope() { SetFpState(saved_fp_ | kFpFlushToZero); }
-  ~FlushScope() { SetFpState(saved_fp_); }
-  FlushScope(const FlushScope&) = delete;
-  FlushScope& operator=(const FlushScope&) = delete;
+  FpScope() = default;
+  ~FpScope() {
+    SetFpState(saved_fp_);
+    if (X87State() != saved_x87_) SetX87State(saved_x87_);
+  }
+  FpScope(const FpScope&) = delete;
+  FpScope& operator=(const FpScope&) = delete;
+
+  // From now on results that would be denormal numbers become 0, as on the robot.
+  void Flush() { SetFpState(saved_fp_ | kFpFlushToZero); }
 
  private:
   const unsigned saved_fp_ = FpState();
+  const uint16_t saved_x87_ = X87State();
 };
 
 }  // namespace openr_host

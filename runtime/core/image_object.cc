@@ -6,7 +6,6 @@
 
 #include <cstring>
 #include <filesystem>
-#include <optional>
 
 #include "runtime/base/assert.h"
 #include "runtime/config/ocf.h"
@@ -33,6 +32,7 @@ namespace openr_host {
 ImageObject::~ImageObject() {
   files().CloseAll();
   const CurrentScope scope(system, this);
+  const FpScope fp;
   if (handle_ != nullptr) dlclose(handle_);
   if (has_thunks_) munmap(memory().addresses()->thunks(), ObjectAddresses::kThunkBytes);
 }
@@ -142,9 +142,9 @@ std::string ImageObject::RunConstructors() {
   // While the constructors run, results that would be denormal numbers become 0, as on the robot.
   // Otherwise the constructors could store denormal numbers, and a handler that uses them would be
   // reported, although the robot would not stop.  Not done with AddressSanitizer or under Valgrind,
-  // where handlers have no ArithmeticWatch either.
-  std::optional<FlushScope> flush;
-  if (!IsStackWatched()) flush.emplace();
+  // where this is not done for handlers either.
+  FpScope fp;
+  if (!IsStackWatched()) fp.Flush();
   for (void (*const constructor)() : HeldConstructors(handle_)) {
     const CurrentScope scope(system, this, true);
     try {

@@ -3,8 +3,11 @@
 #include <OPENR/OPENRAPI.h>
 #include <OPENR/OSyslog.h>
 #include <OPENR/core_macro.h>
+#include <MCOOP.h>
 #include <dirent.h>
+#include <fenv.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <sys/stat.h>
 
 #include <fstream>
@@ -107,8 +110,31 @@ static int __attribute__((noinline)) Deep(const char* text) {
   return frame[0];
 }
 
+// Rounds up for the rest of the handler.  Returns how this handler has begun, and how it rounds
+// after calls of the SDK.
+static std::string AnswerRounding(const std::string& command) {
+  if (command.compare(0, 5, "round") != 0) return "";
+  volatile double one = 1, three = 3;
+  volatile double nearest = one / three;
+  std::string said = fegetround() == FE_TONEAREST ? "began nearest" : "began otherwise";
+  fesetround(FE_UPWARD);
+  OSYSPRINT(("0.4 is printed as %.0f\n", 0.4));
+  if (command == "round exit") exit(0);
+  if (command == "round throw") throw std::runtime_error("thrown while rounding up");
+  if (command == "round wait") {
+    OID talker;
+    char question[] = "who?", reply[16] = "";
+    Find("talker", &talker);
+    Call(talker, oentryBASE + 6, question, sizeof(question), reply, sizeof(reply));
+  }
+  volatile double upward = one / three;
+  said += upward > nearest ? ", goes on up" : ", goes on otherwise";
+  return said;
+}
+
 std::string Probe::Answer(const std::string& command) {
   std::ostringstream out;
+  out << AnswerRounding(command);
   out << AnswerImports(command);
   if (command == "count") out << ++callCount;
   if (command == "early") out << earlyCount << " early, " << AnswerEarly();

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cfenv>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -37,6 +38,7 @@ class Talker : public CodeObject {
     AddExtra("Tick", [this](void*) { ++ticks; });
     AddExtra("Answer", [this](void*) {
       ++questions;
+      rounding = std::fegetround();
       char reply[] = "me";
       Reply(reply, sizeof reply);
     });
@@ -64,6 +66,7 @@ class Talker : public CodeObject {
   // The number of messages to Tick, the sixth entry, which a constructor of the probe orders.
   int ticks = 0;
   int questions = 0;  // the number of requests to Answer, the seventh entry
+  int rounding = -1;  // the rounding mode during the last of them (std::fegetround())
 };
 
 class ImageTest : public testing::Test {

@@ -3,12 +3,14 @@
 #include <elf.h>
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <cstddef>
 #include <iterator>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "runtime/core/arithmetic_watch.h"
 #include "runtime/core/dispatcher.h"
 #include "runtime/core/image_info.h"
 #include "runtime/core/image_object.h"
@@ -142,6 +144,49 @@ TEST_F(ImageTest, AbortIsReportedAndEndsTheMethodOnly) {
   EXPECT_NE(Findings().find("abort() called"), std::string::npos);
   EXPECT_EQ(talker->Ask("count"), "1");
 }
+
+// With and without a signal handler for SIGFPE, as with a sanitizer.
+class RoundingTest : public ImageTest, public testing::WithParamInterface<bool> {
+ protected:
+  RoundingTest() { ArithmeticWatch::SetCatches(GetParam()); }
+  ~RoundingTest() override { ArithmeticWatch::SetCatches(false); }
+
+  // Expects that this process rounds to the nearest number.
+  static void ExpectNearest() {
+    EXPECT_EQ(std::fegetround(), FE_TONEAREST);
+    volatile double one = 1, three = 3;
+    EXPECT_EQ(one / three, 1.0 / 3);
+  }
+};
+
+TEST_P(RoundingTest, AModeEndsWithItsHandlerAndIsNotThatOfTheSdk) {
+  Start();
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(talker->Ask("round"), "began nearest, goes on up");
+    ExpectNearest();
+  }
+  EXPECT_NE(printed.find("0.4 is printed as 0\n"), std::string::npos) << printed;
+}
+
+TEST_P(RoundingTest, AModeIsNotThatOfOthersWhileItsHandlerWaits) {
+  Start();
+  EXPECT_EQ(talker->Ask("round wait"), "began nearest, goes on up");
+  EXPECT_EQ(talker->rounding, FE_TONEAREST);
+  ExpectNearest();
+}
+
+TEST_P(RoundingTest, AModeEndsWithAHandlerThatDoesNotReturnNormally) {
+  for (const char* const how : {"round exit", "round throw"}) {
+    SCOPED_TRACE(how);
+    Start();
+    EXPECT_EQ(talker->Ask(how), "(no answer)");
+    ExpectNearest();
+    SendExtra("DoExit");  // takes a stack that was in use before
+    ExpectNearest();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, RoundingTest, testing::Bool());
 
 TEST_F(ImageTest, AnUncaughtExceptionIsReportedWithItsText) {
   Start();
