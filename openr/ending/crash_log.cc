@@ -43,7 +43,7 @@
 namespace openr_host {
 namespace {
 
-constexpr int kCrashSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL};
+constexpr int kCrashSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP};
 // Size of the stack on which the signal handler runs, large enough for all functions that report a
 // crash.
 constexpr size_t kAlternateStackBytes = 256 << 10;
@@ -120,6 +120,9 @@ void AddName(int signal, const siginfo_t& info, const void* context, SignalText*
       break;
     case SIGFPE:
       text->Add(MeaningOfArithmetic(info, context));
+      break;
+    case SIGTRAP:
+      text->Add("SIGTRAP (a breakpoint in the code)");
       break;
     default:
       if (*AnnouncedFault() != 0) {
@@ -273,6 +276,8 @@ unsigned RobotExceptionCode(int signal, const siginfo_t& info, const void* conte
       return kAddress;
     case SIGFPE:
       return KindOf(info) == 0 ? kBreakpoint : kFloat;
+    case SIGTRAP:
+      return kBreakpoint;
     default:
       return kReserved;
   }
@@ -304,8 +309,8 @@ void WriteRecordInSignal(Ending* ending, RobotException* exception, const void* 
   if (file.PrintWriteResult() && place) ending->finding.Add("; record: ").Add(*name).Add(*place);
 }
 
-// Handles SIGSEGV, SIGBUS, SIGFPE and SIGILL.  Ends the process with a crash record if an object
-// was running, unless ContinueInSignal() lets the object go on.
+// Handles SIGSEGV, SIGBUS, SIGFPE, SIGILL and SIGTRAP.  Ends the process with a crash record if an
+// object was running, unless ContinueInSignal() lets the object go on.
 void OnCrashSignal(int signal, siginfo_t* info, void* context) {
   if (signal == SIGFPE && ContinueInSignal(*info, context)) return;
   Ending ending;
@@ -329,6 +334,8 @@ void OnCrashSignal(int signal, siginfo_t* info, void* context) {
     struct sigaction action {};
     action.sa_handler = SIG_DFL;
     sigaction(signal, &action, nullptr);
+    // After a breakpoint the code would go on behind it, so the signal is raised again.
+    if (signal == SIGTRAP) raise(signal);
     return;  // the instruction runs again, and the signal's default action ends the process
   }
   text.Add("\n");

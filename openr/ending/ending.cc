@@ -24,12 +24,12 @@ namespace {
 constexpr unsigned kActionsMaxS = 10;
 
 // Signals that are handled while EndingActions (functions that are called before the process ends)
-// run: the first five show that an action has crashed, SIGALRM shows that the actions took too
-// long.
-constexpr int kHandledSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM};
+// run: SIGALRM shows that the actions took too long, the others show that an action has crashed.
+constexpr int kHandledSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT, SIGALRM};
 
 EndingAction* g_newest = nullptr;
 Ending* g_ending = nullptr;
+volatile sig_atomic_t g_has_begun = 0;  // 1: the end of the process has begun
 Current g_current;  // the object and handler that ran when the end of the process began
 // The options of the EndingAnswer; null while no EndingAnswer exists.
 const EndGuardOptions* g_options = nullptr;
@@ -96,7 +96,10 @@ EndingAnswer::~EndingAnswer() {
   g_answer_file.reset();
 }
 
+bool HasEndingBegun() { return g_has_begun != 0; }
+
 void BeginEnding(Ending* ending) {
+  g_has_begun = 1;
   g_ending = ending;
   // From now on no object is the current one, so functions for memory and files are those of the
   // host.

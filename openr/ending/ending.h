@@ -62,6 +62,8 @@ class EndingAnswer {
 // The first of two steps by which a signal handler ends the process.  Writes out what objects have
 // printed so far, and prepares for further signals that come while the process ends.
 void BeginEnding(Ending* ending);
+// Returns whether BeginEnding() was called in this process.
+bool HasEndingBegun();
 // The second of two steps by which a signal handler ends the process.  Calls the function
 // EndGuardOptions::answer_first and the functions that EndingActions have registered, writes the
 // JSON report of the run to the places that EndingAnswer knows, and does not return.

@@ -7,11 +7,9 @@
 
 #include <algorithm>
 
-#include "openr/ending/ending.h"
+#include "openr/ending/endless_work.h"
 #include "openr/ending/signal_text.h"
-#include "runtime/core/current.h"
 #include "runtime/core/deferred_end.h"
-#include "runtime/core/object.h"
 #include "runtime/core/run_end.h"
 
 namespace openr_host {
@@ -41,41 +39,12 @@ void AddSeconds(uint64_t us, SignalText* text) {
 }
 
 void EndTheHandler() {
-  Ending ending;
-  ending.kind = EndKind::kHandlerLimit;
-  const auto add_limit = [](SignalText* text) {
-    text->Add(" has used more than ");
-    AddSeconds(g_limit_us, text);
-    text->Add(" s of processor time");
-    if (*g_flag != 0) text->Add(" (").Add(g_flag).Add(")");
-  };
-  const Object* const object = t_current.object;
-  const char* const what = object != nullptr && object->running() == nullptr
-                               ? "the loading or unloading of an image does not end: "
-                               : "a handler does not return: ";
-  ending.record.Add("openr: ").Add(what);
-  AddCurrentHandler(&ending.record);
-  ending.record.Add("; it");
-  add_limit(&ending.record);
-  ending.record.Add("\n");
-  AddCurrentMessage(&ending.record);
-  ending.finding.Add(what);
-  AddCurrentEntry(&ending.finding);
-  add_limit(&ending.finding);
-  BeginEnding(&ending);
-  ending.record.WriteTo(STDERR_FILENO);
-  FinishEnding();
-}
-
-// Returns a number for the work that the current object does: the number of the message that it
-// handles, or kLoading and the object's id while its image is loaded.  Returns 0 if no object
-// works.
-uint64_t CurrentWork() {
-  constexpr uint64_t kLoading = uint64_t{1} << 63;
-  const Object* const object = t_current.object;
-  if (object == nullptr) return 0;
-  if (object->running() != nullptr) return object->running()->number;
-  return object->is_image() ? kLoading | object->id : 0;
+  SignalText why;
+  why.Add(" has used more than ");
+  AddSeconds(g_limit_us, &why);
+  why.Add(" s of processor time");
+  if (*g_flag != 0) why.Add(" (").Add(g_flag).Add(")");
+  EndCurrentWork(EndKind::kHandlerLimit, why);
 }
 
 // Handles SIGVTALRM, which comes each time this thread has used 1/kTicks of the time limit.  Ends

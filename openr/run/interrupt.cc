@@ -4,16 +4,19 @@
 #include <unistd.h>
 
 #include "cli/exit_code.h"
+#include "openr/ending/interrupt_limit.h"
 
 namespace openr_host {
 namespace {
 
 volatile sig_atomic_t g_count = 0;
 
-// Counts SIGINT, SIGTERM and SIGHUP.  Ends the process at the third of these signals, in case the
-// run hangs.
+// Counts SIGINT, SIGTERM and SIGHUP.  From the second of these signals on, a handler of an object
+// that does not return within 1 s ends the process.  Ends the process itself at the third signal,
+// in case the run hangs.
 void OnInterruptSignal(int) {
   g_count = g_count + 1;
+  if (g_count == 2) StartInterruptLimit();
   if (g_count < 3) return;
   static constexpr char kText[] =
       "ended by signal: Ctrl-C or SIGTERM came three times; no report is written\n";
@@ -47,12 +50,14 @@ InterruptCounter::InterruptCounter(HangUp hang_up)
 
 void InterruptCounter::StartAgain() {
   g_count = 0;
+  StopInterruptLimit();
   Install(SIGINT, &OnInterruptSignal);
   Install(SIGTERM, &OnInterruptSignal);
   if (hears_hang_up_) Install(SIGHUP, hang_up_ == HangUp::kCounts ? &OnInterruptSignal : SIG_IGN);
 }
 
 InterruptCounter::~InterruptCounter() {
+  StopInterruptLimit();
   Install(SIGINT, SIG_DFL);
   Install(SIGTERM, SIG_DFL);
   if (hears_hang_up_) Install(SIGHUP, SIG_DFL);

@@ -12,8 +12,10 @@ enum class HangUp {
   kIgnored,  // the signal has no effect, because the run ends by itself
 };
 
-// While an InterruptCounter exists, SIGINT and SIGTERM are counted and do not end the process.  The
-// third signal ends the process at once, in case the run hangs.
+// While an InterruptCounter exists, SIGINT and SIGTERM are counted and do not end the process.
+// After the second signal, a handler of an object that does not return within 1 s ends the process
+// with a report (interrupt_limit.h).  The third signal ends the process at once and without a
+// report, in case the run hangs.
 class InterruptCounter {
  public:
   explicit InterruptCounter(HangUp hang_up = HangUp::kEnds);

@@ -18,7 +18,7 @@ namespace {
 void DoNothing(int) {}
 
 TEST(EndGuardsTest, TheActionsOfSignalsAreRestored) {
-  constexpr int kSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL};
+  constexpr int kSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP};
   struct sigaction before[std::size(kSignals)];
   struct sigaction own {};
   own.sa_handler = &DoNothing;

@@ -223,6 +223,23 @@ TEST(EndingTest, ASecondSignal) {
   ExpectEnd(result, folder.Read("r.json"), "signal", "came again");
 }
 
+TEST(EndingTest, ASecondSignalEndsAHandlerThatDoesNotReturn) {
+  for (const char* const word : {"sayhang", "lock"}) {
+    SCOPED_TRACE(word);
+    const ScratchFolder folder;
+    folder.MakeTrouble(word);
+    ProgramRun run(RunWords(
+        {"--stick", folder.path(), "--handler-limit", "0s", "--report", folder.File("r.json")}));
+    ASSERT_TRUE(run.WaitFor("it hangs now"));
+    for (const int signal : {SIGSTOP, SIGINT, SIGTERM, SIGCONT}) run.Signal(signal);
+    const ProgramResult& result = run.Finish();
+    EXPECT_EQ(result.status, 1);
+    ExpectEnd(result, folder.Read("r.json"), "signal",
+              "Trouble: a handler does not return: DoStart (selector 1) still ran 1 s after Ctrl-C "
+              "or SIGTERM had come twice");
+  }
+}
+
 // More than three are sent: one that comes while the one before is not yet heard is lost.
 TEST(EndingTest, AThirdSignalSaysThatThereIsNoReport) {
   const ScratchFolder stick;

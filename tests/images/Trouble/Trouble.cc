@@ -3,6 +3,7 @@
 #include <OPENR/OPENRAPI.h>
 #include <OPENR/OSyslog.h>
 #include <OPENR/core_macro.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -79,6 +80,10 @@ Trouble::DoStart(const OSystemEvent&)
     } else if (strcmp(word, "sayhang") == 0) {
         OSYSPRINT(("it hangs now\n"));
         for (;;) sink = 1 - sink;
+    } else if (strcmp(word, "lock") == 0) {
+        static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
+        OSYSPRINT(("it hangs now\n"));
+        for (;;) pthread_mutex_lock(&mutex);  // waits without processor time
     } else if (strcmp(word, "flood") == 0) {
         for (;;) OSYSPRINT(("x"));
     } else if (strcmp(word, "crash") == 0) {
