@@ -46,7 +46,16 @@ sError NewRegion(size_t size, void** base) {
 sError DeleteRegion(void* base) {
   const ApiScope scope;
   if (t_current.object == nullptr) return sFAIL;
-  return t_current.object->memory().DeletePrivateRegion(base) ? sSUCCESS : sINVALIDARG;
+  ObjectMemory& memory = t_current.object->memory();
+  if (memory.DeletePrivateRegion(base)) return sSUCCESS;
+  // Adds a finding, because programs seldom check the error (as DeleteSharedMemory() does).
+  if (memory.WasPrivateRegionDeleted(base)) {
+    t_current.system->AddFinding(
+        Severity::kWarning, fmt::format("{}a region of NewRegion() is deleted that was deleted "
+                                        "before{}",
+                                        InHandler(), AtCaller()));
+  }
+  return sINVALIDARG;
 }
 
 sError NewSharedMemoryRegion(size_t size, MemoryProtectionInfo info, MemoryRegionID* id,

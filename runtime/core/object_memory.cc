@@ -17,12 +17,15 @@ void ObjectMemory::Plan(std::unique_ptr<ObjectAddresses> addresses, MemoryBudget
 void* ObjectMemory::NewPrivateRegion(size_t size) {
   void* const base =
       arena_ == nullptr ? std::calloc(1, std::max<size_t>(size, 1)) : arena_->Allocate(size);
-  if (base != nullptr) private_regions_.insert(base);
+  if (base == nullptr) return nullptr;
+  private_regions_.insert(base);
+  deleted_regions_.erase(~reinterpret_cast<uintptr_t>(base));
   return base;
 }
 
 bool ObjectMemory::DeletePrivateRegion(void* base) {
   if (private_regions_.erase(base) == 0) return false;
+  deleted_regions_.insert(~reinterpret_cast<uintptr_t>(base));
   Arena::FreeAny(base);
   return true;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <set>
 
@@ -29,6 +30,10 @@ class ObjectMemory {
   void* NewPrivateRegion(size_t size);
   // Frees memory that NewPrivateRegion() has returned.  Returns false if `base` is no such memory.
   bool DeletePrivateRegion(void* base);
+  // Returns whether a region at `base` was deleted, and no region was made there since.
+  bool WasPrivateRegionDeleted(const void* base) const {
+    return deleted_regions_.contains(~reinterpret_cast<uintptr_t>(base));
+  }
   // Frees all memory of NewPrivateRegion() that is not freed yet.
   void DeletePrivateRegions();
   // Nothing may depend on the order of the set, because addresses differ from run to run.
@@ -36,6 +41,9 @@ class ObjectMemory {
 
  private:
   std::set<void*> private_regions_;
+  // The addresses of deleted regions, with all bits inverted, so that the search for leaks does not
+  // take them for pointers to blocks of the object.
+  std::set<uintptr_t> deleted_regions_;
   std::unique_ptr<ObjectAddresses> addresses_;
   std::unique_ptr<Arena> arena_;
 };

@@ -64,6 +64,9 @@ std::vector<std::string> SubjectsOf(const System& system, int robot, std::string
 std::string PostNotification(System* system, const ServiceEnd& subject, const ServiceEnd& observer,
                              std::string_view datum) {
   if (std::string why = NotConnectedText(*system, subject, observer); !why.empty()) return why;
+  if (datum.size() > kRobotMemoryBytes)
+    return fmt::format("{} bytes of data are more than the {} MiB that a region has at most",
+                       datum.size(), kRobotMemoryBytes >> 20);
   // Makes the subject's object the current object, so that this object is the sender of the
   // notification.
   const CurrentScope scope(system, system->object(subject.object));

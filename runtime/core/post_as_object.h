@@ -36,7 +36,8 @@ std::vector<std::string> SubjectsOf(const System& system, int robot, std::string
 
 // Posts a notification with the data `datum` to `observer`, as if `subject` had sent it.  The
 // notification arrives even if the observer is not ready.  Returns "", or the reason why nothing
-// was posted: subject and observer are not connected, or the queue is full.
+// was posted: subject and observer are not connected, `datum` is larger than a region can be, or
+// the queue is full.
 std::string PostNotification(System* system, const ServiceEnd& subject, const ServiceEnd& observer,
                              std::string_view datum);
 // Posts a ready, or a deassert if `is_ready` is false, to `subject`, as if `observer` had sent it.

@@ -62,6 +62,16 @@ RCRegion::RCRegion(size_t size)
   const ApiScope scope;
   RegionTable* const table = Table();
   ASSERT(table != nullptr, "new RCRegion outside of an object");
+  // The calls of a worker process refuse such a size too, but would not say why.
+  if (size > openr_host::kRobotMemoryBytes) {
+    t_current.system->AddFinding(
+        openr_host::Severity::kError,
+        fmt::format("{}no shared memory for {} bytes{}: a region has at most {} MiB, the memory of "
+                    "the robot",
+                    openr_host::InHandler(), size, openr_host::AtCaller(),
+                    openr_host::kRobotMemoryBytes >> 20));
+    return;
+  }
   id_ = t_current.system->calls().NewRegion(
       size, t_current.object == nullptr ? kNoObject : t_current.object->id);
   if (is_by_image) {

@@ -154,6 +154,10 @@ TEST(RobotFaultsTest, TheSmallestIntegerByMinusOneIsAWarningStrictlyToo) {
   }
 }
 
+TEST(RobotFaultsTest, ABreakpointStops) {
+  ExpectStop(RunFault("breakpoint"), "SIGTRAP (a breakpoint in the code)");
+}
+
 TEST(RobotFaultsTest, ExecutedDataAreCalledThat) {
   for (const bool is_strict : {false, true})
     ExpectStop(RunFault("execute", is_strict), "SIGSEGV (data were executed)");
@@ -186,6 +190,22 @@ TEST(RobotFaultsTest, AWildPointerThatIsNoAddressOfTheProcessorIsNotCalledNull) 
 TEST(RobotFaultsTest, RegionsThatAreNeverGivenUpAreNamedWithTheLineThatMakesThem) {
   EXPECT_THAT(RunFault("regions").Findings(),
               ContainsRegex("65535 regions are alive, 65535 of them made at Faults.cc:[0-9]+"));
+}
+
+TEST(RobotFaultsTest, ARegionOfMoreThanTheRobotsMemoryIsAnErrorStrictlyToo) {
+  for (const bool is_strict : {false, true}) {
+    const FaultRun run = RunFault("hugeregion", is_strict);
+    EXPECT_EQ(run.result.status, 1) << run.result.err;
+    EXPECT_THAT(run.Findings(),
+                ContainsRegex("^error: DoStart: no shared memory for 33554433 bytes, at "
+                              "Faults.cc:[0-9]+: a region has at most 32 MiB"));
+  }
+}
+
+TEST(RobotFaultsTest, APrivateRegionDeletedTwiceIsAWarning) {
+  ExpectWarning(RunFault("deletetwice"),
+                "DoStart: a region of NewRegion\\(\\) is deleted that was deleted before, at "
+                "Faults.cc:[0-9]+");
 }
 
 TEST(RobotFaultsTest, MemoryThatIsUsedUpIsNamedWithTheLineThatAsked) {

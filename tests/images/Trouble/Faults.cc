@@ -1,9 +1,11 @@
 #include "Faults.h"
 
+#include <MCOOP.h>
 #include <OPENR/RCRegion.h>
 #include <float.h>
 #include <limits.h>
 #include <math.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -162,6 +164,35 @@ LeakRegions()
 }
 
 static void
+TouchBreakpoint()
+{
+#if defined(__x86_64__)
+    asm volatile("int3");
+#else
+    raise(SIGTRAP);
+#endif
+    whole = 1;  // not the last thing that is done
+}
+
+// Asks for more shared memory than the robot has.
+static void
+MakeHugeRegion()
+{
+    RCRegion* region = new RCRegion((32 << 20) + 1);
+    if (region->Base() != 0) abort();
+    region->RemoveReference();
+}
+
+static void
+DeleteRegionTwice()
+{
+    void* base;
+    if (NewRegion(100, &base) != sSUCCESS) abort();
+    DeleteRegion(base);
+    if (DeleteRegion(base) == sSUCCESS) abort();
+}
+
+static void
 LeakMemory()
 {
     while (malloc(1 << 20) != 0) whole++;
@@ -212,5 +243,11 @@ MakeFault(const char* word)
         LeakRegions();
     } else if (strcmp(word, "memory") == 0) {
         LeakMemory();
+    } else if (strcmp(word, "hugeregion") == 0) {
+        MakeHugeRegion();
+    } else if (strcmp(word, "deletetwice") == 0) {
+        DeleteRegionTwice();
+    } else if (strcmp(word, "breakpoint") == 0) {
+        TouchBreakpoint();
     }
 }
