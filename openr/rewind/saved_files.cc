@@ -120,8 +120,11 @@ std::string KeepTrace(const fs::path& path, const std::function<void(const fs::p
 void SavedStick::Save(const std::string& name, const std::string& path) {
   const auto [file, is_new] = files_.try_emplace(name);
   if (!is_new) return;
-  file->second.is_folder = fs::is_directory(path);
-  if (!file->second.is_folder && fs::exists(path)) file->second.content = ReadFile(path);
+  // Takes a path that cannot be looked up as a missing file.  Throws no exception, because an
+  // object that writes the file would get it.
+  std::error_code error;
+  file->second.is_folder = fs::is_directory(path, error);
+  if (!file->second.is_folder && fs::exists(path, error)) file->second.content = ReadFile(path);
 }
 
 size_t SavedStick::bytes() const {

@@ -2,6 +2,7 @@
 
 #include <dirent.h>
 #include <fmt/format.h>
+#include <limits.h>
 #include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -125,7 +126,7 @@ void MemoryStick::HashFile(std::string_view name, std::string_view otherwise, Ha
     const int why = file ? errno : ReadError(name);  // FileReader sets errno if it cannot open
     // Throws an exception after an error of the host, such as too many open files.  If the file
     // were hashed as missing instead, two runs with the same stick would have different hashes.
-    if (why != ENOENT && why != EACCES && why != EISDIR && why != EINVAL)
+    if (why != ENOENT && why != EACCES && why != EISDIR && why != EINVAL && why != ENAMETOOLONG)
       ThrowUnreadable(location.path, std::strerror(why));
     return hasher->AddText(otherwise);
   }
@@ -158,6 +159,8 @@ MemoryStick::Location FolderStick::Locate(std::string_view name) {
   for (size_t i = 0; i < parts->size(); ++i) {
     const std::string& part = (*parts)[i];
     if (part.find('\0') != std::string::npos) return {"", false, EINVAL};
+    if (part.size() > NAME_MAX || path.size() + part.size() + 2 > PATH_MAX)
+      return {"", false, ENAMETOOLONG};
     int error = 0;
     const std::string entry = FindEntry(path, part, &error);
     if (error != 0) return {"", false, error};

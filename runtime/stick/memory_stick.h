@@ -23,10 +23,11 @@ class MemoryStick {
   virtual ~MemoryStick() = default;
 
   // The place of a file or folder on the host.  `error` is 0 or an errno: ENOENT (also for names
-  // outside of /MS), EINVAL (a zero byte in the name), EACCES, EIO.  A FIFO, a
-  // socket or a device gives EACCES, because the robot's file system has none, and opening or
-  // reading it could wait without end.  If a file does not exist but its folder does,
-  // `path` is the place to create the file, `exists` is false and `error` is 0.
+  // outside of /MS), EINVAL (a zero byte in the name), ENAMETOOLONG (the host
+  // cannot have such a path), EACCES, EIO.  A FIFO, a socket or a device gives EACCES, because the
+  // robot's file system has none, and opening or reading it could wait without end.  If a file does
+  // not exist but its folder does, `path` is the place to create the file, `exists` is false and
+  // `error` is 0.
   struct Location {
     std::string path;
     bool exists = false;
