@@ -14,6 +14,7 @@
 #include "runtime/core/system.h"
 #include "runtime/core/write_errors.h"
 #include "runtime/hooks/hook.h"
+#include "runtime/hooks/open_file.h"
 
 using openr_host::ApiScope;
 using openr_host::InObject;
@@ -164,10 +165,13 @@ void clearerr(FILE* file) noexcept {
   next(Resolve(file));
 }
 
+// Reads from the console with the descriptors 0, 1 and 2, because on the robot they are the same
+// terminal.
 ssize_t read(int descriptor, void* data, size_t size) {
   static const auto next = OPENR_NEXT(read);
-  if (descriptor == STDIN_FILENO && InObject()) return ReadConsole(static_cast<char*>(data), size);
-  return next(descriptor, data, size);
+  if (!InObject()) return next(descriptor, data, size);
+  if (openr_host::IsConsole(descriptor)) return ReadConsole(static_cast<char*>(data), size);
+  return openr_host::RefusesDescriptor("read", descriptor) ? -1 : next(descriptor, data, size);
 }
 
 // Returns whether `descriptor` is a terminal.  Objects see the console at the descriptors 0, 1 and
@@ -175,7 +179,7 @@ ssize_t read(int descriptor, void* data, size_t size) {
 int isatty(int descriptor) noexcept {
   static const auto next = OPENR_NEXT(isatty);
   if (!InObject()) return next(descriptor);
-  if (descriptor >= STDIN_FILENO && descriptor <= STDERR_FILENO) return 1;
+  if (openr_host::IsConsole(descriptor)) return 1;
   errno = ENOTTY;
   return 0;
 }

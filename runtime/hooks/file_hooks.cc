@@ -6,6 +6,7 @@
 // those of the C library.
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <limits.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <strings.h>
@@ -22,6 +23,7 @@
 #include "runtime/core/system.h"
 #include "runtime/core/write_errors.h"
 #include "runtime/hooks/hook.h"
+#include "runtime/hooks/open_file.h"
 #include "runtime/hooks/stick_call.h"
 #include "runtime/stick/memory_stick.h"
 
@@ -185,12 +187,14 @@ mode_t ModeOf(int flags, va_list arguments) {
   return (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(arguments, mode_t) : 0;
 }
 
-// Removes `descriptor` from the open files of the object that has opened it.  Searches all objects,
-// because an object may close a descriptor of another object.  Returns false if no object has
-// opened the descriptor.
+// Removes `descriptor` from the open files of the object that has opened it.  Searches all objects
+// of the current object's robot, because an object may close a descriptor of another object.
+// Returns false if none of these objects has opened the descriptor.
 bool ForgetDescriptor(int descriptor) {
   for (const auto& object : t_current.system->objects()) {
-    if (object != nullptr && object->files().descriptors.erase(descriptor) == 1) return true;
+    if (object != nullptr && object->robot == t_current.object->robot &&
+        object->files().descriptors.erase(descriptor) == 1)
+      return true;
   }
   return false;
 }
@@ -238,6 +242,15 @@ std::string HostPath(const char* path, StickUse use) {
   MemoryStick* const stick = system->robot(t_current.object->robot).stick.get();
   if (path == nullptr || stick == nullptr) {
     errno = ENOENT;
+    return "";
+  }
+  if (std::strlen(path) >= PATH_MAX) {
+    // Does not name the path, because the text would be too long to read.
+    system->AddFinding(
+        Severity::kWarning,
+        fmt::format("a path of {} characters names no file of the stick: a path has less than {}",
+                    std::strlen(path), PATH_MAX));
+    errno = ENAMETOOLONG;
     return "";
   }
   if (strncasecmp(path, "/MS", 3) != 0) {
@@ -289,10 +302,14 @@ int open64(const char* path, int flags, ...) {
 int creat(const char* path, mode_t mode) {
   return OpenAt(path, O_CREAT | O_WRONLY | O_TRUNC, mode);
 }
+int creat64(const char* path, mode_t mode) { return creat(path, mode); }
 
 FILE* fopen(const char* path, const char* mode) { return OpenFile(path, mode); }
 FILE* fopen64(const char* path, const char* mode) { return OpenFile(path, mode); }
 
+FILE* freopen64(const char* path, const char* mode, FILE* file) {
+  return freopen(path, mode, file);
+}
 FILE* freopen(const char* path, const char* mode, FILE* file) {
   static const auto next = OPENR_NEXT(freopen);
   if (!InObject() || path == nullptr) return next(path, mode, file);
@@ -342,8 +359,9 @@ int close(int descriptor) {
   const ApiScope scope;
   // Leaves a descriptor of the console open and reports success, because the console belongs to the
   // whole run.
-  if (descriptor >= STDIN_FILENO && descriptor <= STDERR_FILENO) return 0;
+  if (openr_host::IsConsole(descriptor)) return 0;
   if (ForgetDescriptor(descriptor)) return next(descriptor);
+  openr_host::RefusesDescriptor("close", descriptor);
   errno = EBADF;  // refuses, because an object must not close descriptors of the host
   return -1;
 }
@@ -362,9 +380,29 @@ int lstat(const char* path, struct stat* status) noexcept {
 
 int fstat(int descriptor, struct stat* status) noexcept {
   static const auto next = OPENR_NEXT(fstat);
-  const int result = next(descriptor, status);
-  if (result == 0 && InObject()) AsOnRobot(status);
-  return result;
+  if (!InObject()) return next(descriptor, status);
+  if (openr_host::RefusesDescriptor("fstat", descriptor)) return -1;
+  if (openr_host::IsConsole(descriptor)) {
+    // Leaves the size 0: the host's standard output may be a file, and its size must not show.
+    *status = {};
+  } else if (next(descriptor, status) != 0) {
+    return -1;
+  }
+  AsOnRobot(status);
+  return 0;
+}
+
+// Programs that are compiled for large files call the following functions.  The two structs have
+// the same members.
+static_assert(sizeof(struct stat64) == sizeof(struct stat));
+int stat64(const char* path, struct stat64* status) noexcept {
+  return stat(path, reinterpret_cast<struct stat*>(status));
+}
+int lstat64(const char* path, struct stat64* status) noexcept {
+  return lstat(path, reinterpret_cast<struct stat*>(status));
+}
+int fstat64(int descriptor, struct stat64* status) noexcept {
+  return fstat(descriptor, reinterpret_cast<struct stat*>(status));
 }
 
 int access(const char* path, int mode) noexcept {

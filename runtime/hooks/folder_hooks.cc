@@ -1,5 +1,5 @@
-// opendir(), readdir(), closedir() and rewinddir() for objects: they show a folder of the stick as
-// the robot's FAT file system would (Programmer's Guide, appendix A).
+// opendir(), readdir(), closedir(), rewinddir() and scandir() for objects: they show a folder of
+// the stick as the robot's FAT file system would (Programmer's Guide, appendix A).
 #include <dirent.h>
 #include <fmt/format.h>
 
@@ -88,6 +88,16 @@ std::vector<Folder::Name> ReadFolder(const std::string& path, const char* name) 
   return names;
 }
 
+// The function of a program that orders the entries of scandir().
+using EntryOrder = int(const struct dirent**, const struct dirent**);
+
+// Compares two entries with `order`, a pointer to a pointer to an EntryOrder.
+int CompareEntries(const void* left, const void* right, void* order) {
+  const struct dirent* first = *static_cast<struct dirent* const*>(left);
+  const struct dirent* second = *static_cast<struct dirent* const*>(right);
+  return (**static_cast<EntryOrder**>(order))(&first, &second);
+}
+
 }  // namespace
 
 extern "C" {
@@ -143,10 +153,50 @@ int closedir(DIR* dir) {
   return 0;
 }
 
+// Programs that are compiled for large files call readdir64() and scandir64(), which <dirent.h>
+// declares with another struct that has the same members.
+static_assert(sizeof(struct dirent64) == sizeof(struct dirent));
+struct dirent* OpenrReaddir64(DIR* dir) __asm__("readdir64");
+struct dirent* OpenrReaddir64(DIR* dir) {
+  return readdir(dir);
+}
+
 void rewinddir(DIR* dir) noexcept {
   static const auto next = OPENR_NEXT(rewinddir);
   if (!InObject()) return next(dir);
   reinterpret_cast<Folder*>(dir)->next = 0;
+}
+
+// Lists a folder of the stick with the functions above.  Like opendir(), calls malloc() without an
+// ApiScope, so that the memory comes from the object's heap.
+int scandir(const char* path, struct dirent*** list, int (*filter)(const struct dirent*),
+            EntryOrder* order) {
+  static const auto next = OPENR_NEXT(scandir);
+  if (!InObject()) return next(path, list, filter, order);
+  DIR* const dir = opendir(path);
+  if (dir == nullptr) return -1;
+  // Takes at least one pointer, so that malloc() does not return null for an empty folder.
+  const size_t count_max = std::max<size_t>(reinterpret_cast<Folder*>(dir)->count, 1);
+  auto** const entries = static_cast<struct dirent**>(malloc(count_max * sizeof(*list[0])));
+  size_t count = 0;
+  while (const struct dirent* const entry = entries == nullptr ? nullptr : readdir(dir)) {
+    if (filter != nullptr && filter(entry) == 0) continue;
+    entries[count] = static_cast<struct dirent*>(malloc(sizeof *entry));
+    if (entries[count] == nullptr) break;
+    *entries[count++] = *entry;
+  }
+  closedir(dir);
+  if (entries == nullptr) return -1;  // malloc() has set errno
+  if (order != nullptr) qsort_r(entries, count, sizeof *entries, &CompareEntries, &order);
+  *list = entries;
+  return static_cast<int>(count);
+}
+
+int OpenrScandir64(const char* path, struct dirent*** list, int (*filter)(const struct dirent*),
+                   EntryOrder* order) __asm__("scandir64");
+int OpenrScandir64(const char* path, struct dirent*** list, int (*filter)(const struct dirent*),
+                   EntryOrder* order) {
+  return scandir(path, list, filter, order);
 }
 
 }  // extern "C"

@@ -47,16 +47,6 @@ constexpr int64_t kRobotEpochS = 946'684'800;
 
 int64_t VirtualUs() { return t_current.system->now_us(); }
 
-// Reports that an object has called `function` (sleep() and similar), which does nothing here,
-// because the robot has no sleep.
-void ReportSleep(const char* function) {
-  const ApiScope scope;
-  t_current.system->AddFinding(Severity::kWarning,
-                               fmt::format("{}() does nothing: the robot has no sleep; wait for "
-                                           "an event instead",
-                                           function));
-}
-
 [[noreturn]] void EndMethod() {
   t_current.image_code = false;
   t_current.system->AbandonHandler();
@@ -147,27 +137,6 @@ int clock_gettime(clockid_t id, struct timespec* ts) noexcept {
 clock_t clock() noexcept {
   static const auto next = NextSymbol<clock_t()>("clock");
   return InObject() ? static_cast<clock_t>(VirtualUs()) : next();
-}
-
-int usleep(useconds_t us) {
-  static const auto next = NextSymbol<int(useconds_t)>("usleep");
-  if (!InObject()) return next(us);
-  ReportSleep("usleep");
-  return 0;
-}
-
-unsigned sleep(unsigned seconds) {
-  static const auto next = NextSymbol<unsigned(unsigned)>("sleep");
-  if (!InObject()) return next(seconds);
-  ReportSleep("sleep");
-  return 0;
-}
-
-int nanosleep(const struct timespec* time, struct timespec* left) {
-  static const auto next = NextSymbol<int(const struct timespec*, struct timespec*)>("nanosleep");
-  if (!InObject()) return next(time, left);
-  ReportSleep("nanosleep");
-  return 0;
 }
 
 int rand() noexcept {

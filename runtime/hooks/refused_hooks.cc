@@ -17,36 +17,21 @@
 #include <cerrno>
 
 #include "runtime/core/system.h"
-#include "runtime/hooks/hook.h"
+#include "runtime/hooks/refuse.h"
 
-namespace {
+namespace openr_host {
 
-using openr_host::t_current;
-
-constexpr char kNoSuchThing[] =
-    "there is no such thing on the robot (Programmer's Guide, appendix A)";
-
-// Returns whether code of an object has called the function `name`.  If so, adds a finding with the
-// reason `why` and sets errno, because the call must fail.
-bool Refuses(const char* name, const char* why = kNoSuchThing) {
-  if (!openr_host::InObject()) return false;
-  const openr_host::ApiScope scope;
-  t_current.system->AddFinding(openr_host::Severity::kError,
-                               fmt::format("{}() fails: {}", name, why));
+bool Refuses(const char* name, const char* why) {
+  if (!InObject()) return false;
+  const ApiScope scope;
+  t_current.system->AddFinding(Severity::kError, fmt::format("{}() fails: {}", name, why));
   errno = ENOSYS;
   return true;
 }
 
-}  // namespace
+}  // namespace openr_host
 
-// Defines the C library's function `name` once more.  If an object calls the new function, the
-// function adds a finding and returns `failure`.  For other callers, the new function calls the C
-// library's function.
-#define OPENR_REFUSE(type, name, failure, parameters, arguments) \
-  extern "C" type name parameters {                              \
-    static const auto next = OPENR_NEXT(name);                   \
-    return Refuses(#name) ? failure : next arguments;            \
-  }
+using openr_host::Refuses;
 
 OPENR_REFUSE(int, system, -1, (const char* command), (command))
 OPENR_REFUSE(FILE*, popen, nullptr, (const char* command, const char* mode), (command, mode))

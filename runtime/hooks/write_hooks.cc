@@ -15,6 +15,7 @@
 #include "runtime/core/system.h"
 #include "runtime/core/write_errors.h"
 #include "runtime/hooks/hook.h"
+#include "runtime/hooks/open_file.h"
 
 using openr_host::ApiScope;
 using openr_host::InObject;
@@ -23,28 +24,13 @@ using openr_host::t_current;
 
 namespace {
 
-// Returns the file of the stick that `descriptor` refers to; null if no object of the run has it
-// open.
-OpenFiles::File* FindFile(int descriptor) {
-  for (const auto& object : t_current.system->objects()) {
-    if (object == nullptr) continue;
-    OpenFiles& files = object->files();
-    const auto found = files.descriptors.find(descriptor);
-    if (found != files.descriptors.end()) return &found->second;
-    for (auto& [stream, file] : files.streams) {
-      if (fileno(stream) == descriptor) return &file;
-    }
-  }
-  return nullptr;
-}
-
 // Reports a write by the current object if it has written fewer than `size` bytes.  `result` is the
 // number of bytes that were written, or -1 if the write failed; errno then has the reason.
 void CheckWritten(int descriptor, ssize_t result, size_t size) {
   if (result >= 0 && static_cast<size_t>(result) == size) return;
   const int error = result < 0 ? errno : 0;
   const ApiScope scope;
-  OpenFiles::File* const file = FindFile(descriptor);
+  OpenFiles::File* const file = openr_host::FindOpenFile(descriptor);
   if (file != nullptr && file->writes) openr_host::ReportWriteError(file, error);
 }
 
@@ -69,15 +55,18 @@ extern "C" {
 
 ssize_t write(int descriptor, const void* data, size_t size) {
   static const auto next = OPENR_NEXT(write);
+  if (!InObject()) return next(descriptor, data, size);
+  if (openr_host::RefusesDescriptor("write", descriptor)) return -1;
   const ssize_t result = next(descriptor, data, size);
-  if (InObject()) CheckWritten(descriptor, result, size);
+  CheckWritten(descriptor, result, size);
   return result;
 }
 
 ssize_t writev(int descriptor, const iovec* parts, int count) {
   static const auto next = OPENR_NEXT(writev);
+  if (!InObject()) return next(descriptor, parts, count);
+  if (openr_host::RefusesDescriptor("writev", descriptor)) return -1;
   const ssize_t result = next(descriptor, parts, count);
-  if (!InObject()) return result;
   size_t size = 0;
   for (int i = 0; i < count; ++i) size += parts[i].iov_len;
   CheckWritten(descriptor, result, size);

@@ -207,6 +207,54 @@ TEST_F(FilesConformance, CallsThatTheRobotLacksFailAndAreReported) {
   EXPECT_TRUE(Found("system() fails: there is no such thing on the robot")) << Findings();
 }
 
+TEST_F(FilesConformance, ADescriptorThatNoObjectHasOpenedIsRefusedAndReported) {
+  Start();
+  const std::string file = root / "RECORDING";
+  const int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  ASSERT_GE(descriptor, 3);
+  EXPECT_EQ(Answer("foreign"), "T used 0 errno 1 cut -1\n");
+  EXPECT_EQ(std::filesystem::file_size(file), 0u);
+  EXPECT_EQ(close(descriptor), 0);
+  for (const char* const name : {"write", "lseek", "read", "fstat", "close"}) {
+    const std::string line = fmt::format("\n{}() fails: no object of this robot has a file", name);
+    EXPECT_NE(("\n" + Findings()).find(line), std::string::npos) << name << ": " << Findings();
+  }
+  EXPECT_TRUE(Found("ftruncate() fails: there is no such thing on the robot")) << Findings();
+}
+
+TEST_F(FilesConformance, AFileIsNotLargerThanAMemoryStick) {
+  Start();
+  EXPECT_EQ(Answer("seeks"), "T near 1048576 far -1 1 place 1048576 stream -1 0\n");
+  EXPECT_TRUE(
+      Found("FAR.TXT: lseek() to byte 1099511627776 fails: the largest Memory Stick has "
+            "134217728 bytes"))
+      << Findings();
+  EXPECT_TRUE(Found("FAR.TXT: fseek() to byte 2147483647 fails")) << Findings();
+}
+
+TEST_F(FilesConformance, ScandirShowsFoldersOfTheStickOnly) {
+  std::filesystem::create_directories(root / "OPEN-R/MW/DATA/P/MANY");
+  Data("MANY/b.txt", "x");
+  Data("MANY/a.txt", "x");
+  Start();
+  EXPECT_EQ(Answer("scan"), "T outside -1 entries 2 first A.TXT\n");
+}
+
+TEST_F(FilesConformance, OtherFileFunctionsDoNotReachFilesOfTheHost) {
+  Start();
+  EXPECT_EQ(Answer("host"), "T openat -1 linkat -1 mkfifo -1 realpath 0\n");
+  for (const char* const name : {"openat", "linkat", "mkfifo", "realpath"}) {
+    EXPECT_TRUE(Found(fmt::format("{}() fails: there is no such thing on the robot", name)))
+        << name << ": " << Findings();
+  }
+}
+
+TEST_F(FilesConformance, APathThatIsTooLongIsRefused) {
+  Start();
+  EXPECT_EQ(Answer("long names"), "T file 0 1 folder -1 part 0 1\n");
+  EXPECT_TRUE(Found("a path of 5021 characters names no file of the stick")) << Findings();
+}
+
 TEST_F(FilesConformance, ClocksShowVirtualTime) {
   Start();
   system->RunUntil(2'500'000);
@@ -216,8 +264,10 @@ TEST_F(FilesConformance, ClocksShowVirtualTime) {
 // field-notes.md, 12.1
 TEST_F(FilesConformance, SleepingDoesNothingAndIsReported) {
   Start();
-  EXPECT_EQ(Answer("sleep"), "T sleep 0 usleep 0 nanosleep 0\n");
-  for (const char* const name : {"sleep", "usleep", "nanosleep"}) {
+  EXPECT_EQ(Answer("sleep"),
+            "T sleep 0 usleep 0 nanosleep 0\nT poll 0 select 0 clock_nanosleep 0\n");
+  for (const char* const name :
+       {"sleep", "usleep", "nanosleep", "poll", "select", "clock_nanosleep"}) {
     // The line break keeps usleep() from being taken for sleep().
     const std::string line = fmt::format("\n{}() does nothing: the robot has no sleep", name);
     EXPECT_NE(("\n" + Findings()).find(line), std::string::npos) << name << ": " << Findings();

@@ -5,8 +5,11 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <pthread.h>
 #include <signal.h>
+#include <stdlib.h>
+#include <sys/select.h>
 #include <sys/stat.h>
 #include <sys/time.h>
 #include <time.h>
@@ -129,6 +132,74 @@ Truncates()
     OSYSPRINT(("T truncates %d\n", emptied >= 0));
 }
 
+// Uses descriptors that no object has opened.  Some of them are files of the test.
+static void
+UseForeignDescriptors()
+{
+    int used = 0;
+    struct stat status;
+    char byte;
+    for (int i = 3; i < 100; i++) {
+        if (write(i, "harm", 4) >= 0) used++;
+        if (lseek(i, 0, SEEK_SET) >= 0) used++;
+        if (read(i, &byte, 1) >= 0) used++;
+        if (fstat(i, &status) >= 0) used++;
+        if (close(i) >= 0) used++;
+    }
+    const int wrong = write(50, "harm", 4) < 0 ? errno : 0;
+    OSYSPRINT(("T used %d errno %d cut %d\n", used, wrong == EBADF, ftruncate(3, 0)));
+}
+
+static void
+SeekFar()
+{
+    const int file = open(FOLDER "FAR.TXT", O_RDWR | O_CREAT, 0);
+    const long near_end = (long)lseek(file, 1 << 20, SEEK_SET);
+    const long far = (long)lseek(file, 1L << 40, SEEK_SET);
+    const int is_too_large = errno == EFBIG;
+    const long place = (long)lseek(file, 0, SEEK_CUR);
+    close(file);
+    FILE* const stream = fopen(FOLDER "FAR.TXT", "w");
+    const int stream_far = fseek(stream, 0x7fffffff, SEEK_SET);
+    OSYSPRINT(("T near %ld far %ld %d place %ld stream %d %ld\n", near_end, far, is_too_large, place, stream_far,
+               ftell(stream)));
+    fclose(stream);
+}
+
+static int OnlyFiles(const struct dirent* entry) { return entry->d_name[0] != '.'; }
+
+static void
+Scan()
+{
+    struct dirent** list = 0;
+    const int outside = scandir("/", &list, 0, alphasort);
+    const int count = scandir(FOLDER "MANY", &list, OnlyFiles, alphasort);
+    OSYSPRINT(("T outside %d entries %d first %s\n", outside, count, count > 0 ? list[0]->d_name : "-"));
+    for (int i = 0; i < count; i++) free(list[i]);
+    free(list);
+}
+
+static void
+UseFilesOfTheHost()
+{
+    const int opened = openat(AT_FDCWD, "/etc/passwd", O_RDONLY);
+    const int linked = linkat(AT_FDCWD, "/etc/passwd", AT_FDCWD, FOLDER "LINK.TXT", 0);
+    OSYSPRINT(("T openat %d linkat %d mkfifo %d realpath %d\n", opened, linked, mkfifo(FOLDER "FIFO", 0600),
+               realpath("/etc", 0) != 0));
+}
+
+static void
+UseLongNames()
+{
+    const std::string name = FOLDER + std::string(5000, 'A'), part = FOLDER + std::string(300, 'A');
+    FILE* const file = fopen(name.c_str(), "w");
+    const int why = errno;
+    const int made = mkdir(name.c_str(), 0);
+    FILE* const short_path = fopen(part.c_str(), "w");
+    OSYSPRINT(("T file %d %d folder %d part %d %d\n", file != 0, why == ENAMETOOLONG, made, short_path != 0,
+               errno == ENAMETOOLONG));
+}
+
 static void Never() { OSYSPRINT(("T atexit ran\n")); }
 
 static void
@@ -155,6 +226,11 @@ Sleeps()
     const int slept = (int)sleep(1);
     const int slept_us = usleep(1000);
     OSYSPRINT(("T sleep %d usleep %d nanosleep %d\n", slept, slept_us, nanosleep(&second, 0)));
+    struct timeval time = {1, 0};
+    const int polled = poll(0, 0, 1000);
+    const int selected = select(0, 0, 0, 0, &time);
+    OSYSPRINT(("T poll %d select %d clock_nanosleep %d\n", polled, selected,
+               clock_nanosleep(CLOCK_REALTIME, 0, &second, 0)));
 }
 
 static void* Work(void*) { return 0; }
@@ -243,6 +319,16 @@ FileCommand(const std::string& command)
         ManageFiles();
     } else if (command == "flags") {
         Flags();
+    } else if (command == "foreign") {
+        UseForeignDescriptors();
+    } else if (command == "seeks") {
+        SeekFar();
+    } else if (command == "scan") {
+        Scan();
+    } else if (command == "host") {
+        UseFilesOfTheHost();
+    } else if (command == "long names") {
+        UseLongNames();
     } else if (command == "truncates") {
         Truncates();
     } else if (command == "writes") {
