@@ -93,6 +93,7 @@ Worker::ReceivedSample Worker::Next(bool answer) {
     if (sample->body._d == openr_wire_TO_WORKER_END) {
       const openr_wire_End& end = sample->body._u.ended;
       ReportRunEnded(end);
+      t_current = {};  // makes _exit() end the process and not only the handler
       _exit(end.run_goes_on ? 1 : 0);
     }
     // Keeps the sample until the present handler has ended: in a free run the master does not wait

@@ -46,6 +46,7 @@ void Worker::Send(const openr_wire_ToMaster& to_master, bool batched) {
 void Worker::ExitWithError(const std::string& why) {
   options_.say(why);
   SayGoodbye(why);
+  t_current = {};  // makes _exit() end the process and not only the handler
   _exit(1);
 }
 
@@ -187,6 +188,7 @@ CallResult Worker::WaitForAnswer() {
     ExitWithError(fmt::format("could not hear the run: {}", error.what()));
   }
   options_.say("the master is gone");
+  t_current = {};  // makes _exit() end the process and not only the handler
   _exit(1);  // ends the process, because the handler that asked cannot go on without an answer
 }
 

@@ -279,8 +279,8 @@ int CommandedRun::Run() {
   } else {
     facts_.standing.assign(simulation_.robots().size(), StandingMonitor(simulation_.model()));
   }
-  // Ends the guards before the report is written, because a crash after that, for example while the
-  // images are unloaded, would replace the report.
+  // Ends the guards before the report is written, because a crash after that would replace the
+  // report.
   guards_.reset();
   good = Report() && good;
   // Waits for the branch that goes on in place of this process, because the shell waits only for

@@ -5,6 +5,7 @@
 
 #include "cli/exit_code.h"
 #include "openr/ending/interrupt_limit.h"
+#include "runtime/core/current.h"
 
 namespace openr_host {
 namespace {
@@ -21,6 +22,8 @@ void OnInterruptSignal(int) {
   static constexpr char kText[] =
       "ended by signal: Ctrl-C or SIGTERM came three times; no report is written\n";
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kText, sizeof kText - 1);
+  // Clears t_current, because _exit() would otherwise end only the handler of the object that runs.
+  t_current = {};
   _exit(kExitWrong);
 }
 

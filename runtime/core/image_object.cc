@@ -32,7 +32,7 @@ namespace openr_host {
 ImageObject::~ImageObject() {
   files().CloseAll();
   const CurrentScope scope(system, this);
-  const FpScope fp;
+  // Runs no code of the program, because objects register no destructors (process_hooks.cc).
   if (handle_ != nullptr) dlclose(handle_);
   if (has_thunks_) munmap(memory().addresses()->thunks(), ObjectAddresses::kThunkBytes);
 }
@@ -80,6 +80,9 @@ std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
 // its heap and stack still get planned addresses.
 void ImageObject::MoveToOwnAddresses(std::string* bytes) {
   HoldConstructors(bytes);
+  // Keeps the destructors of an image with AddressSanitizer, because they tell AddressSanitizer
+  // that the global variables of the image are gone.
+  if (!IsAddressSanitized()) DropDestructors(bytes);
   auto taken = std::make_unique<ObjectAddresses>(id);
   if (taken->heap() == nullptr) return;
   memory().Plan(std::move(taken), &system->robot(robot).memory);

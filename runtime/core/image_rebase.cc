@@ -208,24 +208,45 @@ bool RebaseImage(std::string* bytes, uint64_t address, uint64_t size_max) {
   return true;
 }
 
-void HoldConstructors(std::string* bytes) {
+namespace {
+
+// Returns the entries of the dynamic section of the shared object `bytes`; no entries if `bytes`
+// are no shared object of this processor.
+std::span<Elf64_Dyn> DynamicEntries(std::string* bytes) {
   const auto has = [bytes](uint64_t offset, uint64_t size) {
     return offset <= bytes->size() && size <= bytes->size() - offset && offset % 8 == 0;
   };
-  if (!has(0, sizeof(Elf64_Ehdr)) || std::memcmp(bytes->data(), ELFMAG, SELFMAG) != 0) return;
+  if (!has(0, sizeof(Elf64_Ehdr)) || std::memcmp(bytes->data(), ELFMAG, SELFMAG) != 0) return {};
   const auto* const header = reinterpret_cast<const Elf64_Ehdr*>(bytes->data());
   if (header->e_ident[EI_CLASS] != ELFCLASS64 ||
       !has(header->e_phoff, header->e_phnum * sizeof(Elf64_Phdr)))
-    return;
+    return {};
   const auto* const segments = reinterpret_cast<const Elf64_Phdr*>(bytes->data() + header->e_phoff);
   for (int i = 0; i < header->e_phnum; ++i) {
     const Elf64_Phdr& segment = segments[i];
     if (segment.p_type != PT_DYNAMIC || !has(segment.p_offset, segment.p_filesz)) continue;
-    auto* const entries = reinterpret_cast<Elf64_Dyn*>(bytes->data() + segment.p_offset);
-    for (uint64_t e = 0; e < segment.p_filesz / sizeof(Elf64_Dyn); ++e) {
-      if (entries[e].d_tag == DT_INIT_ARRAY) entries[e].d_tag = kHeldArray;
-      if (entries[e].d_tag == DT_INIT_ARRAYSZ) entries[e].d_tag = kHeldArraySize;
-    }
+    return {reinterpret_cast<Elf64_Dyn*>(bytes->data() + segment.p_offset),
+            segment.p_filesz / sizeof(Elf64_Dyn)};
+  }
+  return {};
+}
+
+}  // namespace
+
+void HoldConstructors(std::string* bytes) {
+  for (Elf64_Dyn& entry : DynamicEntries(bytes)) {
+    if (entry.d_tag == DT_INIT_ARRAY) entry.d_tag = kHeldArray;
+    if (entry.d_tag == DT_INIT_ARRAYSZ) entry.d_tag = kHeldArraySize;
+  }
+}
+
+void DropDestructors(std::string* bytes) {
+  for (Elf64_Dyn& entry : DynamicEntries(bytes)) {
+    // Keeps an array of one function, because this function is that of the compiler's start code.
+    // It does nothing for objects, because they register no destructors (process_hooks.cc).
+    if (entry.d_tag != DT_FINI_ARRAYSZ || entry.d_un.d_val <= sizeof(void (*)())) continue;
+    // The destructor that openr build --coverage adds writes the counts to a file *.gcda.
+    if (bytes->find(".gcda") == std::string::npos) entry.d_un.d_val = 0;
   }
 }
 

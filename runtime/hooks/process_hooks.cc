@@ -1,10 +1,13 @@
-// exit(), abort(), clocks and rand() for objects.  These functions differ from those of the C
-// library only while code of an image (a program of the robot) runs.
+// exit(), abort(), lists of functions for the end, clocks and rand() for objects.  These functions
+// differ from those of the C library only while code of an image (a program of the robot) runs.
 //
 // exit() and abort() end the handler that runs, not the process (Programmer's Guide, appendix A).
+// So the robot never runs destructors of global objects, nor functions given to atexit().
 // The only working clock of the robot is GetSystemTime().  A program that reads another clock gets
 // virtual time, so that every run is the same.
 #include <fmt/format.h>
+#include <pthread.h>
+#include <sys/syscall.h>
 #include <sys/time.h>
 #include <time.h>
 #include <unistd.h>
@@ -52,15 +55,61 @@ int64_t VirtualUs() { return t_current.system->now_us(); }
   t_current.system->AbandonHandler();
 }
 
+// If code of an object has called `function`, ends the running handler, as exit() does, or the run
+// if a constructor of a global object is the caller.  Returns for other callers.
+void EndForObject(const char* function) {
+  if (InHandler()) EndMethod();
+  if (InConstructors()) RefuseInConstructors(function);
+}
+
+// Ends the process at once, as _exit() of the C library does.  Makes the system call itself,
+// because signal handlers of this program call _exit() and must not look the C library's function
+// up.
+[[noreturn]] void EndProcess(int status) {
+  for (;;) syscall(SYS_exit_group, status);
+}
+
 }  // namespace
 
 extern "C" {
 
 void exit(int status) noexcept {
-  if (InHandler()) EndMethod();
-  if (InConstructors()) RefuseInConstructors("exit");
+  EndForObject("exit");
   static const auto next = NextSymbol<void(int)>("exit");
   next(status);
+  __builtin_unreachable();
+}
+
+void quick_exit(int status) noexcept {
+  EndForObject("quick_exit");
+  static const auto next = NextSymbol<void(int)>("quick_exit");
+  next(status);
+  __builtin_unreachable();
+}
+
+void _exit(int status) {
+  EndForObject("_exit");
+  EndProcess(status);
+}
+
+void _Exit(int status) noexcept {
+  EndForObject("_Exit");
+  EndProcess(status);
+}
+
+void pthread_exit(void* result) {
+  if (InHandler()) {
+    {
+      const ApiScope scope;
+      t_current.system->AddFinding(Severity::kError,
+                                   "pthread_exit() called: the robot has no threads; the method "
+                                   "ends, as by exit()");
+    }
+    EndMethod();
+  }
+  if (InConstructors()) RefuseInConstructors("pthread_exit");
+  static const auto next = NextSymbol<void(void*)>("pthread_exit");
+  next(result);
   __builtin_unreachable();
 }
 
@@ -99,15 +148,24 @@ void __assert_fail(const char* condition, const char* file, unsigned line,
   __builtin_unreachable();
 }
 
-// Registers the destructor of a static C++ variable.  The C library's list of destructors exists
-// longer than any object of the robot, so the memory of the list must come from the host's heap,
-// which ApiScope selects.  Registers nothing for atexit(), which passes null as `argument`, because
-// atexit() does nothing on the robot.
+// Registers the destructor of a static C++ variable, or a function given to atexit().  Registers
+// nothing for objects, because nothing on the robot calls these functions.  Here dlclose() would
+// call them outside of all hooks and after the report of the run.
 int __cxa_atexit(void (*function)(void*), void* argument, void* module) noexcept {
   static const auto next = NextSymbol<int(void (*)(void*), void*, void*)>("__cxa_atexit");
-  if (argument == nullptr && InObject()) return 0;
-  const ApiScope scope;
-  return next(function, argument, module);
+  return InObject() ? 0 : next(function, argument, module);
+}
+
+// Registers the destructor of a thread_local C++ variable; nothing for objects, as __cxa_atexit().
+int __cxa_thread_atexit_impl(void (*function)(void*), void* argument, void* module) noexcept {
+  static const auto next =
+      NextSymbol<int(void (*)(void*), void*, void*)>("__cxa_thread_atexit_impl");
+  return InObject() ? 0 : next(function, argument, module);
+}
+
+int on_exit(void (*function)(int, void*), void* argument) noexcept {
+  static const auto next = NextSymbol<int(void (*)(int, void*), void*)>("on_exit");
+  return InObject() ? 0 : next(function, argument);
 }
 
 time_t time(time_t* result) noexcept {

@@ -16,8 +16,12 @@ bool Refuses(
 // Defines the C library's function `name` once more.  If an object calls the new function, the
 // function adds a finding and returns `failure`.  For other callers, the new function calls the C
 // library's function.
-#define OPENR_REFUSE(type, name, failure, parameters, arguments)  \
-  extern "C" type name parameters {                               \
-    static const auto next = OPENR_NEXT(name);                    \
-    return openr_host::Refuses(#name) ? failure : next arguments; \
+#define OPENR_REFUSE(type, name, failure, parameters, arguments) \
+  OPENR_REFUSE_FOR(type, name, name, failure, parameters, arguments)
+
+// Does the same, but calls the C library's function `other` for other callers.
+#define OPENR_REFUSE_FOR(type, name, other, failure, parameters, arguments) \
+  extern "C" type name parameters {                                         \
+    static const auto next = OPENR_NEXT(other);                             \
+    return openr_host::Refuses(#name) ? failure : next arguments;           \
   }

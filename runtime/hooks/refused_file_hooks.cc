@@ -5,7 +5,6 @@
 #include <ftw.h>
 #include <glob.h>
 #include <netdb.h>
-#include <spawn.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -122,12 +121,6 @@ extern "C" void seekdir(DIR* folder, long place) noexcept {
 }
 
 // Descriptors.
-OPENR_REFUSE(int, dup3, -1, (int from, int to, int flags) noexcept, (from, to, flags))
-// pipe2() is not refused in a build with a sanitizer, because sanitizers call pipe()
-// (refused_hooks.cc) and may call pipe2().
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-OPENR_REFUSE(int, pipe2, -1, (int* ends, int flags) noexcept, (ends, flags))
-#endif
 #if __GLIBC_PREREQ(2, 34)  // older versions of the GNU C library do not have close_range()
 OPENR_REFUSE(int, close_range, -1, (unsigned first, unsigned last, int flags) noexcept,
              (first, last, flags))
@@ -186,8 +179,6 @@ extern "C" int dprintf(int descriptor, const char* format, ...) {
 [[gnu::constructor]] static void FindFtruncate() { static_cast<void>(ftruncate(-1, 0) == 0); }
 
 // Sockets.  Programs of the robot use the network by messages to its IP stack.
-OPENR_REFUSE(int, socketpair, -1, (int domain, int type, int protocol, int* ends) noexcept,
-             (domain, type, protocol, ends))
 OPENR_REFUSE(int, bind, -1,
              (int descriptor, const struct sockaddr* address, socklen_t size) noexcept,
              (descriptor, address, size))
@@ -229,13 +220,3 @@ OPENR_REFUSE(struct hostent*, gethostbyaddr, nullptr,
              (const void* address, socklen_t size, int family), (address, size, family))
 
 // Processes.
-OPENR_REFUSE(int, posix_spawn, ENOSYS,
-             (pid_t * process, const char* path, const posix_spawn_file_actions_t* actions,
-              const posix_spawnattr_t* attributes, char* const* arguments,
-              char* const* environment),
-             (process, path, actions, attributes, arguments, environment))
-OPENR_REFUSE(int, posix_spawnp, ENOSYS,
-             (pid_t * process, const char* file, const posix_spawn_file_actions_t* actions,
-              const posix_spawnattr_t* attributes, char* const* arguments,
-              char* const* environment),
-             (process, file, actions, attributes, arguments, environment))

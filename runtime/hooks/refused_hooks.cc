@@ -5,16 +5,21 @@
 #include <fmt/format.h>
 #include <pthread.h>
 #include <signal.h>
+#include <spawn.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/select.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/time.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <cstddef>
 
 #include "runtime/core/system.h"
 #include "runtime/hooks/refuse.h"
@@ -33,6 +38,34 @@ bool Refuses(const char* name, const char* why) {
 
 using openr_host::Refuses;
 
+namespace {
+
+// The arguments of execl(), execlp() or execle() as the array that execv() takes.  The array has a
+// fixed size, because a process that was forked from one with threads must not allocate memory.
+class ArgumentArray {
+ public:
+  // Takes `first` and the arguments that follow in `*rest`, up to a null pointer.
+  ArgumentArray(const char* first, va_list* rest) {
+    for (const char* next = first; next != nullptr; next = va_arg(*rest, const char*)) {
+      if (size_ + 1 < all_.size()) all_[size_] = const_cast<char*>(next);
+      ++size_;
+    }
+  }
+  // Returns the array, or null, with errno set, if there were too many arguments.
+  char* const* Get() const {
+    if (size_ < all_.size()) return all_.data();
+    errno = E2BIG;
+    return nullptr;
+  }
+
+ private:
+  std::array<char*, 1024> all_{};  // ends with a null pointer
+  size_t size_ = 0;
+};
+
+}  // namespace
+
+
 OPENR_REFUSE(int, system, -1, (const char* command), (command))
 OPENR_REFUSE(FILE*, popen, nullptr, (const char* command, const char* mode), (command, mode))
 OPENR_REFUSE(pid_t, fork, -1, () noexcept, ())
@@ -42,6 +75,19 @@ OPENR_REFUSE(int, execve, -1,
 OPENR_REFUSE(int, execv, -1, (const char* path, char* const* arguments) noexcept, (path, arguments))
 OPENR_REFUSE(int, execvp, -1, (const char* file, char* const* arguments) noexcept,
              (file, arguments))
+OPENR_REFUSE(int, execvpe, -1,
+             (const char* file, char* const* arguments, char* const* environment) noexcept,
+             (file, arguments, environment))
+OPENR_REFUSE(int, posix_spawn, ENOSYS,
+             (pid_t * process, const char* path, const posix_spawn_file_actions_t* actions,
+              const posix_spawnattr_t* attributes, char* const* arguments,
+              char* const* environment),
+             (process, path, actions, attributes, arguments, environment))
+OPENR_REFUSE(int, posix_spawnp, ENOSYS,
+             (pid_t * process, const char* file, const posix_spawn_file_actions_t* actions,
+              const posix_spawnattr_t* attributes, char* const* arguments,
+              char* const* environment),
+             (process, file, actions, attributes, arguments, environment))
 OPENR_REFUSE(pid_t, getpid, -1, () noexcept, ())
 OPENR_REFUSE(int, kill, -1, (pid_t process, int number) noexcept, (process, number))
 OPENR_REFUSE(int, raise, -1, (int number) noexcept, (number))
@@ -50,7 +96,18 @@ OPENR_REFUSE(sighandler_t, signal, SIG_ERR, (int number, sighandler_t handler) n
 OPENR_REFUSE(int, sigaction, -1,
              (int number, const struct sigaction* wanted, struct sigaction* former) noexcept,
              (number, wanted, former))
+OPENR_REFUSE(int, sigprocmask, -1, (int how, const sigset_t* wanted, sigset_t* former) noexcept,
+             (how, wanted, former))
+OPENR_REFUSE(int, pthread_sigmask, ENOSYS,
+             (int how, const sigset_t* wanted, sigset_t* former) noexcept, (how, wanted, former))
 OPENR_REFUSE(unsigned, alarm, 0, (unsigned seconds) noexcept, (seconds))
+OPENR_REFUSE(int, setitimer, -1,
+             (__itimer_which_t which, const struct itimerval* wanted,
+              struct itimerval* former) noexcept,
+             (which, wanted, former))
+OPENR_REFUSE(int, timer_create, -1,
+             (clockid_t clock, struct sigevent* event, timer_t* timer) noexcept,
+             (clock, event, timer))
 OPENR_REFUSE(pid_t, wait, -1, (int* status), (status))
 OPENR_REFUSE(FILE*, tmpfile, nullptr, (), ())
 OPENR_REFUSE(char*, tmpnam, nullptr, (char* name) noexcept, (name))
@@ -68,13 +125,50 @@ OPENR_REFUSE(int, truncate, -1, (const char* path, off_t size) noexcept, (path, 
 OPENR_REFUSE(int, chmod, -1, (const char* path, mode_t mode) noexcept, (path, mode))
 OPENR_REFUSE(int, dup, -1, (int descriptor) noexcept, (descriptor))
 OPENR_REFUSE(int, dup2, -1, (int from, int to) noexcept, (from, to))
-// pipe() is not refused in a build with a sanitizer, because the sanitizer itself calls pipe() to
-// test whether memory is readable.
+OPENR_REFUSE(int, dup3, -1, (int from, int to, int flags) noexcept, (from, to, flags))
+// pipe() and pipe2() are not refused in a build with a sanitizer, because the sanitizer itself
+// calls pipe() to test whether memory is readable, and may call pipe2().
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 OPENR_REFUSE(int, pipe, -1, (int* ends) noexcept, (ends))
+OPENR_REFUSE(int, pipe2, -1, (int* ends, int flags) noexcept, (ends, flags))
 #endif
 OPENR_REFUSE(int, socket, -1, (int domain, int type, int protocol) noexcept,
              (domain, type, protocol))
+OPENR_REFUSE(int, socketpair, -1, (int domain, int type, int protocol, int* ends) noexcept,
+             (domain, type, protocol, ends))
+OPENR_REFUSE(int, pthread_cancel, ENOSYS, (pthread_t thread), (thread))
+
+// Refuses vfork to objects.  Makes a fork for other callers: the memory of a process that vfork
+// makes is that of its caller, so this function could not return in it.
+OPENR_REFUSE_FOR(pid_t, vfork, fork, -1, () noexcept, ())
+
+extern "C" int execl(const char* path, const char* first, ...) noexcept {
+  if (Refuses("execl")) return -1;
+  va_list rest;
+  va_start(rest, first);
+  const ArgumentArray arguments(first, &rest);
+  va_end(rest);
+  return arguments.Get() == nullptr ? -1 : execv(path, arguments.Get());
+}
+
+extern "C" int execlp(const char* file, const char* first, ...) noexcept {
+  if (Refuses("execlp")) return -1;
+  va_list rest;
+  va_start(rest, first);
+  const ArgumentArray arguments(first, &rest);
+  va_end(rest);
+  return arguments.Get() == nullptr ? -1 : execvp(file, arguments.Get());
+}
+
+extern "C" int execle(const char* path, const char* first, ...) noexcept {
+  if (Refuses("execle")) return -1;
+  va_list rest;
+  va_start(rest, first);
+  const ArgumentArray arguments(first, &rest);
+  char* const* const environment = va_arg(rest, char* const*);
+  va_end(rest);
+  return arguments.Get() == nullptr ? -1 : execve(path, arguments.Get(), environment);
+}
 
 // Refuses fcntl() to objects.  For other callers, passes the third argument on as a pointer.  This
 // is right even if the argument is an int, because the calling convention passes an int and a

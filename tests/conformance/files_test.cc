@@ -255,6 +255,20 @@ TEST_F(FilesConformance, APathThatIsTooLongIsRefused) {
   EXPECT_TRUE(Found("a path of 5021 characters names no file of the stick")) << Findings();
 }
 
+TEST_F(FilesConformance, TheirKinFailsToo) {
+  Start();
+  const std::string answer = Answer("refused kin");
+  EXPECT_NE(answer.find("T execl -1 execlp -1 execle -1 execvpe -1 vfork -1\n"), std::string::npos);
+  EXPECT_NE(answer.find("T spawn 1 1\n"), std::string::npos);
+  EXPECT_NE(answer.find("T timers -1 -1 masks -1 1\n"), std::string::npos);
+  EXPECT_NE(answer.find("T dup3 -1 pipe2 -1 socketpair -1 cancel 1\n"), std::string::npos);
+  for (const char* const name :
+       {"execl", "execlp", "execle", "execvpe", "vfork", "posix_spawn", "posix_spawnp", "setitimer",
+        "timer_create", "sigprocmask", "pthread_sigmask", "dup3", "pipe2", "socketpair",
+        "pthread_cancel"})
+    EXPECT_TRUE(Found(fmt::format("{}() fails: there is no such thing", name))) << Findings();
+}
+
 TEST_F(FilesConformance, ClocksShowVirtualTime) {
   Start();
   system->RunUntil(2'500'000);

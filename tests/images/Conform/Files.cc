@@ -8,8 +8,10 @@
 #include <poll.h>
 #include <pthread.h>
 #include <signal.h>
+#include <spawn.h>
 #include <stdlib.h>
 #include <sys/select.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/time.h>
 #include <time.h>
@@ -211,6 +213,28 @@ Refused()
     OSYSPRINT(("T system %d tmpfile %d chdir %d fork %d\n", ran, temporary != 0, moved, (int)fork()));
 }
 
+// Calls functions that start programs, end or stop the process, or send it signals.
+static void
+RefusedKin()
+{
+    char* arguments[] = {const_cast<char*>("/bin/true"), 0};
+    pid_t process = 0;
+    int ends[2];
+    timer_t timer;
+    sigset_t signals;
+    struct itimerval soon = {{0, 0}, {0, 1000}};
+    sigfillset(&signals);
+    OSYSPRINT(("T execl %d execlp %d execle %d execvpe %d vfork %d\n", execl("/bin/true", "true", (char*)0),
+               execlp("true", "true", (char*)0), execle("/bin/true", "true", (char*)0, arguments + 1),
+               execvpe("true", arguments, arguments + 1), (int)vfork()));
+    OSYSPRINT(("T spawn %d %d\n", posix_spawn(&process, "/bin/true", 0, 0, arguments, arguments + 1) != 0,
+               posix_spawnp(&process, "true", 0, 0, arguments, arguments + 1) != 0));
+    OSYSPRINT(("T timers %d %d masks %d %d\n", setitimer(ITIMER_REAL, &soon, 0), timer_create(CLOCK_REALTIME, 0, &timer),
+               sigprocmask(SIG_BLOCK, &signals, 0), pthread_sigmask(SIG_BLOCK, &signals, 0) != 0));
+    OSYSPRINT(("T dup3 %d pipe2 %d socketpair %d cancel %d\n", dup3(1, 9, 0), pipe2(ends, 0),
+               socketpair(AF_UNIX, SOCK_STREAM, 0, ends), pthread_cancel(pthread_self()) != 0));
+}
+
 static void
 Clocks()
 {
@@ -339,6 +363,8 @@ FileCommand(const std::string& command)
         List(FOLDER "MANY");
     } else if (command == "refused") {
         Refused();
+    } else if (command == "refused kin") {
+        RefusedKin();
     } else if (command == "signals") {
         Signals();
     } else if (command == "dots") {
@@ -357,6 +383,14 @@ FileCommand(const std::string& command)
         OSYSPRINT(("T atexit %d\n", atexit(Never)));
     } else if (command == "exit") {
         exit(1);
+    } else if (command == "_exit") {
+        _exit(0);
+    } else if (command == "_Exit") {
+        _Exit(0);
+    } else if (command == "quick_exit") {
+        quick_exit(0);
+    } else if (command == "pthread_exit") {
+        pthread_exit(0);
     } else if (command == "abort") {
         abort();
     } else if (command == "assert 0") {

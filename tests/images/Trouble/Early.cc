@@ -1,5 +1,5 @@
 // Faults in the constructor of a global object, which runs while the image is loaded, and in its
-// destructor, which runs while the image is unloaded.
+// destructor and in functions for the end of a program, which never run.
 #include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,10 +8,14 @@
 static volatile int sink;
 static int* volatile nowhere = 0;
 
+static void Crash() { *nowhere = 1; }
+static void CrashWith(int, void*) { *nowhere = 1; }
+
 struct Early {
     char word[32];
+    FILE* left;  // is open when the image is unloaded
 
-    Early()
+    Early() : left(0)
     {
         word[0] = 0;
         FILE* file = fopen("/MS/OPEN-R/MW/DATA/P/TROUBLE.TXT", "r");
@@ -23,10 +27,18 @@ struct Early {
         if (strcmp(word, "earlyexit") == 0) exit(4);
         if (strcmp(word, "earlyassert") == 0) assert(nowhere != 0);
         while (strcmp(word, "earlyhang") == 0) sink = 1 - sink;
+        if (strcmp(word, "lateclose") == 0) left = fopen("/MS/OPEN-R/MW/DATA/P/LEFT.TXT", "w");
+        if (strcmp(word, "latecrash") == 0) {
+            atexit(Crash);
+            on_exit(CrashWith, 0);
+        }
     }
     ~Early()
     {
+        if (left != 0) fclose(left);
         if (strcmp(word, "latecrash") == 0) *nowhere = 1;
+        if (strcmp(word, "lateexit") == 0) exit(3);
+        while (strcmp(word, "latehang") == 0) sink = 1 - sink;
     }
 };
 

@@ -9,6 +9,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 static volatile double number;
 static volatile double zero = 0;
@@ -198,6 +200,16 @@ LeakMemory()
     while (malloc(1 << 20) != 0) whole++;
 }
 
+// Frees memory of the C library twice: fclose() has freed the memory of the stream.
+static void
+FreeStream()
+{
+    FILE* volatile file = fopen("/MS/OPEN-R/MW/DATA/P/TROUBLE.TXT", "r");
+    fclose(file);
+    free(file);
+    whole = 1;
+}
+
 void
 MakeFault(const char* word)
 {
@@ -249,5 +261,9 @@ MakeFault(const char* word)
         DeleteRegionTwice();
     } else if (strcmp(word, "breakpoint") == 0) {
         TouchBreakpoint();
+    } else if (strcmp(word, "damage") == 0) {
+        FreeStream();
+    } else if (strcmp(word, "endsystem") == 0) {
+        syscall(SYS_exit_group, 0);
     }
 }
