@@ -90,7 +90,8 @@ Json ForkServer::AnswerOfEndedCopy(const Json& plan, const std::string& said, in
                 WIFSIGNALED(status)
                     ? fmt::format("the process ended with signal {} ({})", WTERMSIG(status),
                                   strsignal(WTERMSIG(status)))
-                    : fmt::format("the process ended with status {}", WEXITSTATUS(status)));
+                    : fmt::format("the process ended with status {} before the end of the run",
+                                  WEXITSTATUS(status)));
 }
 
 void ForkServer::RunInCopy(const Json& plan, int answer) {
@@ -130,7 +131,10 @@ Json ForkServer::Run(const Json& plan) {
     return answer;
   }
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return AnswerOfEndedCopy(plan, said, status);
-  return ParseJson<Json>(said);
+  // A copy may end with status 0 and without an answer, if its program makes a system call that
+  // ends the process.
+  const Json answer = TryParseJson<Json>(said);
+  return answer.is_object() ? answer : AnswerOfEndedCopy(plan, said, status);
 }
 
 }  // namespace openr_host

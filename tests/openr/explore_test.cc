@@ -154,6 +154,16 @@ TEST(ExploreCommandTest, AHandlerThatHangsIsEnded) {
   EXPECT_THAT(result.out, HasSubstr(" -> Trouble  DoStart: boot\n"));
 }
 
+// Such a system call is no function of the C library, so nothing refuses it.
+TEST(ExploreCommandTest, ACopyThatEndsWithoutAnAnswerIsNamed) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("endsystem");
+  const ProgramResult result = Explore({"--runs", "1", "--stick", stick.path()});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.out, HasSubstr("seed 1 breaks no-crash"));
+  EXPECT_THAT(result.out, HasSubstr("the process ended with status 0 before the end of the run"));
+}
+
 #ifndef __SANITIZE_ADDRESS__  // AddressSanitizer reports crashes itself
 // Expects that an exploration of Trouble ends while it loads the image, and says `end`.
 void ExpectEarlyEndOfTrouble(const std::string& word, const std::string& end,
