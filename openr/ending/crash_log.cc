@@ -43,7 +43,7 @@
 namespace openr_host {
 namespace {
 
-constexpr int kCrashSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP};
+constexpr int kCrashSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT};
 // Size of the stack on which the signal handler runs, large enough for all functions that report a
 // crash.
 constexpr size_t kAlternateStackBytes = 256 << 10;
@@ -123,6 +123,10 @@ void AddName(int signal, const siginfo_t& info, const void* context, SignalText*
       break;
     case SIGTRAP:
       text->Add("SIGTRAP (a breakpoint in the code)");
+      break;
+    case SIGABRT:
+      text->Add("SIGABRT (the C library ended the process: it found the object's heap or a stream ")
+          .Add("damaged)");
       break;
     default:
       if (*AnnouncedFault() != 0) {
@@ -278,6 +282,8 @@ unsigned RobotExceptionCode(int signal, const siginfo_t& info, const void* conte
       return KindOf(info) == 0 ? kBreakpoint : kFloat;
     case SIGTRAP:
       return kBreakpoint;
+    case SIGABRT:
+      return 0;  // the robot's C library does not look for such damage
     default:
       return kReserved;
   }
@@ -309,10 +315,28 @@ void WriteRecordInSignal(Ending* ending, RobotException* exception, const void* 
   if (file.PrintWriteResult() && place) ending->finding.Add("; record: ").Add(*name).Add(*place);
 }
 
-// Handles SIGSEGV, SIGBUS, SIGFPE, SIGILL and SIGTRAP.  Ends the process with a crash record if an
-// object was running, unless ContinueInSignal() lets the object go on.
+// Returns whether SIGABRT comes from a function of the C library that an object has called.  The
+// abort() of an object itself sends no signal, but ends its handler (process_hooks.cc).  SIGABRT of
+// code of the runtime (ASSERT) and of another process (kill) is no crash of an object.
+bool IsAbortOfLibrary(const siginfo_t& info) {
+  return t_current.object != nullptr && t_current.image_code && info.si_code == SI_TKILL;
+}
+
+// Makes `signal` end the process when its handler returns, as if it had no handler.
+void TakeDefaultAction(int signal) {
+  t_current = {};  // otherwise sigaction() would be refused if code of an object was running
+  struct sigaction action {};
+  action.sa_handler = SIG_DFL;
+  sigaction(signal, &action, nullptr);
+  // Sends the signal again, because nothing else repeats a signal of another process.
+  syscall(SYS_tgkill, syscall(SYS_getpid), syscall(SYS_gettid), signal);
+}
+
+// Handles the signals of kCrashSignals.  Ends the process with a crash record if an object was
+// running, unless ContinueInSignal() lets the object go on.
 void OnCrashSignal(int signal, siginfo_t* info, void* context) {
   if (signal == SIGFPE && ContinueInSignal(*info, context)) return;
+  if (signal == SIGABRT && !IsAbortOfLibrary(*info)) return TakeDefaultAction(signal);
   Ending ending;
   SignalText& text = ending.record;
   SignalText name;
@@ -320,7 +344,8 @@ void OnCrashSignal(int signal, siginfo_t* info, void* context) {
   // AddName() fills `name`, which cppcheck does not see.
   // cppcheck-suppress uninitvar
   text.Add("EXCEPTION ").Add(name.text());
-  const bool is_overflow = StackMemory::AnyGuardContains(info->si_addr);
+  // SIGABRT has no address: its siginfo_t has a process in the same place.
+  const bool is_overflow = signal != SIGABRT && StackMemory::AnyGuardContains(info->si_addr);
   // Prints only an address that the object has accessed.  The address of the instruction (SIGFPE,
   // SIGILL) and an address just beyond a full stack differ from run to run, so they are left out;
   // the call stack in the crash record shows the place of the crash.

@@ -12,10 +12,11 @@ namespace openr_host {
 
 struct EndGuardOptions;
 
-// While a CrashLog exists, a SIGSEGV, SIGBUS, SIGFPE or SIGILL that comes while an object runs ends
-// the run with a crash record.  The same signals have their default action while no object runs.  A
-// CrashLog does nothing under AddressSanitizer, because the report of AddressSanitizer says more
-// about a crash.  EndGuards (end_guards.h) makes it, and describes `options`.
+// While a CrashLog exists, a SIGSEGV, SIGBUS, SIGFPE, SIGILL or SIGABRT that comes while an object
+// runs ends the run with a crash record.  The same signals have their default action while no
+// object runs.  A CrashLog does nothing under AddressSanitizer, because the report of
+// AddressSanitizer says more about a crash.  EndGuards (end_guards.h) makes it, and describes
+// `options`.
 class CrashLog {
  public:
   explicit CrashLog(const EndGuardOptions& options);

@@ -88,6 +88,9 @@ void RunEndingActions(Ending* ending) {
 EndingAnswer::EndingAnswer(const EndGuardOptions& options) {
   ASSERT(g_options == nullptr);  // only one EndingAnswer may exist at a time
   g_options = &options;
+  // Calls pthread_sigmask() once without an effect, because its first call looks the C library's
+  // function up (refused_hooks.cc), which is not allowed in a signal handler.
+  pthread_sigmask(SIG_BLOCK, nullptr, nullptr);
   if (!options.answer_file.empty()) g_answer_file.emplace(options.answer_file);
 }
 

@@ -20,6 +20,9 @@
 #include <string_view>
 #include <utility>
 
+#include "runtime/core/arena.h"
+#include "runtime/core/code_place.h"
+#include "runtime/core/memory_tools.h"
 #include "runtime/core/system.h"
 #include "runtime/core/write_errors.h"
 #include "runtime/hooks/hook.h"
@@ -168,17 +171,50 @@ FILE* OpenFile(const char* path, const char* mode) {
   return Remember(next(host.c_str(), mode), host, writes, path);
 }
 
-// Removes `file`, which is about to be closed, from the current object's table of open files, and
+// Returns the table of open files that has `file`; null if no table has it.  Searches the current
+// object first, which is not in the table of objects while its constructors run.  Searches all
+// objects, because an object may close a stream of another object.
+OpenFiles* HolderOf(FILE* file) {
+  if (t_current.object->files().streams.contains(file)) return &t_current.object->files();
+  for (const auto& object : t_current.system->objects()) {
+    if (object != nullptr && object->files().streams.contains(file)) return &object->files();
+  }
+  return nullptr;
+}
+
+// Removes `file`, which is about to be closed, from the table of open files that has it, and
 // returns the record that the table had of it.  Adds a finding if an earlier write to the file has
 // failed.
 OpenFiles::File ForgetStream(FILE* file) {
   const ApiScope scope;
-  const auto found = t_current.object->files().streams.find(file);
-  if (found == t_current.object->files().streams.end()) return {};
+  OpenFiles* const holder = HolderOf(file);
+  if (holder == nullptr) return {};
+  const auto found = holder->streams.find(file);
   OpenFiles::File forgotten = std::move(found->second);
-  t_current.object->files().streams.erase(found);
+  holder->streams.erase(found);
   if (forgotten.writes && ferror(file) != 0) openr_host::ReportWriteError(&forgotten, 0);
   return forgotten;
+}
+
+// Returns whether fclose() of the C library may close `file` for an object.  Otherwise adds a
+// finding and sets errno: the object has closed the stream already, or never had it.  The C library
+// would end the process, because it would free memory in which no stream is.
+bool MayClose(FILE* file) {
+  if (HolderOf(file) != nullptr) return true;
+  // Allows streams that are in the object's heap, because fmemopen() and open_memstream(), which
+  // are no hooks, make them there.  Allows all streams if the object's heap is not used
+  // (heap_hooks.cc).  A null pointer is left to the C library, too.
+  const bool has_heap =
+      t_current.object->memory().arena() != nullptr && !openr_host::IsStackWatched();
+  if (file == nullptr || !has_heap || openr_host::Arena::OwnerOf(file) != nullptr) return true;
+  const ApiScope scope;
+  t_current.system->AddFinding(
+      Severity::kError,
+      fmt::format("{}fclose() of a stream that is not open{}: on the robot this damages memory "
+                  "without a word; here it changes nothing",
+                  openr_host::InHandler(), openr_host::AtCaller()));
+  errno = EBADF;
+  return false;
 }
 
 // Returns the optional argument `mode` of open(), or 0 if the caller has not passed it.  Callers
@@ -346,6 +382,7 @@ int fclose(FILE* file) {
   // Leaves a stream of the console open and reports success, as close() does, because the console
   // belongs to the whole run.
   if (file == stdin || file == stdout || file == stderr) return 0;
+  if (!MayClose(file)) return EOF;
   OpenFiles::File written = ForgetStream(file);
   const int result = next(file);
   // fclose() has written the last bytes of the file, so an error may mean that some bytes are lost.

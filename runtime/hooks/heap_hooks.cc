@@ -15,6 +15,7 @@
 #include <cstring>
 
 #include "runtime/base/assert.h"
+#include "runtime/core/address_plan.h"
 #include "runtime/core/arena.h"
 #include "runtime/core/code_place.h"
 #include "runtime/core/current.h"
@@ -81,13 +82,20 @@ void* FromArena(Arena* arena, size_t size, size_t alignment = 16) {
   return block;
 }
 
+// Returns whether an object frees `block`, an address that belongs to no heap of an object but to
+// other memory of objects: an image, a stack or a region.  The C library would end the process.
+bool IsOutsideOfHeaps(const void* block) {
+  return openr_host::InObject() && openr_host::IsPlanned(block);
+}
+
 // Adds a finding about a call of free() for an address at which no block in use begins.
 void ReportBadFree(const void* block) {
   const openr_host::ApiScope scope;
   const openr_host::Current& current = t_current;
   ASSERT(current.object != nullptr, "free of an address that no block begins at");
-  const char* const what = Arena::WasFreed(block) ? "a block is freed that was freed before"
-                                                  : "an address is freed that no block begins at";
+  const bool was_freed = Arena::OwnerOf(block) != nullptr && Arena::WasFreed(block);
+  const char* const what = was_freed ? "a block is freed that was freed before"
+                                     : "an address is freed that no block begins at";
   current.system->AddFinding(
       openr_host::Severity::kError,
       fmt::format("{}{}{}: on the robot this damages the heap without a word; here it changes "
@@ -114,6 +122,8 @@ void* malloc(size_t size) {
 void free(void* block) {
   if (block == nullptr) return;
   if (Arena::OwnerOf(block) == nullptr) {
+    if (IsOutsideOfHeaps(block)) [[unlikely]]
+      return ReportBadFree(block);
     __libc_free(block);
   } else if (!Arena::Free(block)) {
     ReportBadFree(block);
@@ -139,6 +149,11 @@ void* realloc(void* block, size_t size) {
   const bool from_arena = Arena::OwnerOf(block) != nullptr;
   if (!from_arena && CurrentArena() == nullptr) [[likely]]
     return __libc_realloc(block, size);
+  if (!from_arena && IsOutsideOfHeaps(block)) [[unlikely]] {
+    ReportBadFree(block);
+    errno = ENOMEM;
+    return nullptr;
+  }
   if (size == 0) {
     free(block);
     return nullptr;

@@ -114,6 +114,38 @@ TEST(LeaksTest, AnAddressInsideABlockCannotBeFreed) {
                                     "Greeter.cc:20"));
 }
 
+TEST(LeaksTest, MemoryOfAnObjectOutsideOfItsHeapCannotBeFreed) {
+  const Leaking program(
+      "    static char fixed[100]; char local[100];\n"
+      "    void* volatile block = fixed; free(block);\n"
+      "    block = local; free(block);\n"
+      "    block = (void*)\"text\"; free(block);\n"
+      "    RCRegion* region = new RCRegion(100); block = region->Base(); free(block);\n"
+      "    block = fixed; OSYSPRINT((realloc(block, 200) == 0 ? \"no block\\n\" : \"moved\\n\"));");
+  const ProgramResult result = program.Run({});
+  EXPECT_EQ(result.status, 1);
+  for (int line = 21; line <= 25; ++line) {
+    EXPECT_THAT(result.err,
+                HasSubstr("DoStart: an address is freed that no block begins at, at Greeter.cc:" +
+                          std::to_string(line)));
+  }
+  EXPECT_THAT(result.err, HasSubstr("no block\n"));
+}
+
+TEST(LeaksTest, AStreamThatIsNotOpenCannotBeClosed) {
+  const Leaking program(
+      "    FILE* volatile file = fopen(\"/MS/OPEN-R/MW/CONF/OBJECT.CFG\", \"r\");\n"
+      "    int first = fclose(file);\n"
+      "    int second = fclose(file);\n"
+      "    file = fmemopen(0, 100, \"w\");\n"
+      "    OSYSPRINT((\"closed %d %d %d\\n\", first, second, fclose(file)));");
+  const ProgramResult result = program.Run({});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("DoStart: fclose() of a stream that is not open, at "
+                                    "Greeter.cc:22"));
+  EXPECT_THAT(result.err, HasSubstr("closed 0 -1 0\n"));
+}
+
 TEST(LeaksTest, ARegionDeletedTwiceIsAWarning) {
   const Leaking program(
       "    MemoryRegionID id; void* base;\n"

@@ -18,7 +18,7 @@ namespace {
 void DoNothing(int) {}
 
 TEST(EndGuardsTest, TheActionsOfSignalsAreRestored) {
-  constexpr int kSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP};
+  constexpr int kSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT};
   struct sigaction before[std::size(kSignals)];
   struct sigaction own {};
   own.sa_handler = &DoNothing;
@@ -34,6 +34,19 @@ TEST(EndGuardsTest, TheActionsOfSignalsAreRestored) {
     sigaction(kSignals[i], &before[i], &after);
     EXPECT_EQ(after.sa_handler, &DoNothing) << kSignals[i];
   }
+}
+
+// A failed ASSERT and a signal of another process are no crashes of the object that runs.
+TEST(EndGuardsTest, AnAbortOfTheRuntimeEndsTheProcessByItsSignal) {
+  const auto abort_with_guards = [] {
+    System system;
+    system.AddRobot("ERS-210", nullptr);
+    CodeObject* const object = system.AddObject<CodeObject>(0, "caller");
+    const EndGuards guards({});
+    const CurrentScope scope(&system, &object->host());
+    raise(SIGABRT);
+  };
+  EXPECT_EXIT(abort_with_guards(), ::testing::KilledBySignal(SIGABRT), "");
 }
 
 #if defined(__x86_64__)  // other processors have no exception for it
