@@ -65,7 +65,6 @@ class ArgumentArray {
 
 }  // namespace
 
-
 OPENR_REFUSE(int, system, -1, (const char* command), (command))
 OPENR_REFUSE(FILE*, popen, nullptr, (const char* command, const char* mode), (command, mode))
 OPENR_REFUSE(pid_t, fork, -1, () noexcept, ())
