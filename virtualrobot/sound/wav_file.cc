@@ -15,7 +15,13 @@
 namespace openr_host {
 namespace {
 
+// Limits of the samples per second.  ToStereo() makes 16 samples or fewer from a sample of a file
+// with at least kRateMin, so a small file cannot take all memory.
+constexpr int kRateMin = 1'000;
 constexpr int kRateMax = 192'000;
+
+// Limit of the length of a sound, 4 hours.  As stereo of 16 kHz, such a sound takes 0.9 GB.
+constexpr int kSecondsMax = 4 * 3600;
 
 template <typename... Args>
 [[noreturn]] void FailToRead(const std::string& file, fmt::format_string<Args...> format,
@@ -43,8 +49,10 @@ void CheckSound(const std::string& file, const SF_INFO& info) {
   }
   if (info.channels != 1 && info.channels != 2)
     FailToRead(file, "has {} channels; 1 or 2 are read", info.channels);
-  if (info.samplerate < 1 || info.samplerate > kRateMax)
-    FailToRead(file, "has {} samples a second; 1 to {} are read", info.samplerate, kRateMax);
+  if (info.samplerate < kRateMin || info.samplerate > kRateMax) {
+    FailToRead(file, "has {} samples a second; {} to {} are read", info.samplerate, kRateMin,
+               kRateMax);
+  }
 }
 
 }  // namespace
@@ -70,6 +78,8 @@ WavSound ReadWavFile(const std::string& file) {
   WavSound sound;
   sound.rate_hz = info.samplerate;
   sound.channels = info.channels;
+  const auto samples_max = static_cast<size_t>(kSecondsMax) * static_cast<size_t>(sound.rate_hz) *
+                           static_cast<size_t>(sound.channels);
   // Reads until the file ends, because the header of a file that was cut off promises more samples
   // than the file has.
   std::array<int16_t, 4096> piece;
@@ -79,6 +89,8 @@ WavSound ReadWavFile(const std::string& file) {
     if (count <= 0) return sound;
     sound.samples.insert(sound.samples.end(), piece.begin(),
                          piece.begin() + count * sound.channels);
+    if (sound.samples.size() > samples_max)
+      FailToRead(file, "is longer than {} s, the most that is read", kSecondsMax);
   }
 }
 

@@ -1,4 +1,5 @@
-// Reads WAV files: PCM of 8 or 16 bits, mono or stereo, with any rate.
+// Reads WAV files: PCM of 8 or 16 bits, mono or stereo, with 1,000 to 192,000 samples per second.
+// The longest sound has 4 hours.
 #pragma once
 
 #include <OPENR/ODataFormats.h>

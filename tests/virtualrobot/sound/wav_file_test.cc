@@ -83,9 +83,26 @@ TEST(WavFileTest, WhatIsNotReadIsNamed) {
             "a.wav: holds samples of kind 'Signed 24 bit PCM'; PCM of 8 or 16 bits is read");
   EXPECT_EQ(ErrorIn(Wav(1, 6, 8000, 16, "")), "a.wav: has 6 channels; 1 or 2 are read");
   EXPECT_EQ(ErrorIn(Wav(1, 1, 200'000, 16, "")),
-            "a.wav: has 200000 samples a second; 1 to 192000 are read");
+            "a.wav: has 200000 samples a second; 1000 to 192000 are read");
+  EXPECT_EQ(ErrorIn(Wav(1, 1, 999, 16, "")),
+            "a.wav: has 999 samples a second; 1000 to 192000 are read");
   EXPECT_THAT(ErrorIn(Wav(1, 1, 0, 16, "")),
               testing::StartsWith("a.wav: is no WAV file that can be read: "));
+}
+
+// A file of 200 KB with 1 sample a second grew to 13 GB.
+TEST(WavFileTest, ASmallFileWithFewSamplesASecondDoesNotGrowWithoutBound) {
+  const std::string bytes(200'000, '\x80');
+  EXPECT_EQ(ErrorIn(Wav(1, 1, 1, 8, bytes)),
+            "a.wav: has 1 samples a second; 1000 to 192000 are read");
+  EXPECT_EQ(ToStereo(Read(Wav(1, 1, 1000, 8, bytes)), 16'000).size(), 16u * bytes.size());
+}
+
+TEST(WavFileTest, ASoundOfMoreThanFourHoursIsRefused) {
+  constexpr size_t kLongest = 4 * 3600 * 1000;
+  EXPECT_EQ(Read(Wav(1, 1, 1000, 8, std::string(kLongest, '\x80'))).samples.size(), kLongest);
+  EXPECT_EQ(ErrorIn(Wav(1, 1, 1000, 8, std::string(kLongest + 1, '\x80'))),
+            "a.wav: is longer than 14400 s, the most that is read");
 }
 
 TEST(WavFileTest, AnotherRateIsReachedByStraightLinesAndMonoGoesToBothSides) {
