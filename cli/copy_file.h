@@ -1,7 +1,8 @@
-// Copies files and folders.  If the disk becomes full, the error says so.
+// Copies files and folders.  If the disk becomes full, or the file is larger than the shell's limit
+// (ulimit -f), the error says so.
 //
-// std::filesystem reports an input/output error if the disk becomes full in the middle of a copy.
-// A user then looks for a defect of the disk, so these functions report ENOSPC instead.
+// std::filesystem reports an input/output error if a copy fails in its middle for such a reason.  A
+// user then looks for a defect of the disk, so these functions report ENOSPC or EFBIG instead.
 #pragma once
 
 #include <filesystem>

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
@@ -242,15 +243,20 @@ Quantity FindingCount(Severity severity) {
 Quantity FindQuantity(const std::string& name, const RunView& view) {
   if (name.starts_with("objects.")) return FindInObjects(*view.prepared->system, 0, name.substr(8));
   if (name.starts_with("robots[")) {
-    char* end = nullptr;
-    const unsigned long robot = std::strtoul(name.c_str() + 7, &end, 10);
-    if (std::string_view(end).substr(0, 2) != "].") {
+    const std::string_view rest = std::string_view(name).substr(7);
+    const std::string_view number = rest.substr(0, rest.find(']'));
+    int64_t robot = 0;
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), robot);
+    const bool is_number =
+        error != std::errc::invalid_argument && end == number.data() + number.size();
+    if (!is_number || !rest.substr(number.size()).starts_with("].")) {
       throw std::runtime_error(fmt::format("'{}': write robots[0].standing", name));
     }
-    if (robot >= view.prepared->robots.size()) {
-      throw std::runtime_error(fmt::format("'{}': there is no robot {}", name, robot));
+    if (error != std::errc() || robot < 0 ||
+        robot >= static_cast<int64_t>(view.prepared->robots.size())) {
+      throw std::runtime_error(fmt::format("'{}': there is no robot {}", name, number));
     }
-    return FindInRobot(view, robot, end + 2);
+    return FindInRobot(view, static_cast<size_t>(robot), end + 2);
   }
   if (name == "messages") {
     return [](const RunView& now) -> Value {

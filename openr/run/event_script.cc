@@ -42,6 +42,8 @@ std::string_view WithoutComment(std::string_view line) {
   return line;
 }
 
+constexpr std::string_view kByteOrderMarkOfText = "\xef\xbb\xbf";
+
 }  // namespace
 
 EventScript::EventScript(const std::string& file) {
@@ -49,6 +51,10 @@ EventScript::EventScript(const std::string& file) {
   const std::optional<std::string> text = ReadFile(file);
   if (!text)
     throw std::runtime_error(fmt::format("{}: cannot be read: {}", file, std::strerror(errno)));
+  if (text->starts_with(kByteOrderMarkOfText)) {
+    throw std::runtime_error(file +
+                             ":1: the file starts with a UTF-8 byte order mark; save it without");
+  }
   std::istringstream lines(*text);
   std::string line;
   int64_t before_us = 0;

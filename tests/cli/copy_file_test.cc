@@ -2,6 +2,8 @@
 #include "cli/copy_file.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
 
 #include "tests/openr/program_run.h"
 
@@ -46,6 +48,22 @@ TEST(CopyFileTest, AnErrorNamesBothFiles) {
     EXPECT_EQ(error.path2(), folder.File("to"));
     EXPECT_EQ(error.code(), std::errc::no_such_file_or_directory);
   }
+  EXPECT_FALSE(fs::exists(folder.File("to")));
+}
+
+// std::filesystem reports an input/output error if a part of the file could be copied.
+TEST(CopyFileTest, AFileThatIsLargerThanTheLimitOfTheShellIsTooLarge) {
+  const ScratchFolder folder;
+  folder.Write("from", std::string(100'000, 'x'));
+  rlimit limit;
+  getrlimit(RLIMIT_FSIZE, &limit);
+  const rlimit small = {50'000, limit.rlim_max};
+  void (*const handler)(int) = signal(SIGXFSZ, SIG_IGN);
+  setrlimit(RLIMIT_FSIZE, &small);
+  const std::error_code error = TryCopyFile(folder.File("from"), folder.File("to"));
+  setrlimit(RLIMIT_FSIZE, &limit);
+  signal(SIGXFSZ, handler);
+  EXPECT_EQ(error, std::errc::file_too_large) << error.message();
   EXPECT_FALSE(fs::exists(folder.File("to")));
 }
 

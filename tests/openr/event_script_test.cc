@@ -76,6 +76,9 @@ TEST_F(EventScriptTest, MistakesAreNamedWithFileAndLine) {
   EXPECT_EQ(Error("8ms robot x type a\n"), "a.events:1: 'x' is no number of a robot");
   EXPECT_EQ(Error("8ms robot 2 type a\n"), "a.events:1: there is no robot 2; this run has 2");
   EXPECT_THAT(Error("8ms typo a\n"), HasSubstr("a.events:1: 'typo' is no input"));
+  EXPECT_EQ(Error("\xef\xbb\xbf"
+                  "8ms type a\n"),
+            "a.events:1: the file starts with a UTF-8 byte order mark; save it without");
   EXPECT_THROW(EventScript("/no/such/file"), std::runtime_error);
 }
 

@@ -219,6 +219,10 @@ TEST(ExploreCommandTest, WhatDoesNotGoTogetherIsRefused) {
   const ProgramResult property = Explore({"--property", "no-drop"});
   EXPECT_EQ(property.status, 1);
   EXPECT_THAT(property.err, HasSubstr("did you mean 'no-drops'?"));
+  EXPECT_THAT(Explore({"--property", "always robots[-1].pitch_deg < 5"}).err,
+              HasSubstr("'robots[-1].pitch_deg': there is no robot -1\n"));
+  EXPECT_THAT(Explore({"--property", "always robots[].pitch_deg < 5"}).err,
+              HasSubstr("'robots[].pitch_deg': write robots[0].standing\n"));
 }
 
 TEST(ExploreCommandTest, AWrongCostFileIsShown) {

@@ -2,11 +2,47 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
+#include "runtime/base/characters.h"
 #include "runtime/base/json_depth.h"
 
 namespace openr_host {
+namespace {
+
+// Returns the place of the byte `index` of `text`, the content of `file`, as "FILE:LINE:COLUMN".
+std::string PlaceIn(const std::string& text, size_t index, const std::string& file) {
+  size_t line = 1, column = 1;
+  for (size_t i = 0; i < index && i < text.size(); ++i) {
+    column += 1;
+    if (text[i] == '\n') line += 1, column = 1;
+  }
+  return fmt::format("{}:{}:{}", file, line, column);
+}
+
+// Returns the first number in the JSON `text` that is too large for a double, because the JSON
+// library names this number without its place.  Returns an empty view if there is none.
+std::string_view FirstTooLarge(const std::string& text) {
+  bool is_string = false;
+  for (size_t i = 0; i < text.size(); ++i) {
+    if (is_string && text[i] == '\\') {
+      ++i;  // skips the character after \, which may be a quotation mark
+    } else if (text[i] == '"') {
+      is_string = !is_string;
+    } else if (!is_string && (IsDigit(text[i]) || text[i] == '-')) {
+      const size_t end = std::min(text.find_first_not_of("+-.0123456789eE", i), text.size());
+      const std::string number = text.substr(i, end - i);
+      if (!std::isfinite(std::strtod(number.c_str(), nullptr)))
+        return std::string_view(text).substr(i, number.size());
+      i = end - 1;
+    }
+  }
+  return "";
+}
+
+}  // namespace
 
 nlohmann::json JsonReader::ParseText(const std::string& text, const std::string& file) {
   if (IsJsonTooDeep(text)) {
@@ -16,16 +52,14 @@ nlohmann::json JsonReader::ParseText(const std::string& text, const std::string&
   try {
     return nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& e) {
-    size_t line = 1, column = 1;
-    for (size_t i = 0; i + 1 < e.byte && i < text.size(); ++i) {
-      column += 1;
-      if (text[i] == '\n') line += 1, column = 1;
-    }
-    throw std::runtime_error(fmt::format("{}:{}:{}: not valid JSON here", file, line, column));
-  } catch (const nlohmann::json::out_of_range& e) {
-    // The text of the JSON file has a number that is too large.  The error message has no line,
-    // because e.what() names this number but not its line.
-    throw std::runtime_error(fmt::format("{}: {}", file, e.what()));
+    const size_t index = e.byte == 0 ? 0 : e.byte - 1;
+    throw std::runtime_error(PlaceIn(text, index, file) + ": not valid JSON here");
+  } catch (const nlohmann::json::out_of_range&) {
+    const std::string_view number = FirstTooLarge(text);
+    if (number.empty()) throw std::runtime_error(file + ": a number is too large");
+    throw std::runtime_error(
+        fmt::format("{}: the number {} is too large",
+                    PlaceIn(text, static_cast<size_t>(number.data() - text.data()), file), number));
   }
 }
 

@@ -18,8 +18,8 @@ namespace openr_host {
 
 class JsonReader {
  public:
-  // Parses `text`.  Throws std::runtime_error when `text` is not JSON; the message names `file`,
-  // line and column.
+  // Parses `text`.  Throws std::runtime_error when `text` is not JSON or has a number that is too
+  // large for a double; the message names `file`, line and column.
   static nlohmann::json ParseText(const std::string& text, const std::string& file);
 
   // Makes a reader of `value`, the root value of `file`.  `value` must outlive the reader.

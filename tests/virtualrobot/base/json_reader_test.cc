@@ -29,6 +29,14 @@ TEST(JsonReaderTest, AnErrorOfSyntaxNamesLineAndColumn) {
             "f.json:1:1: not valid JSON here");
 }
 
+TEST(JsonReaderTest, ANumberThatIsTooLargeIsNamedWithItsPlace) {
+  EXPECT_EQ(
+      ErrorOf([] { JsonReader::ParseText("{\"1e999\": 1,\n  \"a\": [2, -1e999]}", "f.json"); }),
+      "f.json:2:12: the number -1e999 is too large");
+  EXPECT_EQ(ErrorOf([] { JsonReader::ParseText("[\"a\\\"\", 5, 1e400]", "f.json"); }),
+            "f.json:1:12: the number 1e400 is too large");
+}
+
 TEST(JsonReaderTest, MembersAreFoundInObjectsOnly) {
   const nlohmann::json json = nlohmann::json::parse(R"({"a": {"b": [1, {"c": true}]}})");
   const JsonReader root(json, "f.json");
