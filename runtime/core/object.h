@@ -16,6 +16,7 @@
 #include "runtime/core/delivery_state.h"
 #include "runtime/core/early_work.h"
 #include "runtime/core/entry_names.h"
+#include "runtime/core/library_state.h"
 #include "runtime/core/message.h"
 #include "runtime/core/number_faults.h"
 #include "runtime/core/object_memory.h"
@@ -182,6 +183,7 @@ class Object {
   // seed 1, like the generator of the C library.
   int NextRandom();
   void SeedRandom(uint32_t seed) { random_state_ = seed; }
+  LibraryState& library_state() { return library_state_; }
 
   // ---- The delivery of messages
 
@@ -340,6 +342,7 @@ class Object {
   bool has_early_work_ = false;
   EarlyWork early_work_;
   uint32_t random_state_ = 1;
+  LibraryState library_state_;
   NumberFaults number_faults_;
   EntryNames entry_names_;
   ObjectStatistics statistics_;

@@ -9,6 +9,7 @@
 #include <pthread.h>
 #include <sys/syscall.h>
 #include <sys/time.h>
+#include <sys/times.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -192,6 +193,25 @@ int clock_gettime(clockid_t id, struct timespec* ts) noexcept {
   return 0;
 }
 
+int timespec_get(struct timespec* ts, int base) noexcept {
+  static const auto next = NextSymbol<int(struct timespec*, int)>("timespec_get");
+  if (!InObject()) return next(ts, base);
+  if (base != TIME_UTC) return 0;
+  clock_gettime(CLOCK_REALTIME, ts);
+  return base;
+}
+
+// Returns virtual time in ticks of 10 ms, those of sysconf(_SC_CLK_TCK).  The processor's time is
+// virtual time as well, as in clock().
+clock_t times(struct tms* parts) noexcept {
+  static const auto next = NextSymbol<clock_t(struct tms*)>("times");
+  if (!InObject()) return next(parts);
+  constexpr int64_t kTickUs = 10'000;
+  const clock_t ticks = VirtualUs() / kTickUs;
+  if (parts != nullptr) *parts = {ticks, 0, 0, 0};
+  return ticks;
+}
+
 clock_t clock() noexcept {
   static const auto next = NextSymbol<clock_t()>("clock");
   return InObject() ? static_cast<clock_t>(VirtualUs()) : next();
@@ -223,6 +243,20 @@ void srandom(unsigned seed) noexcept {
   } else {
     next(seed);
   }
+}
+
+// Returns the next number of std::random_device: the function std::random_device::_M_getval() of
+// the C++ library, which would read a random number of the processor.  The robot has no such
+// device, so an object gets numbers of its rand().
+unsigned openr_random_device_value(void* device) asm("_ZNSt13random_device9_M_getvalEv");
+
+unsigned openr_random_device_value(void* device) {
+  static const auto next = NextSymbol<unsigned(void*)>("_ZNSt13random_device9_M_getvalEv");
+  if (!InObject()) return next(device);
+  // NextRandom() returns 31 bits, so the highest bit comes from a second number.
+  openr_host::Object* const object = t_current.object;
+  const auto low = static_cast<unsigned>(object->NextRandom());
+  return low | static_cast<unsigned>(object->NextRandom()) << 31;
 }
 
 }  // extern "C"

@@ -15,6 +15,7 @@
 #include <stdexcept>
 
 #include "Early.h"
+#include "HostState.h"
 #include "Imports.h"
 
 static int callCount = 0;  // a static of the image, so each loaded copy has its own
@@ -134,8 +135,8 @@ static std::string AnswerRounding(const std::string& command) {
 
 std::string Probe::Answer(const std::string& command) {
   std::ostringstream out;
-  out << AnswerRounding(command);
-  out << AnswerImports(command);
+    out << AnswerRounding(command);
+    out << AnswerImports(command) << AnswerHostState(command);
   if (command == "count") out << ++callCount;
   if (command == "early") out << earlyCount << " early, " << AnswerEarly();
   if (command == "oid") out << (oidWasKnown ? "known" : "unknown");
