@@ -88,31 +88,19 @@ std::vector<Folder::Name> ReadFolder(const std::string& path, const char* name) 
   return names;
 }
 
-// The function of a program that orders the entries of scandir().
-using EntryOrder = int(const struct dirent**, const struct dirent**);
-
-// Compares two entries with `order`, a pointer to a pointer to an EntryOrder.
-int CompareEntries(const void* left, const void* right, void* order) {
-  const struct dirent* first = *static_cast<struct dirent* const*>(left);
-  const struct dirent* second = *static_cast<struct dirent* const*>(right);
-  return (**static_cast<EntryOrder**>(order))(&first, &second);
-}
-
-}  // namespace
-
-extern "C" {
-
-DIR* opendir(const char* path) {
-  static const auto next = OPENR_NEXT(opendir);
-  if (!InObject()) return next(path);
+// Opens the folder `path` of the stick for an object.  Returns null, with errno set, if the folder
+// cannot be opened.
+Folder* OpenFolder(const char* path) {
   const std::string host = openr_host::HostPath(path, openr_host::StickUse::kRead);
   if (host.empty()) return nullptr;
   std::vector<Folder::Name> names;
   {
+    static const auto next_open = OPENR_NEXT(opendir);
+    static const auto next_close = OPENR_NEXT(closedir);
     const ApiScope scope;
-    DIR* const probe = next(host.c_str());
-    if (probe == nullptr) return nullptr;  // the folder cannot be read; next() has set errno
-    closedir(probe);
+    DIR* const probe = next_open(host.c_str());
+    if (probe == nullptr) return nullptr;  // the folder cannot be read; next_open() has set errno
+    next_close(probe);
     names = ReadFolder(host, path);
     if (names.size() > kEntriesMax) {
       t_current.system->AddFinding(
@@ -130,13 +118,11 @@ DIR* opendir(const char* path) {
     folder->next = 0;
     std::copy(names.begin(), names.end(), folder->names);
   }
-  return reinterpret_cast<DIR*>(folder);
+  return folder;
 }
 
-struct dirent* readdir(DIR* dir) {
-  static const auto next = OPENR_NEXT(readdir);
-  if (!InObject()) return next(dir);
-  auto* const folder = reinterpret_cast<Folder*>(dir);
+// Returns the next entry of `folder`; null at its end.
+struct dirent* NextEntry(Folder* folder) {
   if (folder == nullptr || folder->next >= folder->count) return nullptr;
   const Folder::Name& name = folder->names[folder->next++];
   folder->entry = {};
@@ -144,6 +130,30 @@ struct dirent* readdir(DIR* dir) {
   folder->entry.d_reclen = sizeof folder->entry;
   std::memcpy(folder->entry.d_name, name.text, sizeof name.text);
   return &folder->entry;
+}
+
+// The function of a program that orders the entries of scandir().
+using EntryOrder = int(const struct dirent**, const struct dirent**);
+
+// Compares two entries with `order`, a pointer to a pointer to an EntryOrder.
+int CompareEntries(const void* left, const void* right, void* order) {
+  const struct dirent* first = *static_cast<struct dirent* const*>(left);
+  const struct dirent* second = *static_cast<struct dirent* const*>(right);
+  return (**static_cast<EntryOrder**>(order))(&first, &second);
+}
+
+}  // namespace
+
+extern "C" {
+
+DIR* opendir(const char* path) {
+  static const auto next = OPENR_NEXT(opendir);
+  return InObject() ? reinterpret_cast<DIR*>(OpenFolder(path)) : next(path);
+}
+
+struct dirent* readdir(DIR* dir) {
+  static const auto next = OPENR_NEXT(readdir);
+  return InObject() ? NextEntry(reinterpret_cast<Folder*>(dir)) : next(dir);
 }
 
 int closedir(DIR* dir) {
@@ -167,25 +177,24 @@ void rewinddir(DIR* dir) noexcept {
   reinterpret_cast<Folder*>(dir)->next = 0;
 }
 
-// Lists a folder of the stick with the functions above.  Like opendir(), calls malloc() without an
-// ApiScope, so that the memory comes from the object's heap.
+// Calls malloc() without an ApiScope, as OpenFolder() does.
 int scandir(const char* path, struct dirent*** list, int (*filter)(const struct dirent*),
             EntryOrder* order) {
   static const auto next = OPENR_NEXT(scandir);
   if (!InObject()) return next(path, list, filter, order);
-  DIR* const dir = opendir(path);
-  if (dir == nullptr) return -1;
+  Folder* const folder = OpenFolder(path);
+  if (folder == nullptr) return -1;
   // Takes at least one pointer, so that malloc() does not return null for an empty folder.
-  const size_t count_max = std::max<size_t>(reinterpret_cast<Folder*>(dir)->count, 1);
+  const size_t count_max = std::max<size_t>(folder->count, 1);
   auto** const entries = static_cast<struct dirent**>(malloc(count_max * sizeof(*list[0])));
   size_t count = 0;
-  while (const struct dirent* const entry = entries == nullptr ? nullptr : readdir(dir)) {
+  while (const struct dirent* const entry = entries == nullptr ? nullptr : NextEntry(folder)) {
     if (filter != nullptr && filter(entry) == 0) continue;
     entries[count] = static_cast<struct dirent*>(malloc(sizeof *entry));
     if (entries[count] == nullptr) break;
     *entries[count++] = *entry;
   }
-  closedir(dir);
+  free(folder);
   if (entries == nullptr) return -1;  // malloc() has set errno
   if (order != nullptr) qsort_r(entries, count, sizeof *entries, &CompareEntries, &order);
   *list = entries;
