@@ -125,8 +125,9 @@ void AddName(int signal, const siginfo_t& info, const void* context, SignalText*
       text->Add("SIGTRAP (a breakpoint in the code)");
       break;
     case SIGABRT:
-      text->Add("SIGABRT (the C library ended the process: it found the object's heap or a stream ")
-          .Add("damaged)");
+      text->Add(
+              "SIGABRT (the C library ended the process: it found the object's heap, a stream or ")
+          .Add("the stack damaged)");
       break;
     default:
       if (*AnnouncedFault() != 0) {

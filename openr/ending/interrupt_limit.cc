@@ -8,6 +8,7 @@
 #include "openr/ending/ending.h"
 #include "openr/ending/endless_work.h"
 #include "openr/ending/signal_text.h"
+#include "runtime/core/current.h"
 #include "runtime/core/deferred_end.h"
 
 namespace openr_host {
@@ -20,6 +21,20 @@ constexpr unsigned kInterruptLimitS = 1;
 volatile sig_atomic_t g_limit_runs = 0;
 // The work that was done when SIGALRM was last ordered (CurrentWork()).
 uint64_t g_work_at_alarm = 0;
+
+// While a HostScope exists, calls of the C library are calls of this program.  Without it,
+// sigaction() and alarm() in a signal handler that has interrupted code of an object would be
+// refused, as calls of this object.
+class HostScope {
+ public:
+  HostScope() { t_current.image_code = false; }
+  ~HostScope() { t_current.image_code = was_image_code_; }
+  HostScope(const HostScope&) = delete;
+  HostScope& operator=(const HostScope&) = delete;
+
+ private:
+  const bool was_image_code_ = t_current.image_code;
+};
 
 void EndTheInterruptedWork() {
   SignalText why;
@@ -38,6 +53,7 @@ void OnInterruptAlarm(int) {
   if (work != 0 && work == g_work_at_alarm && !DeferredEnd::Defer(&EndTheInterruptedWork))
     EndTheInterruptedWork();
   if (work != 0) g_work_at_alarm = work;
+  const HostScope scope;
   alarm(kInterruptLimitS);
 }
 
@@ -48,6 +64,7 @@ void StartInterruptLimit() {
   if (HasEndingBegun()) return;
   g_work_at_alarm = CurrentWork();
   g_limit_runs = 1;
+  const HostScope scope;
   struct sigaction action {};
   action.sa_handler = &OnInterruptAlarm;
   action.sa_flags = SA_ONSTACK | SA_RESTART;

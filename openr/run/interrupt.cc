@@ -54,6 +54,7 @@ InterruptCounter::InterruptCounter(HangUp hang_up)
 void InterruptCounter::StartAgain() {
   g_count = 0;
   StopInterruptLimit();
+  alarm(0);  // looks up the C library's alarm(), which a signal handler may call next
   Install(SIGINT, &OnInterruptSignal);
   Install(SIGTERM, &OnInterruptSignal);
   if (hears_hang_up_) Install(SIGHUP, hang_up_ == HangUp::kCounts ? &OnInterruptSignal : SIG_IGN);

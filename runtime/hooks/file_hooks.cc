@@ -124,16 +124,16 @@ StickUse UseOf(const char* mode) {
 bool MayOpen(const std::string& host, bool writes, const char* path) {
   const ApiScope scope;
   const openr_host::Object* holder = nullptr;
-  for (const auto& object : t_current.system->objects()) {
-    if (object == nullptr || object->robot != t_current.object->robot) continue;
+  openr_host::AnyObjectOfRobot([&](openr_host::Object* object) {
     const auto bars = [&](const auto& open) {
       return open.second.path == host && (writes || open.second.writes);
     };
-    if (std::any_of(object->files().streams.begin(), object->files().streams.end(), bars) ||
-        std::any_of(object->files().descriptors.begin(), object->files().descriptors.end(), bars)) {
-      holder = object.get();
-    }
-  }
+    const openr_host::OpenFiles& files = object->files();
+    if (std::any_of(files.streams.begin(), files.streams.end(), bars) ||
+        std::any_of(files.descriptors.begin(), files.descriptors.end(), bars))
+      holder = object;
+    return holder != nullptr;
+  });
   if (holder == nullptr) return true;
   t_current.system->AddFinding(
       Severity::kWarning,
@@ -227,12 +227,9 @@ mode_t ModeOf(int flags, va_list arguments) {
 // of the current object's robot, because an object may close a descriptor of another object.
 // Returns false if none of these objects has opened the descriptor.
 bool ForgetDescriptor(int descriptor) {
-  for (const auto& object : t_current.system->objects()) {
-    if (object != nullptr && object->robot == t_current.object->robot &&
-        object->files().descriptors.erase(descriptor) == 1)
-      return true;
-  }
-  return false;
+  return openr_host::AnyObjectOfRobot([descriptor](openr_host::Object* object) {
+    return object->files().descriptors.erase(descriptor) == 1;
+  });
 }
 
 // Calls `next`, a function of the C library, with `path`.  If an object is the caller, passes the

@@ -3,7 +3,9 @@
 
 #include <unistd.h>
 
+#include "runtime/core/current.h"
 #include "runtime/core/object.h"
+#include "runtime/core/system.h"
 
 namespace openr_host {
 
@@ -11,6 +13,21 @@ namespace openr_host {
 // terminal.
 inline bool IsConsole(int descriptor) {
   return descriptor >= STDIN_FILENO && descriptor <= STDERR_FILENO;
+}
+
+// Calls `visit` for objects of the current object's robot until it returns true for one of them,
+// and returns whether it has.  Begins with the current object, because an object whose constructors
+// run is not in the table of objects yet.
+template <typename Visit>
+bool AnyObjectOfRobot(const Visit& visit) {
+  Object* const self = t_current.object;
+  if (visit(self)) return true;
+  for (const auto& object : t_current.system->objects()) {
+    if (object != nullptr && object.get() != self && object->robot == self->robot &&
+        visit(object.get()))
+      return true;
+  }
+  return false;
 }
 
 // Returns the file of the stick that `descriptor` refers to; null if no object of the current

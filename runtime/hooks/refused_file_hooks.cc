@@ -220,3 +220,33 @@ OPENR_REFUSE(struct hostent*, gethostbyaddr, nullptr,
              (const void* address, socklen_t size, int family), (address, size, family))
 
 // Processes.
+
+// The same functions under other names, and their near relatives.
+OPENR_REFUSE(int, fchdir, -1, (int folder) noexcept, (folder))
+OPENR_REFUSE(int, fstatat64, -1,
+             (int folder, const char* path, struct stat64* status, int flags) noexcept,
+             (folder, path, status, flags))
+OPENR_REFUSE(int, statfs64, -1, (const char* path, struct statfs64* status) noexcept,
+             (path, status))
+OPENR_REFUSE(int, statvfs64, -1, (const char* path, struct statvfs64* status) noexcept,
+             (path, status))
+OPENR_REFUSE(ssize_t, readlinkat, -1,
+             (int folder, const char* path, char* text, size_t size) noexcept,
+             (folder, path, text, size))
+OPENR_REFUSE(int, lutimes, -1, (const char* path, const struct timeval times[2]) noexcept,
+             (path, times))
+OPENR_REFUSE(int, futimes, -1, (int descriptor, const struct timeval times[2]) noexcept,
+             (descriptor, times))
+OPENR_REFUSE(int, euidaccess, -1, (const char* path, int mode) noexcept, (path, mode))
+OPENR_REFUSE(int, eaccess, -1, (const char* path, int mode) noexcept, (path, mode))
+OPENR_REFUSE(int, mkostemp64, -1, (char* name, int flags), (name, flags))
+OPENR_REFUSE(int, mkstemps64, -1, (char* name, int suffix), (name, suffix))
+OPENR_REFUSE(int, mkostemps64, -1, (char* name, int suffix, int flags), (name, suffix, flags))
+OPENR_REFUSE(ssize_t, preadv64, -1,
+             (int descriptor, const struct iovec* parts, int count, off64_t offset),
+             (descriptor, parts, count, offset))
+OPENR_REFUSE(ssize_t, pwritev64, -1,
+             (int descriptor, const struct iovec* parts, int count, off64_t offset),
+             (descriptor, parts, count, offset))
+OPENR_REFUSE(ssize_t, sendfile64, -1, (int to, int from, off64_t* offset, size_t size) noexcept,
+             (to, from, offset, size))

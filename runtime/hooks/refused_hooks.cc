@@ -108,6 +108,24 @@ OPENR_REFUSE(int, timer_create, -1,
              (clockid_t clock, struct sigevent* event, timer_t* timer) noexcept,
              (clock, event, timer))
 OPENR_REFUSE(pid_t, wait, -1, (int* status), (status))
+OPENR_REFUSE(pid_t, waitpid, -1, (pid_t process, int* status, int options),
+             (process, status, options))
+OPENR_REFUSE(int, waitid, -1, (idtype_t kind, id_t id, siginfo_t* info, int options),
+             (kind, id, info, options))
+OPENR_REFUSE(pid_t, wait3, -1, (int* status, int options, struct rusage* usage) noexcept,
+             (status, options, usage))
+OPENR_REFUSE(pid_t, wait4, -1,
+             (pid_t process, int* status, int options, struct rusage* usage) noexcept,
+             (process, status, options, usage))
+OPENR_REFUSE(int, killpg, -1, (pid_t group, int number) noexcept, (group, number))
+OPENR_REFUSE(int, sigqueue, -1, (pid_t process, int number, const union sigval value) noexcept,
+             (process, number, value))
+OPENR_REFUSE(int, pthread_kill, ENOSYS, (pthread_t thread, int number) noexcept, (thread, number))
+OPENR_REFUSE(useconds_t, ualarm, 0, (useconds_t first, useconds_t interval) noexcept,
+             (first, interval))
+OPENR_REFUSE(int, pause, -1, (), ())
+OPENR_REFUSE(int, sigsuspend, -1, (const sigset_t* mask), (mask))
+OPENR_REFUSE(int, sigwait, ENOSYS, (const sigset_t* signals, int* number), (signals, number))
 OPENR_REFUSE(FILE*, tmpfile, nullptr, (), ())
 OPENR_REFUSE(char*, tmpnam, nullptr, (char* name) noexcept, (name))
 OPENR_REFUSE(char*, tempnam, nullptr, (const char* folder, const char* prefix) noexcept,

@@ -80,16 +80,17 @@ int SeekStream(const char* function, FILE* file, off_t offset, int whence) {
 namespace openr_host {
 
 OpenFiles::File* FindOpenFile(int descriptor) {
-  for (const auto& object : t_current.system->objects()) {
-    if (object == nullptr || object->robot != t_current.object->robot) continue;
+  OpenFiles::File* result = nullptr;
+  AnyObjectOfRobot([&](Object* object) {
     OpenFiles& files = object->files();
     const auto found = files.descriptors.find(descriptor);
-    if (found != files.descriptors.end()) return &found->second;
+    if (found != files.descriptors.end()) result = &found->second;
     for (auto& [stream, file] : files.streams) {
-      if (fileno(stream) == descriptor) return &file;
+      if (fileno(stream) == descriptor) result = &file;
     }
-  }
-  return nullptr;
+    return result != nullptr;
+  });
+  return result;
 }
 
 bool RefusesDescriptor(const char* function, int descriptor) {

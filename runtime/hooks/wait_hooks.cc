@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "runtime/core/system.h"
+#include "runtime/hooks/open_file.h"
 #include "runtime/hooks/refuse.h"
 
 using openr_host::ApiScope;
@@ -40,6 +41,21 @@ int EndWait(const char* function, bool has_descriptors) {
 // Looks up the C library's poll() when the runtime is loaded, because later a signal handler may be
 // the first caller of poll().
 [[gnu::constructor]] void FindPoll() { poll(nullptr, 0, 0); }
+
+// Does as poll() of an object's `count` descriptors that does not wait: files are always ready. The
+// console never is, because whether text waits there may depend on the time of the host.
+int PollFiles(struct pollfd* descriptors, nfds_t count) {
+  int ready = 0;
+  for (nfds_t i = 0; i < count; ++i) {
+    struct pollfd& each = descriptors[i];
+    each.revents = 0;
+    if (each.fd < 0 || openr_host::IsConsole(each.fd)) continue;
+    const bool is_refused = openr_host::RefusesDescriptor("poll", each.fd);
+    each.revents = static_cast<short>(is_refused ? POLLNVAL : each.events & (POLLIN | POLLOUT));
+    if (each.revents != 0) ++ready;
+  }
+  return ready;
+}
 
 }  // namespace
 
@@ -76,9 +92,10 @@ int clock_nanosleep(clockid_t clock, int flags, const struct timespec* time,
 
 int poll(struct pollfd* descriptors, nfds_t count, int timeout_ms) {
   static const auto next = OPENR_NEXT(poll);
-  // Calls the C library's poll() if it does not wait, because std::ifstream calls poll() in this
-  // way for in_avail().
-  if (!InObject() || (count > 0 && timeout_ms == 0)) return next(descriptors, count, timeout_ms);
+  if (!InObject()) return next(descriptors, count, timeout_ms);
+  // Answers a poll() that does not wait, because std::ifstream calls poll() in this way for
+  // in_avail().
+  if (count > 0 && timeout_ms == 0) return PollFiles(descriptors, count);
   return EndWait("poll", count > 0);
 }
 

@@ -256,6 +256,15 @@ void ExpectEarlyEnd(const std::string& word, const std::string& exception) {
   EXPECT_THAT(run.Findings(), HasSubstr("error: crash: " + exception));
 }
 
+TEST(RobotFaultsTest, AConstructorUsesFilesAsAHandlerDoes) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("earlyfiles");
+  const ProgramResult run =
+      RunProgram({"run", "--stick", stick.path(), "--for", "100ms", "--rate", "max", "--no-panel"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("early files: from a constructor, 4 from, closed 0\n"));
+}
+
 TEST(RobotFaultsTest, ACrashOfAConstructorHasARecord) { ExpectEarlyEnd("earlycrash", "SIGSEGV"); }
 
 TEST(RobotFaultsTest, AConstructorThatEndsTheProgramIsRefused) {
@@ -330,8 +339,8 @@ TEST(RobotFaultsTest, NoDestructorOfAGlobalRunsAtTheEnd) {
 TEST(RobotFaultsTest, DamageThatTheCLibraryFindsHasARecord) {
   for (const bool is_strict : {false, true}) {
     ExpectStop(RunFault("damage", is_strict),
-               "SIGABRT (the C library ended the process: it found the object's heap or a stream "
-               "damaged)");
+               "SIGABRT (the C library ended the process: it found the object's heap, a stream or "
+               "the stack damaged)");
   }
 }
 #endif
