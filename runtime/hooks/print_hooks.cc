@@ -20,7 +20,7 @@ using openr_host::NextSymbol;
 
 // Declares our version of the C library's function `plain`.  In C++ its name is OpenrV`name`,
 // because <stdio.h> defines some of these functions inline, and clang accepts no second definition.
-// In the object file its name is `plain`.
+// The linker and the images know it as `plain`.
 #define OPENR_LIBRARY_FUNCTION(name, plain, ...) \
   extern "C" int OpenrV##name(__VA_ARGS__, va_list arguments) __asm__(#plain)
 

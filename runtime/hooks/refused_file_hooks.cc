@@ -223,6 +223,12 @@ OPENR_REFUSE(struct hostent*, gethostbyaddr, nullptr,
 
 // The same functions under other names, and their near relatives.
 OPENR_REFUSE(int, fchdir, -1, (int folder) noexcept, (folder))
+// readdir_r() would take a folder of folder_hooks.cc for a DIR of the C library.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+OPENR_REFUSE(int, readdir_r, ENOSYS, (DIR * folder, struct dirent* entry, struct dirent** result),
+             (folder, entry, result))
+#pragma GCC diagnostic pop
 OPENR_REFUSE(int, fstatat64, -1,
              (int folder, const char* path, struct stat64* status, int flags) noexcept,
              (folder, path, status, flags))

@@ -249,6 +249,22 @@ TEST_F(FilesConformance, OtherFileFunctionsDoNotReachFilesOfTheHost) {
   }
 }
 
+TEST_F(FilesConformance, TheirOtherNamesDoNotEither) {
+  Start();
+  EXPECT_EQ(Answer("other names"), "T fchdir -1 waitpid -1 pause -1 readdir_r 1\n");
+  for (const char* const name : {"fchdir", "waitpid", "pause", "readdir_r"}) {
+    EXPECT_TRUE(Found(fmt::format("{}() fails: there is no such thing on the robot", name)))
+        << name << ": " << Findings();
+  }
+}
+
+TEST_F(FilesConformance, APollThatDoesNotWaitSeesFilesOfTheStickOnly) {
+  Data("IN.TXT", "x");
+  Start();
+  EXPECT_EQ(Answer("poll"), "T file 1 1 console 0 0 foreign 1 1\n");
+  EXPECT_TRUE(Found("poll() fails: no object of this robot has a file")) << Findings();
+}
+
 TEST_F(FilesConformance, APathThatIsTooLongIsRefused) {
   Start();
   EXPECT_EQ(Answer("long names"), "T file 0 1 folder -1 part 0 1\n");

@@ -14,6 +14,7 @@
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/time.h>
+#include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -191,6 +192,36 @@ UseFilesOfTheHost()
 }
 
 static void
+UseOtherNames()
+{
+    int            status = 0;
+    DIR* const     folder = opendir(FOLDER);
+    struct dirent  entry;
+    struct dirent* next   = 0;
+    const int      moved  = fchdir(0);
+    const int      waited = waitpid(-1, &status, 0);
+    const int      paused = pause();
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+    const int read = readdir_r(folder, &entry, &next);
+#pragma GCC diagnostic pop
+    OSYSPRINT(("T fchdir %d waitpid %d pause %d readdir_r %d\n", moved, waited, paused, read == ENOSYS));
+    closedir(folder);
+}
+
+static void
+PollDescriptors()
+{
+    struct pollfd file = { open(FOLDER "IN.TXT", O_RDONLY), POLLIN, 0 };
+    struct pollfd console = { 0, POLLIN, 0 };
+    struct pollfd foreign = { 600, POLLIN, 0 };
+    const int     a = poll(&file, 1, 0), b = poll(&console, 1, 0), c = poll(&foreign, 1, 0);
+    OSYSPRINT(("T file %d %d console %d %d foreign %d %d\n", a, file.revents == POLLIN, b, console.revents, c,
+               foreign.revents == POLLNVAL));
+    close(file.fd);
+}
+
+static void
 UseLongNames()
 {
     const std::string name = FOLDER + std::string(5000, 'A'), part = FOLDER + std::string(300, 'A');
@@ -351,6 +382,10 @@ FileCommand(const std::string& command)
         Scan();
     } else if (command == "host") {
         UseFilesOfTheHost();
+    } else if (command == "other names") {
+        UseOtherNames();
+    } else if (command == "poll") {
+        PollDescriptors();
     } else if (command == "long names") {
         UseLongNames();
     } else if (command == "truncates") {
