@@ -68,7 +68,8 @@ int32_t CheckedCalls::RegisterName(ObjectId object, std::string_view name) {
 }
 
 // Lets constructors find neither their own object nor the names that they have registered for it.
-// In one process they do not find these either, because the object is in no table yet.
+// A run in one process has the same result, because an object whose constructors run is in no
+// table yet.
 int32_t CheckedCalls::FindName(std::string_view name, ObjectId* object) {
   const int32_t error = LocalCalls::FindName(name, object);
   const bool is_found = error == sSUCCESS && *object == t_current.object->id;

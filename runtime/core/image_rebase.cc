@@ -242,8 +242,9 @@ void HoldConstructors(std::string* bytes) {
 
 void DropDestructors(std::string* bytes) {
   for (Elf64_Dyn& entry : DynamicEntries(bytes)) {
-    // Keeps an array of one function, because this function is that of the compiler's start code.
-    // It does nothing for objects, because they register no destructors (process_hooks.cc).
+    // Keeps an array of one function, because this function belongs to the start code that the
+    // compiler adds to each image.  The function would call the destructors that objects have
+    // registered, and objects can register none (process_hooks.cc).
     if (entry.d_tag != DT_FINI_ARRAYSZ || entry.d_un.d_val <= sizeof(void (*)())) continue;
     // The destructor that openr build --coverage adds writes the counts to a file *.gcda.
     if (bytes->find(".gcda") == std::string::npos) entry.d_un.d_val = 0;

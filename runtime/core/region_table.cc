@@ -15,9 +15,9 @@ namespace {
 // beyond the end of the region is found.  With AddressSanitizer there are none, because
 // AddressSanitizer itself reports the write.
 const size_t kGuardBytes = IsAddressSanitized() ? 0 : 16;
-// With AddressSanitizer, a copy of a region of another process is freed as soon as no observer
-// reads it, so that AddressSanitizer reports later reads of the copy.  Otherwise its memory is kept
-// for the next copy.
+// Copies of other processes' regions: their memory is kept for the next copy.  With
+// AddressSanitizer a copy is freed as soon as no observer reads it, so that AddressSanitizer
+// reports later reads of the copy.
 const bool kReusesCopies = !IsAddressSanitized();
 constexpr char kGuard = 0x5a;
 

@@ -11,7 +11,7 @@
 namespace openr_host {
 namespace {
 
-// As if there were no memory in the middle of a reload.
+// The exception stands for a lack of memory in the middle of a reload.
 TEST(EarlyWorkTest, AnExceptionGivesTheOldObjectItsNamesAndServicesBack) {
   System system;
   system.AddRobot("ERS-210", nullptr);

@@ -145,7 +145,7 @@ TEST_F(ImageTest, AbortIsReportedAndEndsTheMethodOnly) {
   EXPECT_EQ(talker->Ask("count"), "1");
 }
 
-// With and without a signal handler for SIGFPE, as with a sanitizer.
+// The parameter: whether floating-point faults raise SIGFPE.  They do not with a sanitizer.
 class RoundingTest : public ImageTest, public testing::WithParamInterface<bool> {
  protected:
   RoundingTest() { ArithmeticWatch::SetCatches(GetParam()); }
